@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+import trimesh
 
 import step_modelling as modelling
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
@@ -34,7 +35,41 @@ TEES = {
         ],
         {"wall": 2},
     ),
+    "cross": ([{"radius": 18, "length": 80, "blend": LAW}, {"radius": 13, "length": 80, "at": 6, "angle": {"degrees": 70}, "azimuth": {"degrees": 175}, "blend": 4}], {}),
+    "three": (
+        [
+            {"radius": 14, "length": 70, "blend": 3},
+            {"radius": 11, "length": 75, "taper": {"degrees": 3}, "azimuth": {"degrees": 120}, "at": 5, "blend": {"crotch": 4, "flank": 3}},
+            {"radius": 12, "length": 80, "angle": {"degrees": 65}, "azimuth": {"degrees": 240}, "blend": 3},
+        ],
+        {"wall": 2, "ends": "closed"},
+    ),
+    "row": (
+        [
+            {"radius": 26, "length": 80, "blend": 4},
+            {"radius": 8, "length": 70, "azimuth": {"degrees": 185}, "at": -18, "blend": 2},
+            {"radius": 8, "length": 70, "azimuth": {"degrees": 170}, "at": 14, "blend": 2},
+        ],
+        {},
+    ),
+    "reducer": (
+        [
+            {"radius": 16, "length": 90, "angle": {"degrees": 65}, "offset": 5, "taper": {"degrees": 3}, "blend": LAW},
+            {"radius": 10, "length": 80, "angle": {"degrees": 105}, "azimuth": {"degrees": 180}, "offset": -4, "blend": 4},
+        ],
+        {"main": {"radius": 30, "taper": {"degrees": 4}, "ends": [-90, 110]}, "wall": 2, "ends": "closed"},
+    ),
+    "equal cross": ([{"radius": 30, "length": 90, "blend": 5}, {"radius": 30, "length": 90, "azimuth": {"degrees": 180}, "blend": 8}], {}),
+    "equal laterals": (
+        [
+            {"radius": 30, "length": 120, "angle": {"degrees": 60}, "azimuth": {"degrees": 30}, "blend": 4},
+            {"radius": 30, "length": 120, "angle": {"degrees": 110}, "azimuth": {"degrees": 210}, "blend": 6},
+        ],
+        {"wall": 3},
+    ),
 }
+# Branches beside each other.
+CROSSES = ["cross", "row", "reducer", "equal cross"]
 
 
 @pytest.fixture(scope="module", params=TEES)
@@ -57,7 +92,7 @@ def radians(value, default):
 
 def axes(spec):
     """Point, direction, radius and taper of the main pipe and of every branch."""
-    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"], 0.0)]
+    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"], radians(spec["main"].get("taper"), 0.0))]
     for branch in spec["branches"]:
         lean, turn = radians(branch.get("angle"), math.pi / 2), radians(branch.get("azimuth"), 0.0)
         up = np.array([0, -math.sin(turn), math.cos(turn)])
@@ -84,7 +119,7 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
     _, users = structure(step, closed=True)
     assert len(step.solids) == 1 and step.exactly_valid
     # All but the blends is planes, cylinders and cones, with curves in the parameters that are off by rounding.
-    tapered = any("taper" in branch for branch in spec["branches"])
+    tapered = any("taper" in pipe for pipe in [spec["main"], *spec["branches"]])
     kinds = {face.kind for face in step.faces if not is_blend(face)}
     assert {"plane", "cylinder"} <= kinds and kinds - {"plane", "cylinder"} == ({"cone"} if tapered else set())
     assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()
@@ -104,6 +139,38 @@ def test_equal_tees_are_cut_and_fused(name, program, tmp_path):
     assert_cuts(step, report["volume"], modelling.slab, judged=False)
     fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()).Shape()
     assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
+
+
+@pytest.mark.parametrize("name", CROSSES)
+def test_crosses_are_cut_fused_and_sectioned(name, program, tmp_path):
+    branches, fields = TEES[name]
+    step, _, report = made(program, tmp_path, MAIN, branches, fields)
+    assert_cuts(step, report["volume"], modelling.slab, judged=name == "equal cross")
+    # A plate beside the main pipe, into which flanks and branches sink.
+    fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, 25, -45), gp_Pnt(80, 45, 40)).Shape()).Shape()
+    assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
+    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["cross", "equal cross"])
+def test_meshes_of_crosses_are_watertight_at_all_scales(name, program, tmp_path):
+    def scaled(value, scale):
+        if isinstance(value, dict):
+            return value if "degrees" in value else {key: scaled(entry, scale) for key, entry in value.items()}
+        return [scaled(entry, scale) for entry in value] if isinstance(value, list) else scale * value
+
+    for scale in (1e-6, 1.0, 1e6):
+        spec = {"type": "pipe-tee", "main": scaled(MAIN, scale), "branches": scaled(TEES[name][0], scale)}
+        document, path = tmp_path / "cross.json", tmp_path / "cross.stl"
+        document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"cross": spec}}))
+        report = json.loads(program("build", document, "-o", path, "--tolerance", 0.02 * scale, "--json"))
+        # Vertices are one where they are equal; the reader merges to 1e-8.
+        mesh = trimesh.load(path, process=False).apply_scale(1 / scale)
+        mesh.merge_vertices()
+        assert mesh.is_watertight and mesh.is_winding_consistent and len(mesh.split()) == 1
+        # Within the tolerance of an area of 60,000, in a volume of 600,000.
+        assert mesh.volume == pytest.approx(report["objects"]["cross"]["volume"] / scale**3, rel=2e-3)
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ use cyclide::{
 /// The shell of a tee: canals of degree (12, 2), planes, and parts of both cylinders of all degrees.
 fn tee() -> Shell {
     let branch = TeeBranch { angle: 1.2, offset: 0.6, ..TeeBranch::upright(2.0, 12.0, 0.5) };
-    let main = TeeMain { radius: 3.0, ends: [-14.0, 16.0] };
+    let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-14.0, 16.0] };
     PipeTee::new(main, vec![branch]).and_then(|tee| tee.made()).expect("a tee").body.outer
 }
 

@@ -78,7 +78,7 @@ mod tests {
     /// Of a rounded tee the blend is drawn with its arcs and both borders, and round each end; nothing on the pipes themselves.
     #[test]
     fn strips_of_a_pipe_are_no_lines() {
-        let main = TeeMain { radius: 30.0, ends: [-90.0, 90.0] };
+        let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-90.0, 90.0] };
         let made = PipeTee::new(main, vec![TeeBranch::upright(18.0, 80.0, 5.0)]).unwrap().made().unwrap();
         let body = made.body;
         let shell = body.shells().next().unwrap();

@@ -69,4 +69,40 @@ fn tees_that_are_none_are_refused_in_their_place() {
     let both = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"at": 20, "#, 1));
     let error = tee(&both, "").unwrap_err();
     assert!(error.contains("branches[1]") && error.contains("[tee-branches-meet]"), "{error}");
+    let beside = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"azimuth": {"degrees": 60}, "#, 1));
+    let error = tee(&beside, "").unwrap_err();
+    assert!(error.contains("branches[1]") && error.contains("radians round it"), "{error}");
+}
+
+#[test]
+fn crosses_are_solids_that_add_up() {
+    let opposite = |branch: &str| format!("{branch}, {}", branch.replacen('{', r#"{"azimuth": {"degrees": 180}, "#, 1));
+    let equal = r#"{"radius": 12, "length": 40, "blend": 2}"#;
+    for branch in [BRANCH, equal] {
+        for rest in ["", r#", "wall": 1, "ends": "closed""#] {
+            let [one, both] =
+                [branch.to_owned(), opposite(branch)].map(|branches| surface(&tee(&branches, rest).unwrap()));
+            assert!(both.closed && both.blends.len() == 2);
+            let pipe = |radius: f64, length: f64| std::f64::consts::PI * radius * radius * length;
+            let bare = pipe(12.0, 110.0) - if rest.is_empty() { 0.0 } else { pipe(11.0, 108.0) };
+            let expected = bare + 2.0 * (one.volume.unwrap() - bare);
+            assert!((both.volume.unwrap() / expected - 1.0).abs() < 1e-10, "{expected}");
+        }
+    }
+}
+
+#[test]
+fn main_pipes_may_be_cones() {
+    let on_cone = |taper: &str| {
+        build(&format!(
+            r#""t": {{"type": "pipe-tee", "main": {{"radius": 12, "taper": {taper}, "ends": [-50, 60]}}, "branches": [{BRANCH}]}}"#
+        ))
+    };
+    let built = surface(&on_cone(r#"{"degrees": 4}"#).unwrap());
+    // More than the cone alone, from 12 + 50 tan 4° to 12 - 60 tan 4°.
+    let [a, b] = [-50.0, 60.0].map(|x: f64| 12.0 - x * 4_f64.to_radians().tan());
+    let frustum = std::f64::consts::PI / 3.0 * 110.0 * (a * a + a * b + b * b);
+    assert!(built.closed && built.volume.unwrap() > frustum + 4000.0);
+    let error = on_cone("0.3").unwrap_err();
+    assert!(error.contains("t.main") && error.contains("apex at 38.79"), "{error}");
 }

@@ -846,6 +846,15 @@ pub enum Error {
         distance: f64,
         /// The distance that they need.
         needed: f64,
+        /// If they are, the angle round the main pipe from one to the other, below 0 if they overlap there too.
+        round: f64,
+    },
+    /// Two branches of a tee stand so that no lines along the main pipe part what is beside them.
+    TeeNoFreeLine {
+        /// The first branch, from 0.
+        first: usize,
+        /// The second.
+        second: usize,
     },
     /// Two ellipses cross, between which there is no solid.
     EllipsesCross {

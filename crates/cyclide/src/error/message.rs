@@ -261,14 +261,22 @@ impl std::fmt::Display for Error {
                 ShortNumber(*end),
                 ShortNumber(*needed)
             ),
-            Self::TeeBranchesMeet { first, second, distance, needed } if *distance < 0.0 => write!(
+            Self::TeeBranchesMeet { first, second, distance, needed, round } if *distance < 0.0 => write!(
                 f,
-                "branches {first} and {second}, with their blends, overlap by {} along the main pipe: wherever they stand round it, one has to be behind the other, \
-                 by {} at least (`at` moves a branch)",
+                "branches {first} and {second}, with their blends, overlap by {} along the main pipe and {} {} radians{} round it: one has to be behind the other, \
+                 by {} at least (`at` moves a branch), or both beside each other with room for their blends (`azimuth` turns one)",
                 ShortNumber(-*distance),
+                if *round < 0.0 { "by" } else { "are only" },
+                ShortNumber(round.abs()),
+                if *round < 0.0 { "" } else { " apart" },
                 ShortNumber(*needed)
             ),
-            Self::TeeBranchesMeet { first, second, distance, needed } => write!(
+            Self::TeeNoFreeLine { first, second } => write!(
+                f,
+                "no lines along the main pipe part it beside branches {first} and {second}: each has to be free of holes, and less than half a turn from the \
+                 branches next to it; move one along the pipe (`at`) or turn it (`azimuth`)"
+            ),
+            Self::TeeBranchesMeet { first, second, distance, needed, .. } => write!(
                 f,
                 "branches {first} and {second} meet, or their blends do: their distance is {}, which must be above {}",
                 ShortNumber(*distance),

@@ -59,6 +59,7 @@ impl Error {
             Self::ContactBlendFolds { .. } => "contact-blend-folds",
             Self::ContactTubeTooShort { .. } => "contact-tube-too-short",
             Self::TeeBranchesMeet { .. } => "tee-branches-meet",
+            Self::TeeNoFreeLine { .. } => "tee-no-free-line",
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
             Self::RulingsCross { .. } => "rulings-cross",

@@ -6,7 +6,7 @@ use cyclide::{
 };
 
 fn tee(angle: f64, offset: f64) -> Body {
-    let main = TeeMain { radius: 30.0, ends: [-90.0, 90.0] };
+    let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-90.0, 90.0] };
     let branch = TeeBranch { angle, offset, ..TeeBranch::upright(18.0, 80.0, 6.0) };
     PipeTee::new(main, vec![branch]).and_then(|tee| tee.made()).unwrap().body
 }

@@ -160,7 +160,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "tee",
         title: "Tees of pipes",
-        text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, and three branches on one hollow pipe. Exact rational faces, one solid each.",
+        text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, three branches on one hollow pipe, three round it at one place, and an equal cross, whose blends meet in points. Exact rational faces, one solid each.",
         document: example!("tee.json"),
         inputs: &[],
         formats: SURFACES,

@@ -297,8 +297,10 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         E::TeePipeTooShort { .. }
         | E::PipeEndsReversed { .. }
         | E::RadiusNotPositive { .. }
-        | E::NotFinite { what: I::Radius, .. } => Blame::Field("main"),
-        E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
+        | E::ConeReachesApex { .. }
+        | E::ParameterOutOfRange { name: I::Taper, .. }
+        | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
+        E::TeeBranchesMeet { second, .. } | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
         E::NotFinite { index, .. } => Blame::Entry("branches", *index),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),

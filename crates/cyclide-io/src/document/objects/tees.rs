@@ -4,7 +4,7 @@ use cyclide::{PipeTee, SurfaceObject, TeeBlend, TeeBranch, TeeEnds, TeeMain};
 
 use super::Builder;
 use crate::document::angle::Angle;
-use crate::document::spec::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec};
+use crate::document::spec::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec};
 use crate::error::Result;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -16,7 +16,8 @@ impl Builder<'_> {
                 self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`")
             );
         }
-        let main = TeeMain { radius: spec.main.radius, ends: spec.main.ends };
+        let TeeMainSpec { radius, taper, ends } = spec.main;
+        let main = TeeMain { radius, taper: taper.map_or(0.0, Angle::radians), ends };
         let branches = spec.branches.iter().map(|branch| self.tee_branch(branch)).collect::<Result<Vec<_>>>()?;
         let tee = PipeTee::new(main, branches).map_err(|e| self.refused(&e, None))?.with_ends(spec.ends);
         let tee = match spec.wall {

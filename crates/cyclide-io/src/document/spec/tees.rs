@@ -38,7 +38,7 @@ pub struct PipeTeeSpec {
     pub construction: bool,
     /// The main pipe.
     pub main: TeeMainSpec,
-    /// The branches, at least one, each in a stretch of the main pipe of its own.
+    /// The branches, at least one, behind or beside each other on the main pipe.
     #[schemars(length(min = 1))]
     pub branches: Vec<TeeBranchSpec>,
     /// Thickness of the wall of all pipes, also within the blends. Default: the tee is filled.
@@ -64,9 +64,11 @@ pub struct PipeTeeSpec {
 #[schemars(rename = "TeeMain")]
 #[non_exhaustive]
 pub struct TeeMainSpec {
-    /// Its outer radius.
+    /// Its outer radius; with a `taper` that where x is 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
+    /// The angle between its axis and its lines: above zero it grows thinner along x, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
     /// The places on the x axis where it ends, the lower one first.
     pub ends: [f64; 2],
 }

@@ -189,7 +189,7 @@
 //! A branch of a tee reaches beyond the breadth of its main pipe.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let beside = TeeBranch { offset: 1.5, ..TeeBranch::upright(2.0, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![beside])?.made().unwrap_err().reason(), "tee-branch-too-wide");
 //! # Ok::<(), cyclide::Error>(())
@@ -199,7 +199,7 @@
 //! The plainest blend of a wide branch has no finite ball in its crotches.
 //! ```
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let wide = TeeBranch { blend: TeeBlend::Least(0.5), ..TeeBranch::upright(2.8, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![wide])?.made().unwrap_err().reason(), "tee-blend-too-large");
 //! # Ok::<(), cyclide::Error>(())
@@ -209,7 +209,7 @@
 //! A branch of a tee is as wide as its main pipe, and the radius of its blend changes.
 //! ```
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let blend = TeeBlend::Angles { values: vec![[0.0, 0.5], [1.0, 0.7]], tolerance: None };
 //! let equal = TeeBranch { blend, ..TeeBranch::upright(3.0, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![equal])?.made().unwrap_err().reason(), "tee-law-on-equal-pipes");
@@ -220,7 +220,7 @@
 //! A pipe of a tee ends within its blend.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 2.1] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 2.1] };
 //! assert_eq!(PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made().unwrap_err().reason(), "tee-pipe-too-short");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -229,7 +229,7 @@
 //! A blend of a tee runs through itself: in the sharp crotch of a branch that leans far its ball is too large.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-40.0, 40.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-40.0, 40.0] };
 //! let leaning = TeeBranch { angle: 0.4, ..TeeBranch::upright(1.5, 40.0, 1.0) };
 //! assert_eq!(PipeTee::new(main, vec![leaning])?.made().unwrap_err().reason(), "tee-blend-folds");
 //! # Ok::<(), cyclide::Error>(())
@@ -239,7 +239,7 @@
 //! The radius of a blend changes so much that its contact with the main pipe turns back and forth.
 //! ```
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let angle = |k: usize| std::f64::consts::TAU * k as f64 / 12.0;
 //! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.7 } else { 0.3 }]).collect();
 //! let branch = TeeBranch { blend: TeeBlend::Angles { values: wave, tolerance: None }, ..TeeBranch::upright(1.5, 10.0, 0.5) };
@@ -251,7 +251,7 @@
 //! The ends of a pipe, places along its axis, are not in order.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [12.0, -12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [12.0, -12.0] };
 //! let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)]);
 //! assert_eq!(tee.unwrap_err().reason(), "pipe-ends-reversed");
 //! # Ok::<(), cyclide::Error>(())
@@ -390,9 +390,21 @@
 //! Two branches of a tee are nearer to each other than their blends allow.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let branch = |at| TeeBranch { at, ..TeeBranch::upright(2.0, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![branch(-2.0), branch(2.0)])?.made().unwrap_err().reason(), "tee-branches-meet");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-no-free-line`
+//! Two branches of a tee are apart, but others between them leave no line along the main pipe free.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
+//! let branch = |radius, at, azimuth| TeeBranch { at, azimuth, ..TeeBranch::upright(radius, 10.0, 0.3) };
+//! // The third reaches across all that is between the first two; the fourth is beside all of them.
+//! let branches = vec![branch(1.5, 0.0, 0.0), branch(1.5, 0.0, 2.1), branch(1.5, 5.0, 1.0), branch(2.2, 2.5, 4.2)];
+//! assert_eq!(PipeTee::new(main, branches)?.made().unwrap_err().reason(), "tee-no-free-line");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

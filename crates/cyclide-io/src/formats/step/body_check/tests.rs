@@ -168,7 +168,7 @@ fn lobes_are_shells_of_their_own() {
 #[test]
 fn curves_on_cylinders_and_cones_are_held_against_their_edges() {
     for taper in [0.0, 0.1, -0.1] {
-        let main = TeeMain { radius: 3.0, ends: [-10.0, 10.0] };
+        let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-10.0, 10.0] };
         let branch = TeeBranch { taper, ..TeeBranch::upright(2.0, 9.0, 0.5) };
         let tee = PipeTee::new(main, vec![branch]).unwrap().made().unwrap();
         let model = model(SurfaceObject::Body(tee.body));

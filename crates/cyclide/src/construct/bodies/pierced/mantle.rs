@@ -38,6 +38,16 @@ impl Mantle {
         way - self.along * way.dot(self.along)
     }
 
+    /// The place of a point.
+    pub(in crate::construct::bodies) fn place(&self, p: Point3) -> f64 {
+        (p - self.origin).dot(self.along)
+    }
+
+    /// The angle of a direction.
+    pub(in crate::construct::bodies) fn angle_of(&self, direction: Vec3) -> f64 {
+        direction.dot(self.sideways).atan2(direction.dot(self.up))
+    }
+
     /// The radius at a place.
     pub(in crate::construct::bodies) fn radius_at(&self, along: f64) -> f64 {
         self.radius - self.taper.tan() * along

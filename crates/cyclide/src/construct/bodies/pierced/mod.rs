@@ -5,8 +5,12 @@ mod cap;
 mod ends;
 mod lines;
 mod mantle;
+mod rail;
+mod rows;
 mod skin;
 
 pub(super) use lines::{Hole, HolePiece, Node};
-pub(super) use mantle::{Border, Mantle};
+pub(super) use mantle::Mantle;
+pub(super) use rail::Pairing;
+pub(super) use rows::HoleRow;
 pub(super) use skin::{Ring, Skin};

@@ -4,7 +4,7 @@ use crate::base::vector::Vec3;
 use crate::rational::{Polynomial, RationalBezierSurface};
 use crate::topology::{EdgeCurve, FaceEdge, Sewing};
 
-/// Edges one after the other round a pipe, each from one vertex to the next.
+/// Edges one after the other round a pipe, each from one vertex to the next; an open part of that has a vertex more than edges.
 #[derive(Debug, Clone, Default)]
 pub(in crate::construct::bodies) struct Ring {
     pub(in crate::construct::bodies) vertices: Vec<usize>,

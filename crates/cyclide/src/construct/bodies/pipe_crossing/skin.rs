@@ -46,7 +46,7 @@ impl Skin<'_> {
             let stretch = stretches[pipe].map(|at| at + depths[pipe] * mantles[pipe].taper.sin());
             let hole = hole(balls, contacts, pipe, stretch);
             if side.leaves(pipe) {
-                rings.extend(self.stretch(&hole)?);
+                rings.extend(self.stretch(hole)?);
             } else {
                 self.cap(&hole, side.depth_sign(pipe) > 0.0)?;
             }

@@ -3,6 +3,7 @@
 //!
 //! What two branches add to the main pipe meets only if its faces do: neither holds the other, as their holes in the main pipe are apart.
 
+use super::arrangement::are_halves;
 use super::canal::Canal;
 use super::{PipeTee, Placed};
 use crate::base::bounds::Aabb;
@@ -51,6 +52,25 @@ fn gap(a: &Aabb, b: &Aabb) -> f64 {
     .length()
 }
 
+/// A branch outside the main pipe.
+struct Outside {
+    parts: Vec<Part>,
+    /// The box of all of them.
+    hull: Aabb,
+    /// The axis where it has walls, and the largest radius there.
+    spine: [Point3; 2],
+    radius: f64,
+}
+
+impl Outside {
+    fn new(placed: &Placed) -> Result<Self> {
+        let parts = parts(placed)?;
+        let whole = parts.iter().map(|part| part.hull).reduce(Aabb::union);
+        let (spine, radius) = spine(placed);
+        Ok(Self { hull: whole.unwrap_or(Aabb { min: spine[0], max: spine[0] }), parts, spine, radius })
+    }
+}
+
 /// The faces of a branch outside the main pipe.
 fn parts(placed: &Placed) -> Result<Vec<Part>> {
     let mut parts = Vec::new();
@@ -95,16 +115,15 @@ fn distance([a, b]: [Point3; 2], [c, d]: [Point3; 2]) -> f64 {
 }
 
 /// Whether all faces of two branches are proved to be farther apart than a distance; if not, the distance of the boxes of two small parts that are not.
-fn nearer_than(needed: f64, [first, second]: [&[Part]; 2], walls_apart: bool) -> Option<f64> {
-    let near = |a: &Part, b: &Part| gap(&a.hull, &b.hull) <= needed && !(walls_apart && a.of_wall && b.of_wall);
-    let all = |parts: &[Part]| parts.iter().map(|part| part.hull).reduce(Aabb::union);
-    let (Some(whole), Some(other)) = (all(first), all(second)) else { return None };
-    if gap(&whole, &other) > needed {
+fn nearer_than(needed: f64, [first, second]: [&Outside; 2]) -> Option<f64> {
+    if gap(&first.hull, &second.hull) > needed {
         return None;
     }
+    let walls_apart = distance(first.spine, second.spine) > first.radius + second.radius + needed;
+    let near = |a: &Part, b: &Part| gap(&a.hull, &b.hull) <= needed && !(walls_apart && a.of_wall && b.of_wall);
     let mut looked_at = 0;
-    for a in first.iter().filter(|a| gap(&a.hull, &other) <= needed) {
-        for b in second.iter().filter(|b| near(a, b)) {
+    for a in first.parts.iter().filter(|a| gap(&a.hull, &second.hull) <= needed) {
+        for b in second.parts.iter().filter(|b| near(a, b)) {
             let mut waiting = vec![(a.halves(), b.halves())];
             while let Some((a, b)) = waiting.pop() {
                 for a in &a {
@@ -129,13 +148,16 @@ impl PipeTee {
     /// # Errors
     /// `tee-branches-meet`.
     pub(super) fn check_apart(placed: &[Placed], needed: f64) -> Result<()> {
-        let faces = placed.iter().map(parts).collect::<Result<Vec<_>>>()?;
+        let outside = placed.iter().map(Outside::new).collect::<Result<Vec<_>>>()?;
         for second in 1..placed.len() {
             for first in 0..second {
-                let [(axis, radius), (other, beside)] = [first, second].map(|k| spine(&placed[k]));
-                let walls_apart = distance(axis, other) > radius + beside + needed;
-                if let Some(distance) = nearer_than(needed, [&faces[first], &faces[second]], walls_apart) {
-                    return Err(Error::TeeBranchesMeet { first, second, distance, needed });
+                if are_halves(&placed[first], &placed[second]) {
+                    continue;
+                }
+                if let Some(distance) = nearer_than(needed, [&outside[first], &outside[second]]) {
+                    let [first, second] = [first, second].map(|k| placed[k].crossing.branch);
+                    let (first, second) = (first.min(second), first.max(second));
+                    return Err(Error::TeeBranchesMeet { first, second, distance, needed, round: 0.0 });
                 }
             }
         }

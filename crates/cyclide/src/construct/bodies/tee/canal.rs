@@ -43,7 +43,13 @@ impl<'a> Canal<'a> {
         let branch = QuatPolynomial([c * rise_cos, s * -rise_sin, c * rise_sin, s * rise_cos]);
         let first = &branch * &QuatPolynomial([k0, zero(), zero(), k3]).conj();
         let [c, s] = &forms.on_main;
-        let second = QuatPolynomial([c * lean_cos, s * -lean_cos, c * lean_sin, s * lean_sin]);
+        // Of a cone the normal rises too.
+        let (rise_sin, rise_cos) = (0.5 * crossing.main[1]).sin_cos();
+        let [even, odd] = [
+            [lean_cos * rise_cos - lean_sin * rise_sin, lean_sin * rise_cos + lean_cos * rise_sin],
+            [lean_cos * rise_cos + lean_sin * rise_sin, lean_sin * rise_cos - lean_cos * rise_sin],
+        ];
+        let second = QuatPolynomial([c * even[0], s * -odd[0], c * even[1], s * odd[1]]);
         let axes = QuatPolynomial::constant(crossing.turn());
         let [first, second] = [&axes * &first, &axes * &second];
         // Both contacts weigh as much at the ends, and the shorter arc is meant.

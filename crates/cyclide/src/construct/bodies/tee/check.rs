@@ -1,16 +1,18 @@
 //! What is refused of a tee: balls without a radius, blends that fold, pipes that end within a blend, branches that meet.
 
+use super::arrangement::{self, Group};
 use super::canal::Canal;
 use super::crossing::Crossing;
 use super::loop_piece::LoopPiece;
 use super::partition::Partition;
-use super::{PipeTee, Placed};
+use super::{PipeTee, Placed, TeeMain};
 use crate::base::bernstein;
 use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, ErrorItem, Result};
+use std::f64::consts::FRAC_PI_2;
 
 /// A part of a pipe beyond a blend is longer than this part of its radius.
-const LEAST_REST: f64 = 1e-3;
+pub(super) const LEAST_REST: f64 = 1e-3;
 
 /// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
 /// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.
@@ -37,12 +39,17 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
     Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
 }
 
-/// The places along the main pipe between which the contact of the blend is, from places of its pieces close together.
-pub(super) fn reach_along(crossing: &Crossing, partition: &Partition) -> [f64; 2] {
-    let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+/// The places along the main pipe and the angles round it between which the contact of the blend is, from places of its pieces close together.
+pub(super) fn reach_on_main(crossing: &Crossing, partition: &Partition) -> [[f64; 2]; 2] {
+    let mut reach = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for piece in &partition.pieces {
-        for place in quotients(&crossing.forms(piece).along, &crossing.forms(piece).weight) {
-            reach = [reach[0].min(place + crossing.at), reach[1].max(place + crossing.at)];
+        let forms = crossing.forms(piece);
+        let places = quotients(&forms.along, &forms.weight).into_iter().map(|place| place + crossing.at);
+        // A hole is less than half a turn to both sides.
+        let [c, s] = &forms.on_main;
+        let angles = quotients(s, c).into_iter().map(|slope| 2.0 * slope.atan());
+        for (k, value) in places.map(|place| (0, place)).chain(angles.map(|angle| (1, angle))) {
+            reach[k] = [reach[k][0].min(value), reach[k][1].max(value)];
         }
     }
     reach
@@ -66,11 +73,29 @@ fn quotients(above: &crate::rational::Polynomial, below: &crate::rational::Polyn
 }
 
 impl PipeTee {
-    /// Refuses pipes that end within a blend, and branches that meet.
+    /// Refuses a main pipe that comes to an end before its own.
     ///
     /// # Errors
-    /// `tee-pipe-too-short`, `tee-branches-meet`.
-    pub(super) fn check_room(&self, placed: &[Placed], order: &[usize]) -> Result<()> {
+    /// `parameter-out-of-range`, `radius-not-positive`.
+    pub(super) fn check_main(&self) -> Result<()> {
+        let TeeMain { radius, taper, ends } = self.main;
+        if !(taper.abs() < FRAC_PI_2) {
+            let (name, max) = (ErrorItem::Taper, FRAC_PI_2);
+            return Err(Error::ParameterOutOfRange { name, value: taper, min: -max, max });
+        }
+        let inside = radius - self.wall.unwrap_or(0.0) / taper.cos();
+        match ends.into_iter().find(|end| !(inside - end * taper.tan() > 0.0)) {
+            Some(reached) if inside > 0.0 => Err(Error::ConeReachesApex { apex: inside / taper.tan(), reached }),
+            Some(_) => Err(Error::RadiusNotPositive { radius: inside }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses pipes that end within a blend.
+    ///
+    /// # Errors
+    /// `tee-pipe-too-short`.
+    pub(super) fn check_room(&self, placed: &[Placed]) -> Result<()> {
         let short = if self.ends == super::TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
         let rest = LEAST_REST * self.main.radius;
         for (index, branch) in placed.iter().enumerate() {
@@ -86,6 +111,8 @@ impl PipeTee {
                     needed,
                 });
             }
+            // The hole of the inner skin is moved along a cone.
+            let rest = rest + self.wall.unwrap_or(0.0) * self.main.taper.sin().abs();
             let [low, high] = [branch.reach[0] - rest - short, branch.reach[1] + rest + short];
             for (end, needed, fits) in
                 [(self.main.ends[0], low, self.main.ends[0] < low), (self.main.ends[1], high, self.main.ends[1] > high)]
@@ -95,14 +122,17 @@ impl PipeTee {
                 }
             }
         }
-        for pair in order.windows(2) {
-            let [first, second] = [pair[0], pair[1]];
-            let distance = placed[second].reach[0] - placed[first].reach[1];
-            if !(distance > 3.0 * rest) {
-                let (first, second) = (first.min(second), first.max(second));
-                return Err(Error::TeeBranchesMeet { first, second, distance, needed: 3.0 * rest });
-            }
-        }
-        Self::check_apart(placed, rest)
+        Ok(())
+    }
+
+    /// How the branches stand on the main pipe, in the order of their places.
+    ///
+    /// # Errors
+    /// `tee-branches-meet`, `tee-no-free-line`.
+    pub(super) fn groups(&self, placed: &[Placed]) -> Result<Vec<Group>> {
+        let rest = LEAST_REST * self.main.radius;
+        let groups = arrangement::groups(placed, rest)?;
+        Self::check_apart(placed, rest)?;
+        Ok(groups)
     }
 }

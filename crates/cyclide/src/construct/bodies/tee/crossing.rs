@@ -1,10 +1,10 @@
 //! A branch that stands inside the breadth of its main pipe, and the balls that touch both from outside
 //! (`docs/math/pipe-tees.md#balls`).
 
-use super::TeeBranch;
 use super::boost::Boost;
 use super::equal;
 use super::loop_piece::LoopPiece;
+use super::{TeeBranch, TeeMain};
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
@@ -18,16 +18,18 @@ const SMALLEST_SINE: f64 = 0.05;
 /// The part of what there is room for that a branch leaves at least: with less, digits are lost that the faces need.
 const LEAST_ROOM: f64 = 1e-4;
 
-/// Two pipes in their place: the main pipe, a cylinder about the x axis, and the branch, a cylinder or a cone thinner than it, its axis passing that of the main pipe
-/// nearer than their radii differ.
+/// Two pipes in their place: the main pipe about the x axis, and the branch, thinner than it, its axis passing that of the main pipe nearer than their radii differ;
+/// cylinders or cones.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::construct::bodies) struct Crossing {
     /// Which branch, from 0, for what is refused of it.
     pub(in crate::construct::bodies) branch: usize,
-    /// Radii of branch and main pipe, that of the branch at its foot; negative where balls touch from inside.
+    /// Radii of branch and main pipe at their feet; negative where balls touch from inside.
     pub(in crate::construct::bodies) radii: [f64; 2],
     /// The angle by which the branch grows thinner.
     pub(in crate::construct::bodies) taper: f64,
+    /// The radius of the main pipe where x is zero, and the angle by which it grows thinner along x.
+    pub(in crate::construct::bodies) main: [f64; 2],
     /// Whether both are of one radius and their axes meet: the balls are on two ellipses (`docs/math/pipe-tees.md#equal-pipes`).
     pub(in crate::construct::bodies) equal: bool,
     /// Of the contacts round branch and main pipe.
@@ -49,33 +51,42 @@ pub(in crate::construct::bodies) struct Crossing {
     pub(in crate::construct::bodies) axes: [Vec3; 3],
 }
 
-/// The boosts of branch and main pipe, from the form that both have in common (`docs/math/pipe-tees.md#tapered-branches`).
-fn boosts(index: usize, main: f64, branch: &TeeBranch) -> Result<[Boost; 2]> {
-    let (sin, cos) = branch.angle.sin_cos();
-    let (taper_cos, offset) = (branch.taper.cos(), branch.offset);
-    let (delta, lean) = (main / taper_cos - branch.radius, branch.taper.tan() / sin);
-    let [across, up] = [delta.hypot(offset * lean * cos), delta.hypot(offset * lean)];
-    let taus = [-offset / across, -offset / (taper_cos * up)];
+/// What the tapers of branch and main pipe, the first two, add to the form that both have in common, in parts of the offset: `p`, across the branch, and
+/// less the same up from the main pipe (`docs/math/pipe-tees.md#tapered-branches`).
+fn leans(branch: &TeeBranch, main_taper: f64) -> [f64; 2] {
+    let ((sin, cos), own, main) = (branch.angle.sin_cos(), branch.taper.sin(), main_taper.sin());
+    [(main - own * cos) / sin, (main * cos - own) / sin]
+}
+
+/// The boosts of branch and main pipe, of this radius at the foot, from the form that both have in common.
+fn boosts(index: usize, [main, main_taper]: [f64; 2], branch: &TeeBranch) -> Result<[Boost; 2]> {
+    let (own_cos, main_cos, offset) = (branch.taper.cos(), main_taper.cos(), branch.offset);
+    let room = main * main_cos - branch.radius * own_cos;
+    let leans = leans(branch, main_taper);
+    let across = leans.map(|lean| room.hypot(offset * lean));
+    let taus = [-offset * own_cos / across[0], -offset * main_cos / across[1]];
     // On the edge of it the loop is degenerate: it comes to a point.
-    if !(delta > LEAST_ROOM * main && taus.iter().all(|tau| tau.abs() < 1.0 - LEAST_ROOM)) {
-        let reach = branch.radius + offset.abs() * ((1.0 - lean * cos) * (1.0 + lean * cos)).max(0.0).sqrt();
-        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main / taper_cos, offset });
+    if !(room > LEAST_ROOM * main * own_cos && taus.iter().all(|tau| tau.abs() < 1.0 - LEAST_ROOM)) {
+        let beside = ((own_cos - leans[0]) * (own_cos + leans[0])).max(0.0).sqrt() / own_cos;
+        let reach = branch.radius + offset.abs() * beside;
+        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main * main_cos / own_cos, offset });
     }
     Ok([
-        Boost::new(taus[0], [delta / across, offset * lean * cos / across]),
-        Boost::new(taus[1], [delta / up, -offset * lean / up]),
+        Boost::new(taus[0], [room / across[0], -offset * leans[0] / across[0]]),
+        Boost::new(taus[1], [room / across[1], offset * leans[1] / across[1]]),
     ])
 }
 
-/// What balls at infinity are told by. Of `A`, `B`, `C`, `D` the products are given, and that `CD/AB` is `(cos w + cos ω)/(cos w - cos ω)`.
-fn infinite_balls(branch: &TeeBranch, boosts: &[Boost; 2]) -> [[f64; 2]; 2] {
-    let ((sin, cos), (taper_sin, taper_cos)) = (branch.angle.sin_cos(), branch.taper.sin_cos());
+/// What balls at infinity are told by. Of `A`, `B`, `C`, `D` the products are given, and `AB/CD`, the square of the tangent of half the angle between both axes as lines
+/// of balls.
+fn infinite_balls(branch: &TeeBranch, main_taper: f64, boosts: &[Boost; 2]) -> [[f64; 2]; 2] {
+    let (own_cos, main_cos) = (branch.taper.cos(), main_taper.cos());
     let [first, second] = boosts.each_ref().map(Boost::turn_cos);
-    let (whole, lean) = (first / boosts[0].root, taper_sin / sin);
-    let ac = 0.5 * second * (whole - lean);
-    let [ad, bc] = [-1.0, 1.0].map(|sign| 0.5 * first * (taper_cos * whole + sign * lean * cos));
-    let (half_sum, half_difference) = (0.5 * (branch.angle + branch.taper), 0.5 * (branch.angle - branch.taper));
-    let tangents = half_sum.tan() * half_difference.tan();
+    let (whole, leans) = (first / boosts[0].root, leans(branch, main_taper));
+    let ac = 0.5 * second * (main_cos * whole + leans[1]);
+    let [ad, bc] = [1.0, -1.0].map(|sign| 0.5 * first * (own_cos * whole + sign * leans[0]));
+    let half = |own: f64, main: f64| 0.5 * (branch.angle + own * branch.taper + main * main_taper);
+    let tangents = half(-1.0, 1.0).sin() * half(1.0, -1.0).sin() / (half(1.0, 1.0).cos() * half(-1.0, -1.0).cos());
     let scale = (ad / (ac * ac * bc) * tangents).sqrt().sqrt();
     [[scale * ac, scale * bc], [1.0 / scale, ad / (ac * scale)]]
 }
@@ -93,7 +104,8 @@ struct FactorForm {
 
 /// What a piece of the loop says about its balls, as polynomials over it.
 pub(in crate::construct::bodies) struct PieceForms {
-    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, along the main pipe from the foot, and the radius.
+    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, the place of the contact along the main pipe from the foot, and
+    /// the radius. Of skins below the place of the contact is counted from where the mantle begins.
     pub(in crate::construct::bodies) weight: Polynomial,
     pub(in crate::construct::bodies) across: [Polynomial; 2],
     pub(in crate::construct::bodies) height: Polynomial,
@@ -112,13 +124,19 @@ impl Crossing {
     /// # Errors
     /// `angle-out-of-range` (a line of the branch along the main pipe), `radius-not-positive` (a branch that comes to an end before its own),
     /// `tee-branch-too-wide`, `tee-pipe-too-short` (it comes to an end inside the main pipe).
-    pub(in crate::construct::bodies) fn new(index: usize, main: f64, branch: &TeeBranch, wall: f64) -> Result<Self> {
+    pub(in crate::construct::bodies) fn new(
+        index: usize,
+        pipe: &TeeMain,
+        branch: &TeeBranch,
+        wall: f64,
+    ) -> Result<Self> {
         let (sin, cos) = branch.angle.sin_cos();
         let taper_cos = branch.taper.cos();
-        let least = SMALLEST_SINE.asin() + branch.taper.abs();
+        let main = if pipe.taper == 0.0 { pipe.radius } else { pipe.radius - branch.at * pipe.taper.tan() };
+        let least = SMALLEST_SINE.asin() + branch.taper.abs() + pipe.taper.abs();
         if least > FRAC_PI_2 {
             // No angle is far enough from both directions of the main pipe.
-            let max = FRAC_PI_2 - SMALLEST_SINE.asin();
+            let max = FRAC_PI_2 - SMALLEST_SINE.asin() - pipe.taper.abs();
             let error = Error::ParameterOutOfRange { name: ErrorItem::Taper, value: branch.taper, min: -max, max };
             return Err(error.in_branch(index, ErrorItem::Taper));
         }
@@ -138,8 +156,8 @@ impl Crossing {
             clippy::float_cmp,
             reason = "pipes of one radius are of the same double: nearly equal ones have no loop of this kind"
         )]
-        let equal = branch.radius == main && branch.offset == 0.0 && branch.taper == 0.0;
-        let boosts = if equal { [Boost::new(0.0, [1.0, 0.0]); 2] } else { boosts(index, main, branch)? };
+        let equal = branch.radius == main && branch.offset == 0.0 && branch.taper == 0.0 && pipe.taper == 0.0;
+        let boosts = if equal { [Boost::new(0.0, [1.0, 0.0]); 2] } else { boosts(index, [main, pipe.taper], branch)? };
         let (turn_sin, turn_cos) = branch.azimuth.sin_cos();
         let up = Vec3::new(0.0, -turn_sin, turn_cos);
         let sideways = Vec3::new(0.0, turn_cos, turn_sin);
@@ -148,10 +166,11 @@ impl Crossing {
             branch: index,
             radii: [branch.radius, main],
             taper: branch.taper,
+            main: [pipe.radius, pipe.taper],
             equal,
             boosts,
-            infinite: if equal { [[1.0; 2]; 2] } else { infinite_balls(branch, &boosts) },
-            unit: if equal { main } else { main - branch.radius * taper_cos },
+            infinite: if equal { [[1.0; 2]; 2] } else { infinite_balls(branch, pipe.taper, &boosts) },
+            unit: if equal { main } else { main * pipe.taper.cos() - branch.radius * taper_cos },
             sin,
             cos,
             at: branch.at,
@@ -183,8 +202,10 @@ impl Crossing {
 
     /// A skin of the main pipe.
     pub(in crate::construct::bodies) fn main_pipe(&self, depth: f64) -> Mantle {
-        let radius = self.radii[1] - depth;
-        Mantle { radius, taper: 0.0, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up }
+        let [radius, taper] = self.main;
+        let outer =
+            Mantle { radius, taper, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up };
+        outer.below(depth)
     }
 
     /// The boosted angle of a contact round the branch at the true angle.
@@ -208,9 +229,10 @@ impl Crossing {
             branch: 0,
             radii,
             taper: 0.0,
+            main: [radii[1], 0.0],
             equal: false,
             boosts,
-            infinite: infinite_balls(&branch, &boosts),
+            infinite: infinite_balls(&branch, 0.0, &boosts),
             unit: delta,
             sin,
             cos,
@@ -337,7 +359,7 @@ impl Crossing {
             &(&(&along(l_row, &first) * taper_cos) + &(&height * taper_sin)) + &(&weight * -self.reach_of_branch());
         let [by_s, by_c] = piece.gradient();
         PieceForms {
-            along: &(&across[0] + &(&up * self.cos)) * (1.0 / self.sin),
+            along: &(&(&across[0] + &(&up * self.cos)) * (1.0 / self.sin)) + &(&radius * -self.main[1].sin()),
             on_branch: self.boosts[0].halves([&c, &s]),
             on_main: self.boosts[1].halves([&q, &sc]),
             // Of balls inside the main pipe only, the root that it comes from is the other one.

@@ -5,20 +5,21 @@
 //! every law of the radius has its loop. The canal of a piece of the loop is rational of degree (12, 2), and so are, exactly, what is left of
 //! both pipes: all faces have four sides and share edges.
 //!
-//! A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
+//! Both may be cones. A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
 //!
 //! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
 
 mod apart;
+mod arrangement;
 mod boost;
 mod canal;
 mod check;
 mod crossing;
 mod equal;
-mod join;
 mod loop_piece;
 mod partition;
 mod radius_law;
+mod sewn;
 mod skin;
 
 pub(super) use canal::Canal;
@@ -29,26 +30,26 @@ pub use radius_law::TeeBlend;
 
 use super::ball_centers::{BallCenters, closed_path};
 use crate::base::range;
-use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::pierced::{Ring, Skin};
+use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::NurbsCurve;
 use crate::surface::CanalPatch;
-use crate::topology::{Body, Sewing};
+use crate::topology::Body;
 use partition::Partition;
-use skin::{Branch, Rings};
 
 /// The main pipe of a tee, about the x axis.
 ///
 /// ```
 /// use cyclide::TeeMain;
-/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// assert!(main.ends[0] < main.ends[1]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TeeMain {
-    /// Its outer radius.
+    /// Its outer radius; with a taper that where x is zero.
     pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner along x, below wider, 0 is a cylinder.
+    pub taper: f64,
     /// The places on the x axis where it ends.
     pub ends: [f64; 2],
 }
@@ -62,7 +63,7 @@ pub struct TeeMain {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeeBranch {
-    /// Its outer radius, below that of the main pipe, or equal to it with no offset and no taper; with a taper that at the place nearest to the axis of the main pipe.
+    /// Its outer radius, below that of the main pipe there, or equal to it with no offset and no tapers; with a taper that at the place nearest to the axis of the main pipe.
     pub radius: f64,
     /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider, 0 is a cylinder.
     pub taper: f64,
@@ -101,7 +102,7 @@ impl TeeBranch {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeEnds, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.with_wall(0.2)?;
 /// assert!(tee.made()?.body.voids.is_empty());
 /// assert_eq!(tee.with_ends(TeeEnds::Closed).made()?.body.voids.len(), 1);
@@ -124,7 +125,7 @@ pub enum TeeEnds {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(20.0, 100.0, 6.0)])?.with_wall(3.0)?;
 /// let made = tee.made()?;
 /// assert!(made.body.is_solid() && (made.blends[0].radii[1] - 6.0).abs() < 0.006);
@@ -142,7 +143,7 @@ pub struct PipeTee {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
 /// assert!(made.body.is_solid() && made.blends.len() == 1);
 /// # Ok::<(), cyclide::Error>(())
@@ -161,7 +162,7 @@ pub struct MadeTee {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let facts = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?.blends[0];
 /// assert!(facts.radii[0] >= 0.4995 && facts.radii[1] <= 0.5005 && facts.tightest > 0.7);
 /// # Ok::<(), cyclide::Error>(())
@@ -197,6 +198,8 @@ struct Placed {
     length: f64,
     /// The places along the main pipe between which the blend is.
     reach: [f64; 2],
+    /// The angles round the main pipe between which it is, in the axes of the branch.
+    breadth: [f64; 2],
     facts: TeeBlendFacts,
 }
 
@@ -225,6 +228,9 @@ impl PipeTee {
         check_pipe(main.radius)?;
         if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+        }
+        if !main.taper.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Taper, index: 0 });
         }
         if let [start, end] = main.ends
             && start >= end
@@ -271,27 +277,27 @@ impl PipeTee {
     /// The body, with what is known of its blends.
     ///
     /// # Errors
-    /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
-    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`.
+    /// `parameter-out-of-range` and `radius-not-positive` (a main pipe that is no cone, or comes to an end before its own), `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
+    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`, `tee-no-free-line`.
     pub fn made(&self) -> Result<MadeTee> {
+        self.check_main()?;
         let mut placed = self
             .branches
             .iter()
             .enumerate()
             .map(|(index, branch)| self.placed(index, branch))
             .collect::<Result<Vec<_>>>()?;
-        let mut order: Vec<usize> = (0..placed.len()).collect();
-        order.sort_by(|&a, &b| placed[a].reach[0].total_cmp(&placed[b].reach[0]));
-        self.check_room(&placed, &order)?;
         let blends = placed.iter().map(|branch| branch.facts).collect();
         let paths = placed.iter().map(Placed::path).collect::<Result<Vec<_>>>()?;
         let centers = BallCenters::new(paths, None);
+        self.check_room(&placed)?;
         placed.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
-        Ok(MadeTee { body: self.sewn(&placed)?, blends, centers })
+        let groups = self.groups(&placed)?;
+        Ok(MadeTee { body: self.sewn(&placed, &groups)?, blends, centers })
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
-        let crossing = Crossing::new(index, self.main.radius, branch, self.wall.unwrap_or(0.0))?;
+        let crossing = Crossing::new(index, &self.main, branch, self.wall.unwrap_or(0.0))?;
         let in_blend = |error: Error| error.in_branch(index, ErrorItem::Blend);
         let Loop { pieces, deviation } = branch.blend.pieces(&crossing).map_err(in_blend)?;
         let depth = self.wall.unwrap_or(0.0);
@@ -305,7 +311,7 @@ impl PipeTee {
         let place = self.main.ends.into_iter().fold(branch.at.abs() + branch.length, |most, end| most.max(end.abs()));
         let smallest = radii[0].min(branch.radius);
         range::check_size_in_place(ErrorItem::Radius, smallest, place, range::SMALLEST_IN_PLACE).map_err(in_blend)?;
-        let reach = check::reach_along(&crossing, &partition);
+        let [reach, breadth] = check::reach_on_main(&crossing, &partition);
         let facts = TeeBlendFacts {
             radii,
             deviation,
@@ -313,87 +319,6 @@ impl PipeTee {
             tightest: tight.left,
             tightest_at: tight.angle,
         };
-        Ok(Placed { crossing, partition, length: branch.length, reach, facts })
-    }
-
-    /// The faces of all skins.
-    fn sewn(&self, placed: &[Placed]) -> Result<Body> {
-        let mut sewing = Sewing::default();
-        let outer = self.skin(&mut sewing, placed, 0.0, 0.0)?;
-        let Some(wall) = self.wall else {
-            if self.ends == TeeEnds::Open {
-                return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
-            }
-            self.disks(&mut sewing, placed, &outer, 0.0)?;
-            return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
-        };
-        if self.ends == TeeEnds::Closed {
-            self.disks(&mut sewing, placed, &outer, 0.0)?;
-            let mut inside = Sewing::default();
-            let inner = self.skin(&mut inside, placed, wall, wall)?;
-            self.disks(&mut inside, placed, &inner, wall)?;
-            return Ok(Body { outer: sewing.finish()?, voids: vec![inside.finish()?] });
-        }
-        let inner = self.skin(&mut sewing, placed, wall, 0.0)?;
-        let mut skin = Skin { sewing: &mut sewing, depth: 0.0, inner: false };
-        for ((outer, inner), (_, outwards)) in outer.iter().zip(&inner).zip(self.openings(placed, 0.0)) {
-            skin.between_rings(outer, inner, outwards)?;
-        }
-        Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
-    }
-
-    /// The centres of all ends and the directions out of them, as rings of skins are ordered: both ends of the main pipe, then the branches.
-    fn openings(&self, placed: &[Placed], short: f64) -> Vec<(Point3, Vec3)> {
-        let main = [(self.main.ends[0] + short, -1.0), (self.main.ends[1] - short, 1.0)];
-        let branches = placed.iter().map(|branch| {
-            let axis = branch.crossing.axes[2];
-            (branch.crossing.foot + axis * (branch.length - short), axis)
-        });
-        main.into_iter().map(|(at, way)| (Point3::new(at, 0.0, 0.0), Vec3::X * way)).chain(branches).collect()
-    }
-
-    fn disks(&self, sewing: &mut Sewing, placed: &[Placed], rings: &[Ring], depth: f64) -> Result<()> {
-        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
-        for (ring, (centre, outwards)) in rings.iter().zip(self.openings(placed, depth)) {
-            skin.disk(ring, centre, if depth > 0.0 { -outwards } else { outwards })?;
-        }
-        Ok(())
-    }
-
-    /// The faces of a skin, and its rings in the order of [`openings`](Self::openings).
-    fn skin(&self, sewing: &mut Sewing, placed: &[Placed], depth: f64, short: f64) -> Result<Vec<Ring>> {
-        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
-        let mut rings: Vec<Rings> = Vec::new();
-        for (k, branch) in placed.iter().enumerate() {
-            // Between two branches a third of the way is left for what joins their rings.
-            let before = match k.checked_sub(1).and_then(|j| placed.get(j)) {
-                Some(other) => branch.reach[0] - (branch.reach[0] - other.reach[1]) / 3.0,
-                None => self.main.ends[0] + short,
-            };
-            let behind = match placed.get(k + 1) {
-                Some(other) => branch.reach[1] + (other.reach[0] - branch.reach[1]) / 3.0,
-                None => self.main.ends[1] - short,
-            };
-            let Placed { crossing, partition, length, .. } = branch;
-            rings.push(skin.branch(&Branch {
-                crossing,
-                partition,
-                length: length - short,
-                stretch: [before, behind],
-            })?);
-        }
-        for k in 1..rings.len() {
-            let (at, beyond) = (&rings[k - 1].main[1], &rings[k].main[0]);
-            skin.join([&placed[k - 1].crossing, &placed[k].crossing], [at, beyond])?;
-        }
-        let mut open = Vec::new();
-        let (mut first, mut last, mut branches) = (None, None, Vec::new());
-        for Rings { branch, main: [start, end] } in rings {
-            first = first.or(Some(start));
-            last = Some(end);
-            branches.push(branch);
-        }
-        open.extend(first.into_iter().chain(last).chain(branches));
-        Ok(open)
+        Ok(Placed { crossing, partition, length: branch.length, reach, breadth, facts })
     }
 }

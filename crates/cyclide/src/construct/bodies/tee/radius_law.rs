@@ -36,7 +36,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let tee = |blend| PipeTee::new(main, vec![TeeBranch { blend, ..TeeBranch::upright(1.0, 10.0, 0.5) }]);
 /// let [least, most] = tee(TeeBlend::Radius { radius: 0.5, tolerance: Some(1e-4) })?.made()?.blends[0].radii;
 /// assert!(least >= 0.4999 && most <= 0.5001);

@@ -18,25 +18,25 @@ pub(super) struct Branch<'a> {
     pub(super) length: f64,
     /// Where its stretch of the main pipe begins and ends.
     pub(super) stretch: [f64; 2],
+    /// The vertices at its flanks, at low angles and at high ones, that another branch as wide as the main pipe has too.
+    pub(super) flanks: Option<[usize; 2]>,
 }
 
-/// The rings that bound what was sewn of a branch: its own end, and both ends of its stretch.
-pub(super) struct Rings {
-    pub(super) branch: Ring,
-    pub(super) main: [Ring; 2],
+/// The flanks of the hole of a branch as wide as the main pipe, for a branch opposite.
+pub(super) fn known_flanks(hole: &Hole) -> [usize; 2] {
+    [hole.contacts[hole.sides[1]], hole.contacts[0]]
 }
 
 impl Skin<'_> {
-    /// The faces of a branch and of its stretch.
-    pub(super) fn branch(&mut self, branch: &Branch) -> Result<Rings> {
+    /// The faces of a branch, with its hole in the main pipe and the ring at its end.
+    pub(super) fn branch(&mut self, branch: &Branch) -> Result<(Hole, Ring)> {
         let crossing = branch.crossing;
         let canals: Vec<Canal> =
             branch.partition.pieces.iter().map(|piece| Canal::new(crossing, piece, self.depth)).collect();
         let balls: Vec<Ball> = canals.iter().map(Canal::ball).collect();
         let (hole, on_branch) = self.blend(branch, &canals, &balls)?;
         let end = self.wall(branch, &canals, &balls, &on_branch)?;
-        let main = self.stretch(&hole)?;
-        Ok(Rings { branch: end, main })
+        Ok((hole, end))
     }
 
     /// The blend, with the vertices and edges of its contact with the branch.
@@ -47,7 +47,12 @@ impl Skin<'_> {
         let upper: Vec<Point3> =
             balls.iter().map(|ball| crossing.branch_point(self.depth, ball.on_branch, ball.height)).collect();
         let lower: Vec<Point3> = balls.iter().map(|ball| mantle.point(ball.on_main, ball.along)).collect();
-        let contacts: Vec<usize> = lower.iter().map(|&p| self.sewing.vertex(p)).collect();
+        let known = |k: usize| {
+            let [low, high] = branch.flanks?;
+            if k == 0 { Some(low) } else { (k == branch.partition.sides[1]).then_some(high) }
+        };
+        let contacts: Vec<usize> =
+            lower.iter().enumerate().map(|(k, &p)| known(k).unwrap_or_else(|| self.sewing.vertex(p))).collect();
         // At the flanks of equal pipes both contacts are one point.
         let points: Vec<bool> =
             branch.partition.pieces.iter().map(|piece| equal::begins_in_a_point(crossing, piece)).collect();

@@ -2,13 +2,16 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod conical_mains;
+mod crosses;
+
 use cyclide::{
     Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
     TeeMain, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const MAIN: TeeMain = TeeMain { radius: 3.0, ends: [-14.0, 16.0] };
+const MAIN: TeeMain = TeeMain { radius: 3.0, taper: 0.0, ends: [-14.0, 16.0] };
 
 fn branch() -> TeeBranch {
     TeeBranch::upright(2.0, 12.0, 0.5)
@@ -28,14 +31,14 @@ fn solid(branches: Vec<TeeBranch>) -> MadeTee {
     made(MAIN, branches, None, TeeEnds::Flat).expect("a tee")
 }
 
-/// The canals of a body: the faces of degree (12, 2).
+/// The canals of a body: the faces of degree (12, 2), of equal pipes (8, 2).
 fn canals(body: &Body) -> Vec<(&RationalBezierSurface, &ShellFace)> {
     let faces = body.shells().flat_map(|shell| shell.faces());
     let rational = faces.filter_map(|face| match &face.surface {
         FaceSurface::Rational(surface) => Some((surface, face)),
         FaceSurface::Cyclide(_) => None,
     });
-    rational.filter(|(surface, _)| surface.degrees() == [12, 2]).collect()
+    rational.filter(|(surface, _)| [[12, 2], [8, 2]].contains(&surface.degrees())).collect()
 }
 
 /// Point and direction of the axis of a branch.
@@ -63,10 +66,16 @@ fn normal(surface: &RationalBezierSurface, face: &ShellFace, s: f64, t: f64) -> 
     if face.same_sense { n } else { -n }
 }
 
-/// The radius of the ball on the outer side that touches a canal at a point and the main pipe: by bisection of the distance from the axis less both
-/// radii, which falls along the normal from there on (the normal leans off the radial direction).
-fn ball(p: Point3, n: Vec3, pipe: f64, most: f64) -> f64 {
-    let gap = |r: f64| off_axis(p + n * r, (Point3::ORIGIN, Vec3::X)).length() - pipe - r;
+/// Distance of a point from a main pipe, a cone or a cylinder.
+fn off_main(p: Point3, main: &TeeMain) -> f64 {
+    let (sin, cos) = main.taper.sin_cos();
+    (off_axis(p, (Point3::ORIGIN, Vec3::X)).length() - main.radius) * cos + p.x * sin
+}
+
+/// The radius of the ball on the outer side that touches a canal at a point and the main pipe: by bisection of the distance from it less the radius, which falls along the
+/// normal from there on (the normal leans off that of the pipe).
+fn ball(p: Point3, n: Vec3, main: &TeeMain, most: f64) -> f64 {
+    let gap = |r: f64| off_main(p + n * r, main) - r;
     let (mut low, mut high) = (0.0, most);
     for _ in 0..80 {
         let middle = 0.5 * (low + high);
@@ -87,25 +96,40 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
         TeeBranch { radius: 1.0, taper: 0.06, angle: 2.0, offset: -0.3, blend: TeeBlend::Least(0.4), ..branch() },
     ];
     for variant in variants {
-        let tee = solid(vec![variant.clone()]);
-        let [least, most] = tee.blends[0].radii;
-        for (surface, face) in canals(&tee.body) {
-            for s in [0.1, 0.55, 0.9] {
-                let found = [0.15, 0.5, 0.85].map(|t| {
-                    let (p, n) = (surface.point(s, t), normal(surface, face, s, t));
-                    let radius = ball(p, n, MAIN.radius, 4.0 * most);
-                    (p + n * radius, radius)
-                });
-                for (centre, radius) in found {
-                    // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
-                    assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
-                    let touching = off_branch(centre, &variant) - radius;
-                    assert!(touching.abs() < 1e-10, "{touching}");
-                    assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
-                }
+        check_balls(&solid(vec![variant.clone()]), &MAIN, &[variant]);
+    }
+}
+
+/// Every circle of the blends of a solid tee is on one ball that touches the main pipe and a branch, and is as large as is said.
+fn check_balls(tee: &MadeTee, main: &TeeMain, branches: &[TeeBranch]) {
+    let most = tee.blends.iter().fold(0.0, |most: f64, blend| most.max(blend.radii[1]));
+    let mut seen = vec![0; branches.len()];
+    for (surface, face) in canals(&tee.body) {
+        for s in [0.1, 0.55, 0.9] {
+            let found = [0.15, 0.5, 0.85].map(|t| {
+                let (p, n) = (surface.point(s, t), normal(surface, face, s, t));
+                let radius = ball(p, n, main, 4.0 * most);
+                (p + n * radius, radius)
+            });
+            // Branches opposite each other have one axis.
+            let off = |k: usize| {
+                let ((sin, cos), centre) = (branches[k].azimuth.sin_cos(), found[1].0);
+                let on_side = centre.z * cos - centre.y * sin > 0.0;
+                if on_side { (off_branch(centre, &branches[k]) - found[1].1).abs() } else { f64::INFINITY }
+            };
+            let nearest = (1..branches.len()).fold(0, |best, k| if off(k) < off(best) { k } else { best });
+            seen[nearest] += 1;
+            let [least, most] = tee.blends[nearest].radii;
+            for (centre, radius) in found {
+                // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
+                assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
+                let touching = off_branch(centre, &branches[nearest]) - radius;
+                assert!(touching.abs() < 1e-10, "{touching}");
+                assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
             }
         }
     }
+    assert!(seen.iter().zip(&tee.blends).all(|(seen, blend)| *seen == 3 * blend.pieces), "{seen:?}");
 }
 
 #[test]
@@ -150,7 +174,7 @@ fn radii_are_those_asked_for() {
             let off = off.min(2.0 * PI - off);
             if off < nearest {
                 let (p, n) = (surface.point(0.0, 0.5), normal(surface, face, 0.0, 0.5));
-                (nearest, found) = (off, ball(p, n, MAIN.radius, 5.0));
+                (nearest, found) = (off, ball(p, n, &MAIN, 5.0));
             }
         }
         assert!(nearest < 1e-9 && (found - radius).abs() < 1e-9, "{angle}: {nearest} {found}");
@@ -259,7 +283,7 @@ fn the_whole_range_of_pipes_makes_solids() {
     for part in [0.05, 0.5, 0.98] {
         for angle in [0.5, 2.6] {
             for offset in [-0.9, 0.0, 0.9] {
-                let main = TeeMain { radius: 1.0, ends: [-20.0, 20.0] };
+                let main = TeeMain { radius: 1.0, taper: 0.0, ends: [-20.0, 20.0] };
                 let blend = TeeBlend::Radius { radius: 0.1 * part, tolerance: Some(0.01 * part) };
                 let offset = offset * (1.0 - part);
                 let branch = TeeBranch { angle, offset, blend, ..TeeBranch::upright(part, 20.0, 1.0) };
@@ -275,7 +299,7 @@ fn the_whole_range_of_pipes_makes_solids() {
 #[test]
 fn scale_and_place_change_nothing_else() {
     let volume = |scale: f64, azimuth: f64, at: f64| {
-        let main = TeeMain { radius: 3.0 * scale, ends: [(-14.0 + at) * scale, (16.0 + at) * scale] };
+        let main = TeeMain { radius: 3.0 * scale, taper: 0.0, ends: [(-14.0 + at) * scale, (16.0 + at) * scale] };
         let blend = TeeBlend::Radius { radius: 0.5 * scale, tolerance: None };
         let lateral = TeeBranch {
             angle: 1.0,
@@ -296,7 +320,7 @@ fn scale_and_place_change_nothing_else() {
 
 #[test]
 fn a_manifold_is_one_solid_that_adds_up() {
-    let main = TeeMain { radius: 3.0, ends: [-20.0, 20.0] };
+    let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-20.0, 20.0] };
     let branches = || {
         vec![
             TeeBranch { at: 10.0, radius: 1.5, offset: 0.9, angle: 1.3, ..branch() },
@@ -348,7 +372,7 @@ fn what_is_no_tee_is_refused_with_its_measures() {
 /// The least and the largest radius and the largest difference from the law, of a branch of 29, 25 or 15 on a pipe of 30.
 #[test]
 fn radii_follow_their_law_without_swings() {
-    let main = TeeMain { radius: 30.0, ends: [-400.0, 400.0] };
+    let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-400.0, 400.0] };
     let quarters = |crotch: f64, flank: f64| {
         let values = vec![[0.0, crotch], [FRAC_PI_2, flank], [PI, crotch], [1.5 * PI, flank]];
         TeeBlend::Angles { values, tolerance: None }
@@ -381,7 +405,7 @@ fn radii_follow_their_law_without_swings() {
 
 #[test]
 fn radii_are_proved_to_be_positive() {
-    let main = TeeMain { radius: 30.0, ends: [-80.0, 80.0] };
+    let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-80.0, 80.0] };
     let values = vec![[PI / 4.0, 0.01], [200.0 * PI / 180.0, 4.0]];
     let blend = TeeBlend::Angles { values, tolerance: None };
     let steep = TeeBranch { blend, ..TeeBranch::upright(25.0, 75.0, 1.0) };
@@ -400,7 +424,7 @@ fn what_rounding_would_spoil_is_refused() {
     let refused = |main, branch| made(main, vec![branch], None, TeeEnds::Flat).expect_err("no tee").reason();
     let far = TeeMain { ends: [1e12 - 14.0, 1e12 + 16.0], ..MAIN };
     assert_eq!(refused(far, TeeBranch { at: 1e12, ..branch() }), "below-rounding-of-place");
-    let main = TeeMain { radius: 30.0, ends: [-90.0, 90.0] };
+    let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-90.0, 90.0] };
     assert_eq!(refused(main, TeeBranch::upright(29.999_96, 90.0, 6.0)), "tee-branch-too-wide");
     let beside = TeeBranch { offset: 9.999_95, ..TeeBranch::upright(20.0, 90.0, 2.0) };
     assert_eq!(refused(main, beside), "tee-branch-too-wide");
@@ -408,7 +432,7 @@ fn what_rounding_would_spoil_is_refused() {
 
 #[test]
 fn branches_that_run_into_each_other_are_refused() {
-    let main = TeeMain { radius: 50.0, ends: [-700.0, 400.0] };
+    let main = TeeMain { radius: 50.0, taper: 0.0, ends: [-700.0, 400.0] };
     let stub = |blend: f64| TeeBranch { offset: -12.0, at: -310.0, ..TeeBranch::upright(8.0, 90.0, blend) };
     let lying = |length: f64, offset: f64| TeeBranch {
         offset,
@@ -419,11 +443,11 @@ fn branches_that_run_into_each_other_are_refused() {
     // The lying branch goes through the blend of the stub, and through its wall.
     for (blend, offset) in [(25.0, 4.5), (2.0, -10.0)] {
         let error = made(main, vec![stub(blend), lying(600.0, offset)], None, TeeEnds::Flat).expect_err("meet");
-        let Error::TeeBranchesMeet { first: 0, second: 1, distance, needed } = error else { panic!("{error}") };
+        let Error::TeeBranchesMeet { first: 0, second: 1, distance, needed, .. } = error else { panic!("{error}") };
         assert!(distance <= needed, "{distance}");
     }
     // Long branches whose axes meet far out.
-    let thin = TeeMain { radius: 10.0, ends: [-150.0, 300.0] };
+    let thin = TeeMain { radius: 10.0, taper: 0.0, ends: [-150.0, 300.0] };
     let [upright, leaning] = [(0.0, FRAC_PI_2), (100.0, 0.75 * PI)].map(|(at, angle)| TeeBranch {
         at,
         angle,
