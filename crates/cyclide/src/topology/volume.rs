@@ -109,10 +109,10 @@ impl CyclideVolume {
             Self::check_parameter(axis, *x)?;
         }
         let mut cuts = whole();
-        cuts[axis].extend(values);
+        // A zero has one sign.
+        cuts[axis].extend(values.iter().map(|x| x + 0.0));
         cuts[axis].sort_by(f64::total_cmp);
-        // Equal, whatever the sign of a zero.
-        cuts[axis].dedup_by(|a, b| a == b);
+        cuts[axis].dedup_by(|a, b| a.total_cmp(b).is_eq());
         let faces = BlockFaces::new(blocks, cuts.clone())?;
         let mut met = HashSet::new();
         let mut own = Vec::new();
