@@ -68,6 +68,16 @@ def test_the_outer_boundary_has_two_shells(grid):
         assert count(shape, TopAbs_FACE) == 32 * 6
 
 
+def test_skins_are_closed_and_walls_are_sewn(program, tmp_path):
+    objects = {"grid": {**GRID, "construction": True}, "skins": {"type": "coordinate-surfaces", "of": "grid", "u": [0, 1]}, "walls": {"type": "coordinate-surfaces", "of": "grid", "s": [0, 1]}}
+    shape = read(program, tmp_path, objects, False)
+    assert BRepCheck_Analyzer(shape).IsValid() and count(shape, TopAbs_SOLID) == 3
+    # Three skins of 16 faces; four walls of 4 by 2.
+    assert count(shape, TopAbs_FACE) == 3 * 16 + 4 * 8 and count(shape, TopAbs_SHELL) == 3 + 4
+    text = (tmp_path / "m.step").read_text()
+    assert all(f"'{name}'" in text for name in ["skins u=0 0", "skins u=0 1", "skins u=1", "walls s=0 3"])
+
+
 def whole(a, c, mu):
     return {"grid": {"type": "cyclide-grid", "whole": {"a": a, "c": c, "mu": mu}}}
 

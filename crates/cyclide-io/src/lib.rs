@@ -14,7 +14,7 @@
 //! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
-//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellPlace`]), [`sample_cells`] |
+//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`] |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
@@ -93,13 +93,13 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport,
-    CurvatureReport, CurveSample, CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport,
-    FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PeakReport,
-    PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
-    ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport,
-    TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport, WarningReport, sample,
-    sample_cells, sample_poses,
+    CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples,
+    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FairnessReport, FileReport,
+    FitPieces, FitReport, FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace,
+    PeakReport, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport,
+    SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS,
+    TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport,
+    WarningReport, sample, sample_cells, sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -1,7 +1,12 @@
 //! What drawings and pictures show: which lines of a surface, in which colours, and beside the curves their curvature combs
 //! and joints.
 
+pub(crate) mod block_directions;
 mod comb;
+#[cfg(feature = "png")]
+pub(crate) mod cut_away;
+#[cfg(feature = "png")]
+mod lattice;
 pub(crate) mod palette;
 pub(crate) mod parameter_circles;
 pub(crate) mod patch_edges;

@@ -5,6 +5,19 @@ const OBJECTS: [u32; 6] = [0x1B2A41, 0x0B6E6E, 0x7A2E52, 0x3A5A98, 0x5B6B1F, 0x6
 /// Colours of their surfaces: pale, so that shading has room and lines in the object's own colour stand out.
 const SURFACES: [u32; 6] = [0xC3D3E6, 0xB4DAD4, 0xE2C8D3, 0xC3CEE9, 0xD5D9BE, 0xE3D5C3];
 
+/// Colours of the surfaces inside blocks on which s, t and u are constant: apart also for eyes that miss red or green.
+#[cfg(feature = "png")]
+const FAMILIES: [u32; 3] = [0xB6CCF0, 0xF6DAAE, 0xB2DEC6];
+/// Colours of their lines.
+#[cfg(feature = "png")]
+const FAMILY_LINES: [u32; 3] = [0x1F3F73, 0x7A4A12, 0x14583F];
+
+/// The colour of the surfaces inside blocks on which parameter `axis` is constant, and of their lines.
+#[cfg(feature = "png")]
+pub(crate) const fn family(axis: usize) -> [u32; 2] {
+    [FAMILIES[axis % 3], FAMILY_LINES[axis % 3]]
+}
+
 /// The colour of an object.
 pub(crate) const fn object(index: usize) -> u32 {
     OBJECTS[index % OBJECTS.len()]

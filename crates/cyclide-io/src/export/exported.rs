@@ -50,6 +50,8 @@ pub(crate) struct Written {
     pub(crate) shells: Vec<Vec<ShellPlan>>,
     /// The parts of blocks that the hexahedra of each body stand for, in file order, in formats that hold volumes.
     pub(crate) volumes: Vec<Vec<[[f64; 2]; 3]>>,
+    /// What is said of each of these hexahedra, in file order, in formats that say how good cells are.
+    pub(crate) qualities: Vec<[f64; 5]>,
     /// True if blocks are divided into plain cells.
     pub(crate) plain_cells: bool,
     /// What the polygons of a mesh stand for.

@@ -2,6 +2,7 @@
 //! bodies, each with the object that it belongs to.
 
 use crate::export::error::ExportError;
+use crate::export::provenance::Provenances;
 use crate::export::shape::Shape;
 use cyclide::{Aabb, CurveObject, Item, Model, bounds};
 
@@ -17,6 +18,8 @@ pub(crate) struct BodyOf<'a> {
     pub(crate) index: usize,
     /// How many bodies the object has: one per surface, or more where one falls apart into lobes.
     pub(crate) count: usize,
+    /// What it is called behind the name of the object; else it has its number there.
+    pub(crate) name: Option<&'a str>,
     pub(crate) body: Shape<'a>,
 }
 
@@ -26,9 +29,13 @@ impl BodyOf<'_> {
         ExportError::Surface { object: self.object.to_owned(), surface: self.surface, source }
     }
 
-    /// The object's name, with the body's number from 0, as in reports, behind it where there are several.
+    /// The object's name, with the body's own or its number from 0, as in reports, behind it where there are several.
     pub(crate) fn label(&self) -> String {
-        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index) }
+        match self.name {
+            _ if self.count == 1 => self.object.to_owned(),
+            Some(name) => format!("{} {name}", self.object),
+            None => format!("{} {}", self.object, self.index),
+        }
     }
 }
 
@@ -58,7 +65,7 @@ impl Contour<'_> {
 }
 
 /// The bodies of a model's surfaces and volumes in the order in which every format writes them.
-pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
+pub(crate) fn bodies<'a>(model: &'a Model, provenances: Provenances<'a>) -> Result<Vec<BodyOf<'a>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
         let mut own: Vec<(usize, Shape<'_>)> = Vec::new();
@@ -76,7 +83,13 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
             own.push((index, body.into()));
         }
         let count = own.len();
-        let named = |(index, (surface, body))| BodyOf { object: &it.name, item, surface, index, count, body };
+        let numbers: Vec<usize> = own.iter().map(|(surface, _)| *surface).collect();
+        let named = |(index, (surface, body))| {
+            // A surface that falls apart has no name for each of its bodies.
+            let name = provenances.name_of_surface(item, surface);
+            let name = name.filter(|_| numbers.iter().filter(|number| **number == surface).count() == 1);
+            BodyOf { object: &it.name, item, surface, index, count, name, body }
+        };
         bodies.extend(own.into_iter().enumerate().map(named));
     }
     Ok(bodies)

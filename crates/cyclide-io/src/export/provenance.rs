@@ -24,6 +24,8 @@ pub struct Provenance {
     /// The parameters along s, t and u at which the cells end that blocks are divided into, if they are: of a
     /// [`StructuredGrid`](cyclide::StructuredGrid).
     pub places: Option<[Vec<f64>; 3]>,
+    /// What files call its surfaces behind the name of the object, if not by numbers: as many, each another one.
+    pub names: Vec<String>,
 }
 
 /// The objects of a model with how they came about, where that is known.
@@ -51,6 +53,11 @@ impl<'a> Provenances<'a> {
     /// The parameters of the cells of an object's blocks, if it divides them.
     pub(crate) fn places(&self, item: usize) -> Option<&'a [Vec<f64>; 3]> {
         self.given.get(item)?.places.as_ref()
+    }
+
+    /// The name of one of an object's surfaces, if it has one.
+    pub(crate) fn name_of_surface(&self, item: usize, surface: usize) -> Option<&'a str> {
+        self.given.get(item)?.names.get(surface).map(String::as_str)
     }
 
     /// The points that the objects were made near.

@@ -44,7 +44,8 @@ impl<'a> ReadyModel<'a> {
     /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
     /// no body.
     pub(crate) fn new(model: &'a Model, provenance: &'a [Provenance]) -> Result<Self, ExportError> {
-        let bodies = bodies(model)?;
+        let provenances = Provenances::new(model, provenance);
+        let bodies = bodies(model, provenances)?;
         let mut total: Option<Aabb> = None;
         let mut curves = Vec::new();
         let count = contours(model).count();
@@ -71,7 +72,6 @@ impl<'a> ReadyModel<'a> {
         // Those of the bodies stand behind those of the curves.
         let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
-        let provenances = Provenances::new(model, provenance);
         let bounds = total.ok_or(ExportError::Empty)?;
         Ok(Self { model, provenances, bodies, bounds, extents, lowered: LoweredCurves::default() })
     }

@@ -1,5 +1,6 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
+mod cell_laws;
 mod curvature;
 mod curve_sample;
 mod curves;
@@ -24,6 +25,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
+pub use cell_laws::CellLawReport;
 pub use curvature::CurvatureRangeReport;
 pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
@@ -200,7 +202,11 @@ impl ObjectReport {
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
             Geometry::Volumes(volumes) => {
-                GeometryReport::Volume(Box::new(VolumeReport::new(volumes, built.provenance.places.as_ref())))
+                let mut found = VolumeReport::new(volumes, built.provenance.places.as_ref());
+                if let (Some(cells), Some(laws)) = (&mut found.cells, &built.gradings) {
+                    cells.laws = laws.each_ref().map(CellLawReport::new).to_vec();
+                }
+                GeometryReport::Volume(Box::new(found))
             }
             Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };

@@ -1,11 +1,11 @@
 //! What is reported of volumes.
 
-use cyclide::{CyclideVolume, FoldVerdict, ParamVolume as _, Point3, Shell, StructuredGrid, Vec3};
+use cyclide::{CyclideVolume, FoldVerdict, Point3, Shell, StructuredGrid, Vec3};
 use serde::Serialize;
 
-use super::RangeReport;
 use super::surface::number;
 use super::text::{Line, measure, plural, range, short};
+use super::{CellLawReport, RangeReport};
 
 /// Places per direction at which cells are measured.
 const PLACES: usize = 9;
@@ -149,6 +149,9 @@ pub struct CellsReport {
     pub first_inverted: Option<CellPlace>,
     /// Cells with a side of one point.
     pub collapsed: usize,
+    /// The laws of the cells along s, t and u; none where only the places are known.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub laws: Vec<CellLawReport>,
 }
 
 /// Which cell of a structured grid.
@@ -193,6 +196,7 @@ impl CellsReport {
             inverted: quality.inverted,
             first_inverted: quality.first_inverted.map(place),
             collapsed: quality.collapsed,
+            laws: Vec::new(),
         })
     }
 
@@ -202,6 +206,9 @@ impl CellsReport {
             "grid",
             format!("{} ({i} x {j} x {k} a block), {}", plural(self.count, "cell"), plural(self.nodes, "node")),
         )?;
+        if let Some(text) = CellLawReport::text(&self.laws) {
+            line("grading", text)?;
+        }
         let mut text = format!(
             "scaled Jacobian from {} ({}), aspect ratio up to {}, sides from {} {units}, right angles at nodes to {} (cosine)",
             short(self.scaled_jacobian),
@@ -269,25 +276,21 @@ impl VolumeReport {
         let step = |k: usize| k as f64 / (PLACES - 1) as f64;
         for k in 0..PLACES.pow(3) {
             let at = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
-            let jet = volume.jet(at);
-            let jacobian = volume.jacobian(at);
-            self.jacobian = self.jacobian.with(jacobian, jacobian);
-            self.orthogonality = self.orthogonality.max(jet.orthogonality());
-            self.residual = self.residual.max(volume.real_residual(at));
-            if volume.standing_lines(at).contains(&true) {
+            let metric = volume.metric(at);
+            self.jacobian = self.jacobian.with(metric.jacobian, metric.jacobian);
+            self.orthogonality = self.orthogonality.max(metric.orthogonality());
+            self.residual = self.residual.max(metric.residual);
+            if metric.standing.contains(&true) {
                 continue;
             }
-            let speeds = jet.first.map(Vec3::length);
+            let speeds = metric.first.map(Vec3::length);
             let (least, most) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
             self.aspect_ratio = self.aspect_ratio.max(most / least);
         }
-        let ends = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-        let sides = (0..3).flat_map(|axis| ends.map(|at| volume.line(axis, at)));
-        for length in sides.map(|side| side.map_or(0.0, |arc| arc.length())) {
-            if length > 0.0 {
-                self.shortest_side = self.shortest_side.min(length);
-            } else {
-                self.point_sides += 1;
+        for side in (0..3).flat_map(|axis| volume.sides(axis)) {
+            match side {
+                Some(arc) => self.shortest_side = self.shortest_side.min(arc.length()),
+                None => self.point_sides += 1,
             }
         }
     }

@@ -246,7 +246,7 @@ fn fits_show_their_data() {
     let none = places(&picture(&m, &ExportOptions::default()), colour).len();
     // Points off the curve, well apart.
     let data = (0..20).map(|i| Point3::new(50.0 - 5.0 * f64::from(i), 20.0, 0.0)).collect();
-    let provenance = [Provenance { kind: "fair-fit", data, places: None }];
+    let provenance = [Provenance { kind: "fair-fit", data, ..Provenance::default() }];
     let exporter = Exporter::with_provenance(&m, &provenance).unwrap();
     let with_data = |options: &ExportOptions| {
         let bytes = exporter.export(Format::Png, options).unwrap().bytes;

@@ -285,8 +285,8 @@ fn numbers_that_ask_for_nothing_are_named() {
         reason.as_deref() == Some("parameters-not-increasing") && message.contains("s.t[2]: t[2] = 0.2 is t[0] again"),
         "{message}"
     );
-    // Falling values are other surfaces.
-    assert_eq!(build(&twice.replace("0.5, 0.2]", "0.1]")).unwrap().item.surfaces().len(), 32);
+    // Falling values are other surfaces: each of four rows round the tube twice.
+    assert_eq!(build(&twice.replace("0.5, 0.2]", "0.1]")).unwrap().item.surfaces().len(), 8);
 }
 
 /// A frame far from the sides: what folds has no outer boundary, and no object is empty.
@@ -312,4 +312,111 @@ fn sides_of_one_point_are_counted_and_not_measured() {
     assert!(found.aspect_ratio < 100.0, "{}", found.aspect_ratio);
     let cells = found.cells.unwrap();
     assert_eq!((cells.nodes, cells.inverted, cells.collapsed), (105, 0, 16));
+}
+
+/// Surfaces run on from block to block: skins of a ring are closed, a face between two blocks is there once.
+#[test]
+fn coordinate_surfaces_are_sewn() {
+    let whole = r#""w": {"type": "cyclide-grid", "whole": {"a": 4, "mu": [1, 1.5, 2], "segments": [8, 6]}}"#;
+    let surfaces = |fields: &str| {
+        let made = build(&format!(r#"{whole}, "x": {{"type": "coordinate-surfaces", "of": "w", {fields}}}"#)).unwrap();
+        (made.bodies, made.provenance.names)
+    };
+    let (bodies, names) = surfaces(r#""u": [0, 1]"#);
+    assert_eq!(names, ["u=0 0", "u=0 1", "u=1"]);
+    for (body, mu) in bodies.iter().zip([1.0_f64, 1.5, 2.0]) {
+        // Pappus, to the quadrature.
+        let volume = 2.0 * std::f64::consts::PI.powi(2) * 4.0 * mu * mu;
+        assert!(body.is_solid() && body.outer.faces().len() == 48);
+        assert!((body.outer.volume() / volume - 1.0).abs() < 1e-9, "{mu}: {}", body.outer.volume());
+    }
+    // Eight walls across the tube, each a ring of twelve faces: s = 0 and s = 1 of neighbours are one.
+    for fields in [r#""s": [0]"#, r#""s": [0, 1]"#, r#""s": [0.3]"#] {
+        let (bodies, names) = surfaces(fields);
+        assert_eq!((bodies.len(), names.len()), (8, 8), "{fields}");
+        for body in &bodies {
+            let area = std::f64::consts::PI * (2.0 * 2.0 - 1.0);
+            assert!(body.outer.faces().len() == 12 && (body.outer.area() / area - 1.0).abs() < 1e-9, "{fields}");
+        }
+    }
+    // A single patch is one, of which there are offsets.
+    let block = block(&turned_box([1.0, 2.0, 3.0], [0.0; 3], 7), "");
+    let inside = format!(r#"{block}, "m": {{"type": "coordinate-surfaces", "of": "b", "s": [0.25], "u": [1, 0]}}"#);
+    let made = build(&inside).unwrap();
+    assert_eq!(made.provenance.names, ["s=0.25", "u=1", "u=0"]);
+    assert!(made.item.surfaces().iter().all(|surface| matches!(surface, cyclide::SurfaceObject::Patch(_))));
+    let steps = r#"[{"translation": [1, 0, 0]}]"#;
+    let image = build(&format!(r#"{inside}, "i": {{"type": "transform", "of": "m", "steps": {steps}}}"#)).unwrap();
+    assert_eq!(image.provenance.names, made.provenance.names);
+    let offset = build(&format!(r#"{inside}, "o": {{"type": "offset", "of": "m", "distance": 0.5}}"#)).unwrap();
+    assert_eq!(offset.item.surfaces().len(), 3);
+}
+
+/// Meridians of a wedge meet in its axis and are not sewn there; what is a line is left out.
+#[test]
+fn coordinate_surfaces_of_wedges_end_at_the_axis() {
+    // A quarter of a cylinder of two wedges: s from the axis outwards, t round it.
+    let radii = [0.0, 1.0];
+    let place = |s: usize, t: usize| {
+        let (sin, cos) = (std::f64::consts::FRAC_PI_4 * t as f64).sin_cos();
+        [radii[s] * cos, radii[s] * sin]
+    };
+    let at = |s: usize, t: usize, u: usize| {
+        let [x, y] = place(s, t);
+        [x, y, u as f64]
+    };
+    let st: Vec<Vec<[f64; 3]>> = (0..3).map(|t| (0..2).map(|s| at(s, t, 0)).collect()).collect();
+    let su: Vec<Vec<[f64; 3]>> = (0..2).map(|u| (0..2).map(|s| at(s, 0, u)).collect()).collect();
+    let tu: Vec<Vec<[f64; 3]>> = (0..2).map(|u| (0..3).map(|t| at(0, t, u)).collect()).collect();
+    let planes = format!(r#"{{"st": {st:?}, "su": {su:?}, "tu": {tu:?}}}"#);
+    let grid = format!(r#""g": {{"type": "cyclide-grid", "planes": {planes}}}"#);
+    let (reason, message) = refused(&grid);
+    // Grids from planes have no sides of one point; wedges come from layers over patches with a pole.
+    assert_eq!(reason.as_deref(), Some("coincident-points"), "{message}");
+    let pole = r#""p": {"type": "cyclide-patch", "corners": [[1,0,0], [0,1,0], [0,0,1], [0,0,1]], "frame": [[0,1,0], [0,0,1]]}"#;
+    let layers = format!(r#"{pole}, "l": {{"type": "layers", "of": "p", "distances": [0, 1, 2]}}"#);
+    let walls = |fields: &str| {
+        build(&format!(r#"{layers}, "x": {{"type": "coordinate-surfaces", "of": "l", {fields}}}"#)).unwrap().bodies
+    };
+    // Both sides of the octant, in two layers each, meet along the pole's axis.
+    let sides = walls(r#""s": [0, 1]"#);
+    assert!(sides.len() == 2 && sides.iter().all(|side| side.outer.faces().len() == 2));
+    let area = std::f64::consts::FRAC_PI_4 * (9.0 - 1.0);
+    assert!(sides.iter().all(|side| (side.outer.area() - area).abs() < 1e-12));
+    // At the pole there is only the side at the equator: t = 1 is a line.
+    assert_eq!(walls(r#""t": [0, 1]"#).len(), 1);
+}
+
+/// The law that is found for a first cell is told, and so is what it is measured on.
+#[test]
+fn laws_of_first_cells_are_told() {
+    let block = block(
+        &turned_box([1.0, 2.0, 3.0], [0.0; 3], 7),
+        r#", "cells": [3, {"count": 3, "first": 0.2}, {"count": 4, "law": "tanh", "first": 0.1, "fine": "both"}]"#,
+    );
+    let cells = report(&block).cells.unwrap();
+    let [s, t, u] = &cells.laws[..] else { panic!("{:?}", cells.laws) };
+    assert_eq!((s.law, s.ratio, s.fine), ("uniform", None, None));
+    // 1 + r + r² = 10 of a first cell that is a tenth.
+    let ratio = t.ratio.unwrap();
+    assert!((1.0 + ratio + ratio * ratio - 10.0).abs() < 1e-8 && t.fine == Some("start"), "{ratio}");
+    assert!(u.law == "tanh" && u.stretch.is_some_and(|stretch| stretch > 0.0) && u.fine == Some("both"));
+    // At the pole of a sphere sides round it are one point: the first cell is that of the others.
+    let pole = r#""p": {"type": "cyclide-patch", "corners": [[1,0,0], [0,1,0], [0,0,1], [0,0,1]], "frame": [[0,1,0], [0,0,1]]}"#;
+    let wedge = |first: f64| {
+        format!(
+            r#"{pole}, "l": {{"type": "layers", "of": "p", "distances": [0, 1], "cells": [{{"count": 4, "first": {first}}}, 1, 1]}}"#
+        )
+    };
+    let rows = sample_cells(&build(&wedge(0.1)).unwrap()).unwrap();
+    let nodes: Vec<Vec<f64>> =
+        rows.lines().skip(1).map(|row| row.split(',').filter_map(|x| x.parse().ok()).collect()).collect();
+    // Of two arcs about the axis of the equator, of radius 1 and 2, the outer one is the longer: its first cell is 0.1 long.
+    let header: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| header.iter().position(|word| *word == name).unwrap();
+    let [x, y, z] = ["x", "y", "z"].map(column);
+    let outer = nodes.iter().filter(|row| row[z].abs() < 1e-12 && row[x].hypot(row[y]) > 1.5);
+    let angles: Vec<f64> = outer.map(|row| row[y].atan2(row[x])).collect();
+    assert!(angles.len() == 5 && (2.0 * (angles[1] - angles[0]) - 0.1).abs() < 1e-9, "{angles:?}");
+    assert!(refused(&wedge(2.0)).1.contains("first cell"));
 }

@@ -1,5 +1,6 @@
 //! Bodies, their shells, and the faces and edges of these: what files, meshes and pictures are made of.
 
+mod block_faces;
 mod bounds;
 mod check;
 mod cut_shell;
@@ -19,6 +20,7 @@ mod thick;
 mod transform;
 mod volume;
 
+pub use block_faces::BlockFace;
 pub(crate) use check::has_ratio;
 pub use cut_shell::CutShell;
 pub use edge_curve::EdgeCurve;
@@ -28,6 +30,7 @@ pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
 pub(crate) use sewing::Sewing;
 pub use side::Side;
+pub use volume::BlockShell;
 
 use crate::base::vector::Point3;
 use crate::error::Result;

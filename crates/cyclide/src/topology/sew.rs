@@ -119,7 +119,7 @@ impl CyclidicNet {
         let mut sewing = Sewing::default();
         sewing.skin(self, true)?;
         let mut shells = Vec::new();
-        for shell in sewing.finish_apart()? {
+        for (shell, _) in sewing.finish_apart()? {
             shells.extend(outside_out(shell).into_lobes()?);
         }
         Ok(shells)

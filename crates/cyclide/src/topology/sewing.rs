@@ -78,17 +78,18 @@ impl Sewing {
         Ok(Body { outer: if shell.is_closed() { shell.outside_out() } else { shell }, voids: Vec::new() })
     }
 
-    /// The shells of what hangs together through edges, checked.
+    /// The shells of what hangs together through edges, checked, each with the numbers of its faces.
     ///
     /// # Errors
     /// As [`Shell::new`].
-    pub(super) fn finish_apart(self) -> Result<Vec<Shell>> {
+    pub(super) fn finish_apart(self) -> Result<Vec<(Shell, Vec<usize>)>> {
         let checked = |Shell { vertices, edges, faces }| Shell::new(vertices, edges, faces);
         let Self { vertices, edges, faces } = self;
         let all = Shell { vertices, edges, faces };
-        match all.parts().as_slice() {
-            [] | [_] => Ok(vec![checked(all)?]),
-            parts => parts.iter().map(|part| checked(all.part(part))).collect(),
+        let mut parts = all.parts();
+        if parts.len() <= 1 {
+            return Ok(vec![(checked(all)?, parts.pop().unwrap_or_default())]);
         }
+        parts.into_iter().map(|part| Ok((checked(all.part(&part))?, part))).collect()
     }
 }

@@ -1,12 +1,29 @@
-//! The block of a volume as a solid: six patches with shared edges; the outer boundary of many.
+//! The block of a volume as a solid: six patches with shared edges; the outer boundary of many, and of parts of them; their coordinate surfaces.
 
-use super::{Body, Sewing, Shell};
+use super::block_faces::{BlockFace, BlockFaces, FaceAt, Meeting};
+use super::{Body, Shell};
 use crate::error::{Error, ErrorItem, Result};
-use crate::volume::{CyclideVolume, FoldVerdict, StructuredGrid};
-use std::collections::HashMap;
+use crate::volume::{CyclideVolume, FoldVerdict};
+use std::collections::{HashMap, HashSet};
 
-/// Halves in every direction: the middles of sides and faces are nodes, by which these are told.
-const HALVES: [f64; 3] = [0.0, 0.5, 1.0];
+/// A shell of faces of blocks, with the place of each of them.
+///
+/// ```
+/// use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?;
+/// let wall: Vec<_> = CyclideGrid::of_cyclide(&torus, [4, 4], &[-0.5, 0.0])?.blocks().collect();
+/// let whole = || vec![0.0, 1.0];
+/// let half = CyclideVolume::boundary_of_parts(&wall, [whole(), whole(), whole()], |block, _| block % 4 < 2)?.remove(0);
+/// assert!(half.faces.iter().all(|face| face.block % 4 < 2) && half.faces.len() == half.shell.faces().len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockShell {
+    /// The shell.
+    pub shell: Shell,
+    /// Where its faces are, in their order.
+    pub faces: Vec<BlockFace>,
+}
 
 impl CyclideVolume {
     /// The block as a solid of its six [faces](Self::faces): s = 0, s = 1, t = 0, t = 1, u = 0, u = 1, outside outwards. Faces that are a line, of a wedge,
@@ -15,7 +32,9 @@ impl CyclideVolume {
     /// # Errors
     /// As [`Shell::new`](super::Shell::new).
     pub fn to_body(&self) -> Result<Body> {
-        sewn(std::slice::from_ref(self), false)?.finish_body()
+        let faces = BlockFaces::new(std::slice::from_ref(self), whole())?;
+        let own: Vec<FaceAt> = faces_of_part(0, [0; 3]).filter(|face| !faces.is_line(face)).collect();
+        faces.sewn(&own, Meeting::Refused)?.finish_body()
     }
 
     /// The outer boundary of blocks that share faces, as bodies: the faces that belong to one block only, sewn along their sides. A solid for everything
@@ -38,98 +57,106 @@ impl CyclideVolume {
                 return Err(Error::FoldedVolume { at }.in_block(index));
             }
         }
-        solids(sewn(blocks, true)?.finish_apart()?)
+        let faces = BlockFaces::new(blocks, whole())?;
+        let alone = faces_alone(&faces, (0..blocks.len()).map(|block| (block, [0; 3])));
+        let shells = faces.sewn(&alone, Meeting::Refused)?.finish_apart()?;
+        solids(shells.into_iter().map(|(shell, _)| shell).collect())
     }
-}
 
-/// The faces of blocks with their sides, each once; or only those faces that one block has alone.
-fn sewn(blocks: &[CyclideVolume], alone: bool) -> Result<Sewing> {
-    let grid = StructuredGrid::new(blocks, [HALVES.to_vec(), HALVES.to_vec(), HALVES.to_vec()])?;
-    let nodes: Vec<Vec<usize>> = (0..blocks.len()).map(|block| grid.block_nodes(block).collect()).collect();
-    let mut count: HashMap<usize, usize> = HashMap::new();
-    for middle in nodes.iter().flat_map(|nodes| (0..6).map(|face| nodes[middle_of_face(face)])) {
-        *count.entry(middle).or_default() += 1;
-    }
-    let mut sewing = Sewing::default();
-    let (mut vertices, mut edges) = (HashMap::new(), HashMap::new());
-    for (block, nodes) in blocks.iter().zip(&nodes) {
-        for (face, patch) in block.faces().into_iter().enumerate() {
-            let (axis, end) = (face / 2, face % 2);
-            let (middle, around) = (nodes[middle_of_face(face)], sides_of_face(axis, end));
-            // The middle of a face that is a line is that of a side.
-            let is_line = around.iter().any(|side| nodes[side.middle()] == middle);
-            if is_line || alone && count.get(&middle) != Some(&1) {
-                continue;
-            }
-            let mut sides = [None; 4];
-            for (side, edge) in sides.iter_mut().zip(around) {
-                let [from, to] = edge.ends().map(|at| nodes[at]);
-                let middle = nodes[edge.middle()];
-                if from == to && middle == from {
-                    continue;
-                }
-                let place = |node: usize, sewing: &mut Sewing| sewing.vertex(grid.nodes()[node]);
-                let from = *vertices.entry(from).or_insert_with(|| place(from, &mut sewing));
-                let to = *vertices.entry(to).or_insert_with(|| place(to, &mut sewing));
-                *side = Some(match edges.get(&middle) {
-                    Some(&edge) => edge,
-                    None => {
-                        let made = sewing.edge(from, to, block.line(edge.axis, edge.at.map(|x| 0.5 * x as f64))?);
-                        edges.insert(middle, made);
-                        made
-                    }
-                });
-            }
-            let along = (axis != 1) == block.is_right_handed();
-            sewing.face(patch, sides, along == (end == 1));
-        }
-    }
-    Ok(sewing)
-}
-
-/// A side of a block: its direction, and its places in the two other ones, in order, as nodes 0 or 2 of three.
-#[derive(Clone, Copy)]
-struct Edge {
-    axis: usize,
-    at: [usize; 2],
-}
-
-impl Edge {
-    fn node(self, along: usize) -> usize {
-        let [x, y] = self.at;
-        let at = match self.axis {
-            0 => [along, x, y],
-            1 => [x, along, y],
-            _ => [x, y, along],
+    /// The boundary of parts of blocks that share faces: blocks are cut at these parameters along s, t and u, rising, from 0 to 1, and of the parts those are
+    /// taken that `is_there` says, by block and place among the cuts. Faces between two of them are left out; where the boundary touches itself in a
+    /// side its faces have edges of their own there. A shell for everything that hangs together, outside outwards, voids as well.
+    ///
+    /// # Errors
+    /// As [`StructuredGrid::new`](crate::StructuredGrid::new) and [`Shell::new`].
+    pub fn boundary_of_parts(
+        blocks: &[Self],
+        cuts: [Vec<f64>; 3],
+        is_there: impl Fn(usize, [usize; 3]) -> bool,
+    ) -> Result<Vec<BlockShell>> {
+        let faces = BlockFaces::new(blocks, cuts)?;
+        let all = (0..blocks.len()).flat_map(|block| faces.all_parts().map(move |part| (block, part)));
+        let parts: Vec<(usize, [usize; 3])> = all.filter(|(block, part)| is_there(*block, *part)).collect();
+        let alone = faces_alone(&faces, parts.into_iter());
+        let shells = faces.sewn(&alone, Meeting::Apart)?.finish_apart()?;
+        let placed = |(shell, own): (Shell, Vec<usize>)| BlockShell {
+            shell,
+            faces: own.into_iter().map(|face| faces.place(&alone[face])).collect(),
         };
-        at[0] + 3 * at[1] + 9 * at[2]
+        Ok(shells.into_iter().map(placed).collect())
     }
 
-    fn ends(self) -> [usize; 2] {
-        [self.node(0), self.node(2)]
-    }
-
-    fn middle(self) -> usize {
-        self.node(1)
+    /// The surfaces on which parameter `axis` (0, 1, 2 for s, t, u) has one of these values in a block, of all blocks: sewn to one open or closed body
+    /// wherever they run on from block to block, in the order of the values and then of the blocks, each with its value. A face that two blocks have in common
+    /// is there once. The outer side of open ones is that of the growing parameter. Surfaces that are a line are left out.
+    ///
+    /// ```
+    /// use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+    /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?;
+    /// let wall: Vec<_> = CyclideGrid::of_cyclide(&torus, [4, 4], &[-0.5, -0.2, 0.0])?.blocks().collect();
+    /// let skins = CyclideVolume::coordinate_bodies(&wall, 2, &[0.0, 1.0])?; // of two layers
+    /// assert!(skins.len() == 3 && skins.iter().all(|(_, skin)| skin.is_solid()));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`surface`](Self::surface), [`StructuredGrid::new`](crate::StructuredGrid::new) and [`Shell::new`].
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    pub fn coordinate_bodies(blocks: &[Self], axis: usize, values: &[f64]) -> Result<Vec<(f64, Body)>> {
+        for x in values {
+            Self::check_parameter(axis, *x)?;
+        }
+        let mut cuts = whole();
+        // A zero has one sign.
+        cuts[axis].extend(values.iter().map(|x| x + 0.0));
+        cuts[axis].sort_by(f64::total_cmp);
+        cuts[axis].dedup_by(|a, b| a.total_cmp(b).is_eq());
+        let faces = BlockFaces::new(blocks, cuts.clone())?;
+        let mut met = HashSet::new();
+        let mut own = Vec::new();
+        for x in values {
+            let cut = cuts[axis].partition_point(|cut| cut < x);
+            for block in 0..blocks.len() {
+                let face = FaceAt { block, axis, cut, part: [0; 2], along: true };
+                if !faces.is_line(&face) && met.insert(faces.middle(&face)) {
+                    own.push(face);
+                }
+            }
+        }
+        let shells = faces.sewn(&own, Meeting::Apart)?.finish_apart()?;
+        let body = |(shell, numbers): (Shell, Vec<usize>)| {
+            let outer = if shell.is_closed() { shell.outside_out() } else { shell };
+            let place = numbers.first().map_or(0.0, |first| faces.place(&own[*first]).place);
+            (place, Body { outer, voids: Vec::new() })
+        };
+        Ok(shells.into_iter().map(body).collect())
     }
 }
 
-/// The sides at t = 0, t = 1, s = 0, s = 1 of a face across a direction, with its own two parameters.
-fn sides_of_face(axis: usize, end: usize) -> [Edge; 4] {
-    let [i, j] = [[1, 2], [0, 2], [0, 1]][axis];
-    let side = |along: usize, other: usize, place: usize| {
-        // The two directions across the side, in order: that across the face and the other one of the face.
-        let at = if axis < other { [2 * end, 2 * place] } else { [2 * place, 2 * end] };
-        Edge { axis: along, at }
-    };
-    [side(i, j, 0), side(i, j, 1), side(j, i, 0), side(j, i, 1)]
+/// No cuts: blocks are their only parts.
+fn whole() -> [Vec<f64>; 3] {
+    std::array::from_fn(|_| vec![0.0, 1.0])
 }
 
-/// The node in the middle of a face, of 3 x 3 x 3.
-fn middle_of_face(face: usize) -> usize {
-    let mut at = [1; 3];
-    at[face / 2] = 2 * (face % 2);
-    at[0] + 3 * at[1] + 9 * at[2]
+/// The six faces of a part, outside outwards.
+fn faces_of_part(block: usize, part: [usize; 3]) -> impl Iterator<Item = FaceAt> {
+    (0..6).map(move |face| {
+        let (axis, end) = (face / 2, face % 2);
+        let across = [[part[1], part[2]], [part[0], part[2]], [part[0], part[1]]][axis];
+        FaceAt { block, axis, cut: part[axis] + end, part: across, along: end == 1 }
+    })
+}
+
+/// The faces that one of these parts has alone, but for those that are lines.
+fn faces_alone(faces: &BlockFaces<'_>, parts: impl Iterator<Item = (usize, [usize; 3])>) -> Vec<FaceAt> {
+    let all: Vec<FaceAt> = parts.flat_map(|(block, part)| faces_of_part(block, part)).collect();
+    let mut count: HashMap<usize, usize> = HashMap::new();
+    for face in &all {
+        *count.entry(faces.middle(face)).or_default() += 1;
+    }
+    all.into_iter().filter(|face| count.get(&faces.middle(face)) == Some(&1) && !faces.is_line(face)).collect()
 }
 
 /// Shells as bodies: faces are outward of the blocks, so those with a negative volume are hollows, each of the smallest solid around it.

@@ -1,5 +1,7 @@
 //! Where a volume folds: signs of its three speeds, proved by their Bernstein coefficients and by halving.
 
+use crate::base::bernstein::split;
+
 /// Squares are quartered this often.
 const QUARTERINGS: u32 = 12;
 /// Squares looked at for one speed at most: along a curve of zeros they double with each quartering.
@@ -65,10 +67,9 @@ pub(super) fn sign(q: &[[f64; 3]; 3], rounding: f64) -> Sign {
             undecided = undecided.or(Some(Sign::Undecided([from[0] + 0.5 * size, from[1] + 0.5 * size], depth)));
             continue;
         }
-        let half = halves(&q.map(|row| row.map(|c| [c])));
-        for (i, part) in half.iter().enumerate() {
-            for (j, quarter) in halves(&transposed(part)).iter().enumerate() {
-                let quarter = transposed(quarter).map(|row| row.map(|[c]| c));
+        let parts = |q: &[[f64; 3]; 3]| <[_; 2]>::from(split(q, 0.5)).map(|half| transposed(&half));
+        for (i, half) in parts(&q).iter().enumerate() {
+            for (j, quarter) in parts(half).into_iter().enumerate() {
                 open.push((quarter, [from[0] + 0.5 * size * i as f64, from[1] + 0.5 * size * j as f64], depth + 1));
             }
         }
@@ -76,18 +77,9 @@ pub(super) fn sign(q: &[[f64; 3]; 3], rounding: f64) -> Sign {
     undecided.unwrap_or(Sign::Positive)
 }
 
-type Square = [[[f64; 1]; 3]; 3];
-
-/// De Casteljau at the middle along the first parameter.
-fn halves(q: &Square) -> [Square; 2] {
-    let mean = |a: &[[f64; 1]; 3], b: &[[f64; 1]; 3]| std::array::from_fn(|j| [0.5 * (a[j][0] + b[j][0])]);
-    let (left, right) = (mean(&q[0], &q[1]), mean(&q[1], &q[2]));
-    let middle = mean(&left, &right);
-    [[q[0], left, middle], [middle, right, q[2]]]
-}
-
-fn transposed(q: &Square) -> Square {
-    std::array::from_fn(|i| std::array::from_fn(|j| q[j][i]))
+/// Three rows as columns.
+fn transposed(rows: &[[f64; 3]]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]))
 }
 
 #[cfg(test)]

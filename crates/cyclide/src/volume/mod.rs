@@ -9,7 +9,7 @@ mod spherical_cube;
 mod structured_grid;
 
 pub use cyclide_grid::CyclideGrid;
-pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeRow};
+pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeMetric, VolumeRow};
 pub use fold::FoldVerdict;
 pub use grading::{FineEnd, Grading};
 pub use param_volume::ParamVolume;

@@ -230,6 +230,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "",
     },
     Entry {
+        name: "spherical_cube",
+        title: "A spherical and a cyclidic cube",
+        text: "Eight points of a sphere, the four of every face of a cube on a circle: the last one follows from the others, by a theorem of Miquel. Beside it the block of these corners, whose faces are patches of Dupin cyclides.",
+        document: example!("spherical_cube.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
         name: "volume_faces",
         title: "Faces of a cyclidic cube",
         text: "Six patches that meet at right angles along their common circles.",

@@ -89,7 +89,8 @@ mod tests {
         let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
         let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
         let body = Body { outer: Shell::from_surface(patch).unwrap(), voids: Vec::new() };
-        let bodies = [BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body: body.into() }];
+        let bodies =
+            [BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, name: None, body: body.into() }];
         let line = |line: ShellLine| DrawnLine {
             place: LinePlace { body: 0, shell: 0, line },
             parts: Correspondence::one_to_one(1),

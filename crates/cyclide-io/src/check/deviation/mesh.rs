@@ -431,7 +431,11 @@ mod tests {
         let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
         let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));
         let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, merged: true, moved: 0.0 }] };
-        (BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body: body.into() }, mesh, plan)
+        (
+            BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, name: None, body: body.into() },
+            mesh,
+            plan,
+        )
     }
 
     fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {

@@ -113,12 +113,13 @@ impl Builder<'_> {
     }
 
     /// The parameters of the cells of blocks, of an object that divides them, or whose source did.
-    pub(super) fn places(&self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
+    pub(super) fn places(&mut self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
         let cells = match self.spec {
             ObjectSpec::CyclideVolume(spec) => &spec.cells,
             ObjectSpec::Layers(spec) => &spec.cells,
             ObjectSpec::CyclideGrid(spec) => &spec.cells,
             ObjectSpec::Transform(_) => {
+                self.gradings = self.sources.first().and_then(|source| source.gradings);
                 return Ok(self.sources.first().and_then(|source| source.provenance.places.clone()));
             }
             _ => return Ok(None),
@@ -129,6 +130,7 @@ impl Builder<'_> {
             Some(CellsSpec::Along(along)) => **along,
         };
         let mut places = [Vec::new(), Vec::new(), Vec::new()];
+        let mut laws = [Grading::Uniform; 3];
         for (axis, (spec, places)) in along.iter().zip(&mut places).enumerate() {
             let (count, law) = match spec {
                 CellsAlongSpec::Count(count) => (*count, Grading::Uniform),
@@ -137,9 +139,11 @@ impl Builder<'_> {
             // One number for all directions stands alone.
             let alone = matches!(cells, Some(CellsSpec::Count(_)));
             let place = place_of(axis).into_iter().take(if alone { 1 } else { 2 });
+            laws[axis] = law;
             *places = law.places(count as usize).map_err(|e| self.refused_at(place, &e))?;
         }
         StructuredGrid::check_size(volumes.len(), &places).map_err(|e| self.refused_at([Step::from("cells")], &e))?;
+        self.gradings = Some(laws);
         Ok(Some(places))
     }
 

@@ -35,7 +35,7 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -90,6 +90,8 @@ pub struct BuiltObject {
     pub smooth: Option<SmoothChoice>,
     /// What became of a curve of a torus when it was laid flat.
     pub unrolled: Option<UnrolledPlane>,
+    /// The laws by which blocks are divided along s, t and u, with what was found for a first cell.
+    pub gradings: Option<[Grading; 3]>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -181,6 +183,8 @@ impl<'a> ModelBuilder<'a> {
                     unrolled: None,
                     remarks: Vec::new(),
                     data: Vec::new(),
+                    names: Vec::new(),
+                    gradings: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -253,12 +257,19 @@ struct Builder<'a> {
     remarks: Vec<Remark>,
     /// The points of a fit.
     data: Vec<Point3>,
+    /// The names of its surfaces, if they have some.
+    names: Vec<String>,
+    /// The laws by which its blocks are divided along s, t and u.
+    gradings: Option<[Grading; 3]>,
 }
 
 impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
+        if let (ObjectSpec::Transform(_), Some(source)) = (self.spec, self.sources.first()) {
+            self.names.clone_from(&source.provenance.names);
+        }
         self.check_block_count()?;
         let volumes = self.volumes()?;
         let places = self.places(&volumes)?;
@@ -290,8 +301,10 @@ impl Builder<'_> {
         };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, tee_blends, ball_centers, tubes, smooth, unrolled, remarks, .. } = self;
-        let provenance = Provenance { kind: self.spec.type_word(), data, places };
+        let Self {
+            data, seams, polyhedron, tee_blends, ball_centers, tubes, smooth, unrolled, remarks, names, gradings, ..
+        } = self;
+        let provenance = Provenance { kind: self.spec.type_word(), data, places, names };
         Ok(BuiltObject {
             item,
             provenance,
@@ -306,6 +319,7 @@ impl Builder<'_> {
             tubes,
             smooth,
             unrolled,
+            gradings,
             construction,
             contours,
             remarks,

@@ -1,7 +1,7 @@
 //! Volumes: from corners and a frame to the kernel's blocks.
 
 use cyclide::{
-    Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, Point3, SphericalCube, SurfaceObject, VolumeFrame,
+    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, Point3, SphericalCube, SurfaceObject, VolumeFrame,
 };
 
 use super::Builder;
@@ -122,7 +122,7 @@ impl Builder<'_> {
     }
 
     /// Surfaces inside blocks on which one parameter is constant.
-    pub(super) fn coordinate_surfaces(&self, spec: &CoordinateSurfacesSpec) -> Result<Vec<SurfaceObject>> {
+    pub(super) fn coordinate_surfaces(&mut self, spec: &CoordinateSurfacesSpec) -> Result<Vec<SurfaceObject>> {
         let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
         if volumes.is_empty() {
             return Err(self.wrong_source(
@@ -140,17 +140,26 @@ impl Builder<'_> {
         if lists.iter().all(|(_, values)| values.is_empty()) {
             return Err(self.unfit("`s`, `t` or `u` says which surfaces, `outer` asks for the boundary"));
         }
-        let mut surfaces = Vec::new();
-        for volume in volumes {
-            for (axis, (field, values)) in lists.iter().enumerate() {
-                for (index, x) in values.iter().enumerate() {
-                    let patch = volume
-                        .surface(axis, *x)
-                        .map_err(|e| self.refused_at([Step::from(*field), Step::from(index)], &e))?;
-                    surfaces.push(SurfaceObject::Patch(patch));
-                }
+        let (mut surfaces, mut names) = (Vec::new(), Vec::new());
+        for (axis, (field, values)) in lists.iter().enumerate().filter(|(_, (_, values))| !values.is_empty()) {
+            for (index, x) in values.iter().enumerate().filter(|(_, x)| !(0.0..=1.0).contains(*x)) {
+                let error = volumes[0].surface(axis, *x).err();
+                let refused = |e| self.refused_at([Step::from(*field), Step::from(index)], &e);
+                error.map_or(Ok(()), |e| Err(refused(e)))?;
+            }
+            let made = CyclideVolume::coordinate_bodies(volumes, axis, values);
+            let made = made.map_err(|e| self.refused_at([Step::from(*field)], &e))?;
+            for (number, (value, body)) in made.iter().enumerate() {
+                let same = |(other, _): &&(f64, Body)| other.total_cmp(value).is_eq();
+                let name = format!("{field}={value}");
+                names.push(match made.iter().filter(same).count() {
+                    1 => name,
+                    _ => format!("{name} {}", made[..number].iter().filter(same).count()),
+                });
+                surfaces.push(surface_of(body.clone()));
             }
         }
+        self.names = names;
         Ok(surfaces)
     }
 
@@ -165,6 +174,15 @@ impl Builder<'_> {
         }
         self.mapped(spec, 0..spec.steps.len(), volumes, |volume, step| volume.transformed(&map_of(step)?), "")
     }
+}
+
+/// A body as a surface: a single patch is one, which has offsets and layers.
+fn surface_of(body: Body) -> SurfaceObject {
+    match body.outer.faces() {
+        [only] => only.surface.patch().map(|patch| SurfaceObject::Patch(*patch)),
+        _ => None,
+    }
+    .unwrap_or(SurfaceObject::Body(body))
 }
 
 /// How far rounding of the corners moves the last one.

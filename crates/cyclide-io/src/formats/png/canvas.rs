@@ -41,6 +41,11 @@ impl Ink {
         }
     }
 
+    /// A colour of the screen.
+    pub(super) const fn of_screen(rgb: u32) -> Self {
+        Self::new(rgb, 1.0)
+    }
+
     /// The colour of an object.
     pub(super) fn object(index: usize) -> Self {
         Self::new(crate::drawing::palette::object(index), 1.0)

@@ -6,7 +6,7 @@
 use super::canvas::{Canvas, Ink, Pixel};
 use super::sheet::{BAR_ROOM, MOST_ENTRIES, ROW, Sheet, TEXT};
 use super::{DATA, lettering};
-use crate::drawing::Combs;
+use crate::drawing::{Combs, palette};
 use crate::export::job::Job;
 use cyclide::ShortNumber;
 
@@ -32,6 +32,8 @@ enum Mark {
     Line(Ink, bool),
     /// A surface: its colour and that of its lines.
     Field(Ink, Ink),
+    /// Blocks: surfaces of three families.
+    Families,
     Comb,
     /// Data points of a fit.
     Data,
@@ -71,6 +73,12 @@ impl Legend {
             Naming::Colours => coloured(job, combs, names),
             Naming::Names | Naming::Numbers => crowd(combs),
         };
+        if job.model.items.iter().any(|item| !item.volumes().is_empty()) {
+            row.extend(["s", "t", "u"].into_iter().enumerate().map(|(axis, name)| {
+                let [field, line] = family(axis);
+                Entry { mark: Mark::Field(field, line), text: format!("{name} constant") }
+            }));
+        }
         if job.provenances.data().next().is_some() {
             row.push(Entry { mark: Mark::Data, text: "data points of a fit, its nodes as rings".to_owned() });
         }
@@ -188,13 +196,21 @@ pub(super) fn balloon_radius(number: usize, sheet: Sheet) -> f64 {
     (0.5 * lettering::width(&number.to_string(), size) + 0.45 * size).max(size)
 }
 
-/// True if there are more objects than a legend of colours can tell apart.
+/// True if there are more objects than a legend of colours can tell apart: all blocks have the same ones.
 pub(super) fn is_crowded(job: &Job<'_>) -> bool {
-    job.model.items.len() > MOST_ENTRIES
+    let of_blocks = job.model.items.iter().filter(|item| !item.volumes().is_empty()).count();
+    job.model.items.len() > MOST_ENTRIES || of_blocks > 1
+}
+
+/// The colours of the surfaces inside blocks on which a parameter is constant, and of their lines.
+fn family(axis: usize) -> [Ink; 2] {
+    palette::family(axis).map(Ink::of_screen)
 }
 
 fn mark(job: &Job<'_>, index: usize) -> Mark {
-    if job.model.items[index].curves().is_empty() {
+    if !job.model.items[index].volumes().is_empty() {
+        Mark::Families
+    } else if job.model.items[index].curves().is_empty() {
         Mark::Field(Ink::surface(index), Ink::object(index))
     } else {
         Mark::Line(Ink::object(index), false)
@@ -257,7 +273,7 @@ impl Mark {
     fn ink(self) -> Ink {
         match self {
             Self::Line(ink, _) | Self::Field(_, ink) => ink,
-            Self::Comb | Self::Data | Self::More => Ink::TEXT,
+            Self::Families | Self::Comb | Self::Data | Self::More => Ink::TEXT,
         }
     }
 
@@ -271,6 +287,15 @@ impl Mark {
                 let corners = [at(4.0, 8.0), at(40.0, 8.0), at(40.0, -8.0), at(4.0, -8.0)];
                 canvas.fill(&corners, field);
                 canvas.stroke(&corners, true, 1.5 * s, line);
+            }
+            Self::Families => {
+                for axis in 0..3 {
+                    let [field, line] = family(axis);
+                    let x = 4.0 + 12.0 * axis as f64;
+                    let corners = [at(x, 8.0), at(x + 12.0, 8.0), at(x + 12.0, -8.0), at(x, -8.0)];
+                    canvas.fill(&corners, field);
+                    canvas.stroke(&corners, true, 1.5 * s, line);
+                }
             }
             Self::Comb => {
                 let arch = |i: u32| -0.5 * (f64::from(i) - 4.0).powi(2);

@@ -21,6 +21,7 @@ use super::data::{Data, push_list, push_reference};
 use crate::text::number::push_step;
 use cyclide::{Arc, FaceEdge, Side};
 use std::fmt::Write as _;
+use std::sync::LazyLock;
 
 /// Part of an edge's length by which its point in space and that in the parameters may be apart; readers' tolerance is
 /// 1e-7, which leaves room for edges of a hundred metres in millimetres.
@@ -101,12 +102,18 @@ pub(super) fn spline(data: &mut Data, points: Vec<usize>, weights: Option<&[f64]
     })
 }
 
+/// The polynomials at the zeros of the next one: each edge asks for all of them.
+static COSINES: LazyLock<[[f64; TERMS]; TERMS]> = LazyLock::new(|| {
+    let angle = |i: usize| std::f64::consts::PI * (i as f64 + 0.5) / TERMS as f64;
+    std::array::from_fn(|k| std::array::from_fn(|i| (k as f64 * angle(i)).cos()))
+});
+
 /// The Chebyshev series of a function on `[0, 1]`, from its values at the zeros of the next polynomial.
 pub(super) fn series(f: impl Fn(f64) -> f64) -> Vec<f64> {
-    let angle = |i: usize| std::f64::consts::PI * (i as f64 + 0.5) / TERMS as f64;
-    let values: Vec<f64> = (0..TERMS).map(|i| f(0.5 + 0.5 * angle(i).cos())).collect();
+    let cosines = &*COSINES;
+    let values: Vec<f64> = (0..TERMS).map(|i| f(0.5 + 0.5 * cosines[1][i])).collect();
     let term = |k: usize| {
-        let sum: f64 = values.iter().enumerate().map(|(i, v)| v * (k as f64 * angle(i)).cos()).sum();
+        let sum: f64 = values.iter().zip(&cosines[k]).map(|(v, cosine)| v * cosine).sum();
         sum * if k == 0 { 1.0 } else { 2.0 } / TERMS as f64
     };
     (0..TERMS).map(term).collect()

@@ -1,10 +1,12 @@
-//! Surfaces in the plan: the edges of their patches and some inner parameter circles, as fine lines.
+//! Surfaces in the plan: the edges of their patches and some inner parameter circles, as fine lines; of blocks that are divided those at which their
+//! cells end.
 //!
 //! Hidden lines are drawn too: a plan is read like a drawing, not like a picture (that is what PNG is for).
 
 use super::path::Path;
 use super::{LEVEL, polyline, reader, three_digits};
-use crate::drawing::parameter_circles::halvings;
+use crate::drawing::block_directions::others;
+use crate::drawing::parameter_circles::{Planes, halvings};
 use crate::drawing::plane_regions::drawn_edges;
 use crate::export::drawn_line::{DrawnLine, LinePlace, ShellLine};
 use crate::export::error::ExportError;
@@ -12,7 +14,7 @@ use crate::export::exported::{Promise, WrittenCurve};
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, FaceGeometry as _, Shell};
+use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, FaceGeometry as _, Shell, ShellFace};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
@@ -38,7 +40,7 @@ impl Plan {
                 for (k, edge) in shell.edges().iter().enumerate().filter(|(k, _)| drawn[*k]) {
                     plan.edges.push(draw(job, body, place(ShellLine::Edge(k)), Ok(edge.curve.clone()))?);
                 }
-                for (line, curve) in circles(job, shell) {
+                for (line, curve) in circles(job, body, shell) {
                     plan.circles.push(draw(job, body, place(line), curve)?);
                 }
             }
@@ -84,16 +86,35 @@ impl Plan {
 /// The inner parameter circles of a shell that are drawn.
 fn circles<'a>(
     job: &Job<'_>,
+    body: &BodyOf<'_>,
     shell: &'a Shell,
 ) -> impl Iterator<Item = (ShellLine, cyclide::Result<EdgeCurve>)> + use<'a> {
-    let inner = |level: u32| {
+    let halved = |level: u32| {
         let count = 1u32 << level;
-        (1..count).map(move |i| f64::from(i) / f64::from(count))
+        (1..count).map(|i| f64::from(i) / f64::from(count)).collect::<Vec<f64>>()
     };
-    let faces = shell.faces().iter().enumerate().zip(halvings(shell, SPACING * job.size()));
-    faces.flat_map(move |((face, it), [along_s, along_t])| {
-        let across = inner(along_s).map(move |s| (ShellLine::AlongT { face, s }, it.surface.t_line(s)));
-        across.chain(inner(along_t).map(move |t| (ShellLine::AlongS { face, t }, it.surface.s_line(t))))
+    let volume = job.model.items[body.item].volumes().get(body.surface);
+    let inner: Vec<[Vec<f64>; 2]> = match volume.zip(job.provenances.places(body.item)) {
+        Some((volume, places)) => {
+            let faces = volume.faces();
+            // Faces that are a line are none of the shell.
+            let axis =
+                |face: &ShellFace| faces.iter().position(|patch| face.surface.patch() == Some(patch)).map(|k| k / 2);
+            let inside = |axis: usize| {
+                let places = places[axis].iter().copied();
+                places.filter(|x| 0.0 < *x && *x < 1.0).collect::<Vec<f64>>()
+            };
+            let of_face = |face| axis(face).map_or_else(Default::default, |axis| others(axis).map(inside));
+            shell.faces().iter().map(of_face).collect()
+        }
+        None => {
+            let levels = halvings(shell, SPACING * job.size(), Planes::Plain);
+            levels.into_iter().map(|levels| levels.map(halved)).collect()
+        }
+    };
+    shell.faces().iter().enumerate().zip(inner).flat_map(|((face, it), [along_s, along_t])| {
+        let across = along_s.into_iter().map(move |s| (ShellLine::AlongT { face, s }, it.surface.t_line(s)));
+        across.chain(along_t.into_iter().map(move |t| (ShellLine::AlongS { face, t }, it.surface.s_line(t))))
     })
 }
 

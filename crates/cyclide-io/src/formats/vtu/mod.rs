@@ -63,6 +63,8 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut arrays = Arrays::new(job.options.vtu_encoding);
     let of_blocks = qualities(job.model, job.bodies, &written.volumes);
     let head = text(&mut arrays, &cells, &of_blocks, job);
+    // They depend on the model alone: measured once, for the file and for its check.
+    written.qualities = of_blocks;
     Ok(written.exported(arrays.finish(head), Vec::new()))
 }
 
@@ -151,7 +153,7 @@ fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[Quality], job:
 /// Reads a file of a model and holds it against this.
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let (content, cells) = read(&made.file.bytes)?;
-    let ReadyModel { model, bodies, .. } = made.ready;
+    let ReadyModel { model, .. } = made.ready;
     let names = model.items.iter().map(|item| FileName::new(reader::OBJECTS, item.name.as_str(), 1)).collect();
     content.labels.check(&FileLabels::new(model.units, names))?;
     let written = &made.file.written;
@@ -160,7 +162,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
             Ok(Deviations { bodies: linear::deviations(made, &content, &plain)?, ..Deviations::default() })
         }
         Cells::Bezier(of_blocks) if !written.plain_cells => {
-            if of_blocks != qualities(model, bodies, &written.volumes) {
+            if of_blocks != written.qualities {
                 return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
             }
             let curves = made.curves(&content, View::Space)?;

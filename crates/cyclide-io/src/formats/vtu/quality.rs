@@ -2,7 +2,7 @@
 
 use crate::export::parts::BodyOf;
 use crate::export::rational_cells::block_of;
-use cyclide::{CyclideVolume, Model, ParamVolume as _, Vec3};
+use cyclide::{CyclideVolume, Model, Vec3};
 
 /// Names of the numbers.
 pub(super) const NAMES: [&str; 5] = ["orthogonality", "scaled_jacobian", "aspect_ratio", "shortest_side", "jacobian"];
@@ -31,13 +31,13 @@ fn quality(block: &CyclideVolume, part: &[[f64; 2]; 3]) -> Quality {
     for k in 0..PLACES.pow(3) {
         let own = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
         let at = std::array::from_fn(|axis| part[axis][0] + (part[axis][1] - part[axis][0]) * own[axis]);
-        let jet = block.jet(at);
-        found[0] = found[0].max(jet.orthogonality());
-        found[4] = found[4].min(jet.jacobian());
-        if block.standing_lines(at).contains(&true) {
+        let metric = block.metric(at);
+        found[0] = found[0].max(metric.orthogonality());
+        found[4] = found[4].min(metric.determinant());
+        if metric.standing.contains(&true) {
             continue;
         }
-        let sides: [Vec3; 3] = std::array::from_fn(|axis| jet.first[axis] * (part[axis][1] - part[axis][0]));
+        let sides: [Vec3; 3] = std::array::from_fn(|axis| metric.first[axis] * (part[axis][1] - part[axis][0]));
         let lengths = sides.map(Vec3::length);
         let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
         let scaled = match sides.map(|side| side.unit()) {

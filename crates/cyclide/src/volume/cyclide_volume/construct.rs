@@ -85,7 +85,7 @@ impl CyclideVolume {
         for axis in 0..3 {
             let q = &self.speeds[axis];
             for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-                let (speed, limit) = (q[2 * i][2 * j], -self.speed_rounding());
+                let (speed, limit) = (q[2 * i][2 * j], -self.rounding);
                 if speed < limit {
                     return Err(Error::CrossingFace { axis, at: [i as f64, j as f64], speed, limit });
                 }

@@ -2,6 +2,8 @@
 
 use super::super::fold::{FoldVerdict, Sign, sign};
 use super::{CyclideVolume, others};
+use crate::base::quat::Quat;
+use crate::base::vector::Point3;
 use crate::warning::Warning;
 
 /// Rounding of a speed in units of the products it is a sum of.
@@ -21,7 +23,7 @@ impl CyclideVolume {
                 (at[i], at[j]) = (x, y);
                 at
             };
-            match sign(&self.speeds[axis], self.speed_rounding()) {
+            match sign(&self.speeds[axis], self.rounding) {
                 Sign::Positive => {}
                 Sign::NotPositive(at) => return FoldVerdict::Folded { at: place(at) },
                 Sign::Undecided(at, depth) => {
@@ -56,14 +58,13 @@ impl CyclideVolume {
     /// ```
     #[must_use]
     pub fn standing_lines(&self, at: [f64; 3]) -> [bool; 3] {
-        let rounding = self.speed_rounding();
-        self.speeds_at(at).map(|speed| speed.abs() <= rounding)
+        self.speeds_at(at).map(|speed| speed.abs() <= self.rounding)
     }
+}
 
-    /// Rounding of the speeds: of the products `~w_i (a_j - a_i) w_j`, of rounded corners and weights.
-    pub(super) fn speed_rounding(&self) -> f64 {
-        let weight = self.weights.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);
-        let place = self.corners.iter().map(|p| p.to_vec().max_abs()).fold(self.scale, f64::max);
-        ROUNDING * weight * place
-    }
+/// Rounding of the speeds: of the products `~w_i (a_j - a_i) w_j`, of rounded corners and weights.
+pub(super) fn speed_rounding(corners: &[Point3; 8], weights: &[Quat; 8], scale: f64) -> f64 {
+    let weight = weights.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);
+    let place = corners.iter().map(|p| p.to_vec().max_abs()).fold(scale, f64::max);
+    ROUNDING * weight * place
 }

@@ -5,7 +5,6 @@ use crate::base::quadrature::{unit_rule4, unit_rule8};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
-use crate::volume::ParamVolume as _;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -98,8 +97,9 @@ impl CyclideVolume {
             for &(y, wy) in rule {
                 for &(z, wz) in rule {
                     let at = [from[0] + size[0] * x, from[1] + size[1] * y, from[2] + size[2] * z];
-                    let element = self.jacobian(at) * wx * wy * wz * whole;
-                    let way = self.point(at) - self.corners[0];
+                    let d = self.denominator(at);
+                    let element = self.jacobian_of(self.speeds_at(at), d.norm_squared()) * wx * wy * wz * whole;
+                    let way = self.quotient(at, d) - self.corners[0];
                     let terms = [element, element * way.x, element * way.y, element * way.z];
                     sum = std::array::from_fn(|k| sum[k] + terms[k]);
                 }

@@ -12,6 +12,7 @@ mod folds;
 mod frame;
 mod locate;
 mod measure;
+mod metric;
 mod parts;
 mod pole;
 mod rational;
@@ -30,6 +31,7 @@ pub use frame::VolumeFrame;
 pub(super) use frame::{frame_at, runs_against};
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
+pub use metric::VolumeMetric;
 pub use rows::VolumeRow;
 
 /// A block over `[0, 1]³` whose six faces are cyclide patches and whose parameter lines are circles that cross at right angles.
@@ -55,6 +57,8 @@ pub struct CyclideVolume {
     v: [Vec3; 3],
     /// Bernstein coefficients of the speeds, each by the two other parameters in order, the first outside.
     speeds: [[[f64; 3]; 3]; 3],
+    /// Rounding of the speeds.
+    rounding: f64,
 }
 
 impl CyclideVolume {
@@ -63,7 +67,8 @@ impl CyclideVolume {
         let scale = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
         let n = std::array::from_fn(|k| Quat::from((corners[k] - corners[0]) / scale) * weights[k]);
         let speeds = std::array::from_fn(|axis| speed(&corners, &weights, axis, v[axis]));
-        Self { corners, weights, n, scale, v, speeds }
+        let rounding = folds::speed_rounding(&corners, &weights, scale);
+        Self { corners, weights, n, scale, v, speeds, rounding }
     }
 
     /// The corners, binary order, first parameter fastest.
@@ -148,8 +153,7 @@ impl ParamVolume for CyclideVolume {
     fn jet(&self, at: [f64; 3]) -> VolumeJet {
         let d = self.denominator(at);
         let squared = d.norm_squared();
-        let turn = |v: Vec3| (d * Quat::from(v) * d.conj()).vector() / (squared * squared);
-        let along = self.v.map(turn);
+        let along: [Vec3; 3] = std::array::from_fn(|k| self.turned(k, d, squared));
         let speeds = self.speeds_at(at);
         let first: [Vec3; 3] = std::array::from_fn(|k| along[k] * speeds[k]);
         // x -> -2 Im(x D' D^-1)
@@ -171,8 +175,7 @@ impl ParamVolume for CyclideVolume {
 
     /// `q1 q2 q3/|D|⁶`, with the handedness of the frame.
     fn jacobian(&self, at: [f64; 3]) -> f64 {
-        let squared = self.denominator(at).norm_squared();
-        self.speeds_at(at).into_iter().map(|q| q / squared).product::<f64>() * self.handedness()
+        self.jacobian_of(self.speeds_at(at), self.denominator(at).norm_squared())
     }
 }
 

@@ -7,6 +7,8 @@ use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::surface::CyclidePatch;
 
+/// A side is one point up to so many roundings of its coordinates.
+const POINT: f64 = 64.0;
 /// Words for the parameters.
 const PARAMETERS: [ErrorItem; 3] = [ErrorItem::S, ErrorItem::T, ErrorItem::U];
 
@@ -29,6 +31,11 @@ impl CyclideVolume {
         });
         let (corners, weights) = (places.map(|at| self.corner_point(at)), places.map(|at| self.denominator(at)));
         Ok(CyclidePatch::from_weights_unchecked(corners, weights, self.v[i], self.v[j]))
+    }
+
+    /// Refuses a parameter in direction `axis` that is not from 0 to 1.
+    pub(crate) fn check_parameter(axis: usize, x: f64) -> Result<()> {
+        check_range(axis, [x, x])
     }
 
     /// The six faces: s = 0, s = 1, t = 0, t = 1, u = 0, u = 1.
@@ -67,6 +74,26 @@ impl CyclideVolume {
         let (from, to) = (place(0.0), place(1.0));
         let inverse = self.denominator(from).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
         Arc::from_ratio_across(self.corner_point(from), self.corner_point(to), self.denominator(to) * inverse)
+    }
+
+    /// The four sides in a direction, at (0, 0), (1, 0), (0, 1), (1, 1) of the two others: none where the side is one point, up to rounding of its place.
+    ///
+    /// ```
+    /// use cyclide::{CyclideGrid, CyclidePatch, CyclidicNet, Point3, Vec3};
+    /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    /// let octant = CyclidicNet::from(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?); // its pole at t = 1
+    /// let wedge = CyclideGrid::layers(&octant, &[0.0, 1.0])?.block([0, 0, 0]);
+    /// assert_eq!(wedge.sides(0).map(|side| side.is_some()), [true, false, true, false]);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    #[must_use]
+    pub fn sides(&self, axis: usize) -> [Option<Arc>; 4] {
+        let reach = self.corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        at.map(|at| self.line(axis, at).ok().filter(|side| side.length() > POINT * f64::EPSILON * reach))
     }
 
     /// The part over these ranges of s, t and u as a volume of its own: exact.

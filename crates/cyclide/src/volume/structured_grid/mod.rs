@@ -113,7 +113,7 @@ impl StructuredGrid {
     }
 
     /// The share of the range of direction `axis` within which no side of a block is longer than `height`, from its start or from its end: where the
-    /// first cell ends that is nowhere higher on these sides.
+    /// first cell ends that is nowhere higher on these sides. Sides of one point are none of them.
     ///
     /// # Errors
     /// `parameter-out-of-range` unless the height is above 0 and below the length of the shortest side.
@@ -121,8 +121,7 @@ impl StructuredGrid {
     /// # Panics
     /// If `axis` is above 2.
     pub fn share_of_height(blocks: &[CyclideVolume], axis: usize, at_end: bool, height: f64) -> Result<f64> {
-        let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-        let sides = || blocks.iter().flat_map(|block| places.into_iter().filter_map(|at| block.line(axis, at).ok()));
+        let sides = || blocks.iter().flat_map(|block| block.sides(axis).into_iter().flatten());
         let shortest = sides().map(|side| side.length()).fold(f64::INFINITY, f64::min);
         if !(height > 0.0 && height < shortest) {
             return Err(Error::ParameterOutOfRange {

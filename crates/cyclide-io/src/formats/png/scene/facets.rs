@@ -4,16 +4,20 @@ use super::camera::{Camera, Projected};
 use super::light::Rgb;
 use super::surface::growth;
 use crate::drawing::palette;
-use crate::export::job::Job;
+use crate::export::shape::Shape;
 use crate::export::triangle_cells::TriangleCell;
 use crate::formats::png::{CURVE, Polyline};
-use cyclide::{Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
+use cyclide::{Arc, Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.
 const ROUGH: f64 = 3200.0;
 const ROUGH_SIDES: (f64, f64) = (2.0, 24.0);
 /// Curves are drawn in front of surfaces that are nearer by this part of the distance.
 const LIFT: f64 = 0.004;
+/// Length of the dashes of what is taken away, pixels, their half width and colour.
+const DASH: f64 = 9.0;
+const TAKEN_WIDTH: f64 = 0.6;
+const TAKEN: u32 = 0x8A94A0;
 /// Corners of the dots at the joints of ribbons.
 const DOT: usize = 12;
 
@@ -34,20 +38,19 @@ pub(super) struct Facets {
     pub(super) paints: Vec<Paint>,
 }
 
-/// Triangles on a few points of each surface: for the camera and the shadow.
-pub(super) fn rough(job: &Job<'_>) -> Vec<[Point3; 3]> {
-    let shells = || job.bodies.iter().flat_map(|b| b.body.shells());
-    let count: usize = job.bodies.iter().map(|b| b.body.part_count()).sum();
+/// Triangles on a few points of each of these surfaces: for the camera and the shadow.
+pub(super) fn rough(shapes: &[&Shape<'_>]) -> Vec<[Point3; 3]> {
+    let count: usize = shapes.iter().map(|shape| shape.part_count()).sum();
     let cells = (ROUGH / count.max(1) as f64).sqrt().clamp(ROUGH_SIDES.0, ROUGH_SIDES.1) as usize;
     let mut triangles = Vec::new();
-    for face in shells().flat_map(Shell::faces) {
+    for face in shapes.iter().flat_map(|shape| shape.shells()).flat_map(Shell::faces) {
         let at = |i: usize, j: usize| face.surface.point(i as f64 / cells as f64, j as f64 / cells as f64);
         for (i, j) in (0..cells * cells).map(|k| (k % cells, k / cells)) {
             let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)];
             triangles.extend([[a, b, c], [b, d, c]]);
         }
     }
-    for surface in job.bodies.iter().filter_map(|b| b.body.triangles()) {
+    for surface in shapes.iter().filter_map(|shape| shape.triangles()) {
         // Half as many divisions as for a face: a triangle is as large as half of it.
         let source = |i: usize, j: usize| {
             let range = |k: usize| [k, k + 1].map(|v| v as f64 * 2.0 / cells as f64);
@@ -106,27 +109,12 @@ impl Facets {
     /// A curve as a ribbon of constant width in the picture.
     pub(super) fn add_curve(&mut self, curve: &Polyline, camera: &Camera, scale: f64) {
         let (object, light) = (curve.object, palette::linear(curve.object));
-        let lifted = |p: &Point3| {
-            let p = camera.project(*p);
-            Projected { near: p.near * (1.0 + camera.lift(LIFT)), ..p }
-        };
-        let points: Vec<Projected> = curve.points.iter().map(lifted).collect();
+        let points: Vec<Projected> = curve.points.iter().map(|p| lifted(*p, camera)).collect();
         let radius = 0.5 * CURVE * scale;
-        let mut add = |corners: [Projected; 3]| {
-            self.corners.push(corners);
-            self.paints.push(Paint::Ink { object, light });
-        };
         let last = if curve.closed { points.first() } else { None };
         let ends = points.iter().skip(1).chain(last);
         for (a, b) in points.iter().zip(ends) {
-            let (dx, dy) = (b.x - a.x, b.y - a.y);
-            let length = dx.hypot(dy);
-            if length > 0.0 {
-                let (x, y) = (-dy / length * radius, dx / length * radius);
-                let at = |p: &Projected, side: f64| Projected { x: p.x + side * x, y: p.y + side * y, near: p.near };
-                add([at(a, 1.0), at(a, -1.0), at(b, 1.0)]);
-                add([at(b, 1.0), at(a, -1.0), at(b, -1.0)]);
-            }
+            self.add_segment([a, b], radius, object, light);
         }
         // Dots round the corners between segments and the ends.
         for p in &points {
@@ -135,10 +123,46 @@ impl Facets {
                 Projected { x: p.x + radius * x, y: p.y + radius * y, near: p.near }
             };
             for k in 1..DOT - 1 {
-                add([at(0), at(k), at(k + 1)]);
+                self.corners.push([at(0), at(k), at(k + 1)]);
+                self.paints.push(Paint::Ink { object, light });
             }
         }
     }
+
+    /// An arc in dashes, of something that is taken away.
+    pub(super) fn add_dashes(&mut self, arc: &Arc, object: usize, camera: &Camera, scale: f64) {
+        let ends = [0.0, 0.5, 1.0].map(|x| camera.project(arc.point(x)));
+        let length: f64 = ends.windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)).sum();
+        // An odd number of dashes and gaps: both ends are drawn.
+        let count = 2.0 * (0.5 * length / (DASH * scale)).round().min(1e4) + 1.0;
+        let light = palette::to_linear(TAKEN);
+        for k in (0..count as usize).step_by(2) {
+            // As many segments of a dash as make it round.
+            for part in [[0.0, 0.5], [0.5, 1.0]] {
+                let [a, b] = part.map(|x| lifted(arc.point((k as f64 + x) / count), camera));
+                self.add_segment([&a, &b], TAKEN_WIDTH * scale, object, light);
+            }
+        }
+    }
+
+    fn add_segment(&mut self, [a, b]: [&Projected; 2], radius: f64, object: usize, light: Rgb) {
+        let (dx, dy) = (b.x - a.x, b.y - a.y);
+        let length = dx.hypot(dy);
+        if length > 0.0 {
+            let (x, y) = (-dy / length * radius, dx / length * radius);
+            let at = |p: &Projected, side: f64| Projected { x: p.x + side * x, y: p.y + side * y, near: p.near };
+            for corners in [[at(a, 1.0), at(a, -1.0), at(b, 1.0)], [at(b, 1.0), at(a, -1.0), at(b, -1.0)]] {
+                self.corners.push(corners);
+                self.paints.push(Paint::Ink { object, light });
+            }
+        }
+    }
+}
+
+/// A place of a curve in the picture, in front of the surface that it lies on.
+fn lifted(p: Point3, camera: &Camera) -> Projected {
+    let p = camera.project(p);
+    Projected { near: p.near * (1.0 + camera.lift(LIFT)), ..p }
 }
 
 /// The parameters of a cell at its polygon's corners; where two of them share a corner (a pole), their middle.

@@ -5,6 +5,7 @@
 //! there too, as places where a parameter is near a multiple of its step, so they lie on the surface by construction.
 //! Light is averaged before it is made a colour of the screen.
 
+mod blocks;
 mod camera;
 mod facets;
 mod ground;
@@ -45,8 +46,12 @@ const MESH: f64 = 0.25;
 
 /// Draws a model with surfaces.
 pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exported, ExportError> {
-    let rough = facets::rough(job);
+    // Blocks are seen with their inside.
+    let is_shape = |item: usize| job.model.items[item].volumes().is_empty();
+    let mut shapes: Vec<&Shape<'_>> = job.bodies.iter().filter(|b| is_shape(b.item)).map(|b| &b.body).collect();
+    let mut rough = facets::rough(&shapes);
     let mut points: Vec<Point3> = rough.iter().flatten().copied().collect();
+    points.extend(blocks::points(job)?);
     points.extend(curves(job, 1e-3 * job.size())?.iter().flat_map(|c| c.points.iter().copied()));
     let bounds = Aabb::of_points(points.iter().copied()).ok_or(ExportError::Empty)?;
     let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
@@ -55,6 +60,11 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         None if heights => view::from_side(&points, STEEPNESS),
         None => view::from_above(),
     };
+    let blocks = blocks::blocks(job, axes[2])?;
+    if !blocks.is_empty() {
+        shapes.extend(blocks.iter().flat_map(|own| &own.shapes));
+        rough = facets::rough(&shapes);
+    }
     let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
     let naming = if legend::is_crowded(job) { Naming::Numbers } else { Naming::Colours };
     let caption = Caption::new(job, &Combs::default(), &names.drawn, naming);
@@ -77,7 +87,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let (mut drawn, mut patches_drawn) = (Vec::new(), Vec::new());
     let (mut items, mut patch_items) = (Vec::new(), Vec::new());
     let mut facets = Facets::default();
-    for body in job.bodies {
+    for body in job.bodies.iter().filter(|b| is_shape(b.item)) {
         if let Some(surface) = body.body.triangles() {
             let mesh = triangles(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
             facets.add_triangles(&mesh, patches_drawn.len(), &camera);
@@ -92,6 +102,19 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         items.resize(drawn.len(), body.item);
         let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
         facets.add_body(faces, &mesh, first, &camera);
+    }
+    for own in &blocks {
+        for (shell, shape) in own.cut.shells.iter().zip(&own.shapes) {
+            let Some(faces) = shape.faces() else { continue };
+            let first = drawn.len();
+            drawn.extend(own.surfaces(shell, camera.unit(), sheet.scale));
+            items.resize(drawn.len(), own.item);
+            let mesh = job.pieces.tessellate(shape, MESH * camera.unit());
+            facets.add_body(faces, &mesh.map_err(|source| own.unfit(job, source))?, first, &camera);
+        }
+        for arc in &own.cut.taken {
+            facets.add_dashes(arc, own.item, &camera, sheet.scale);
+        }
     }
     for curve in curves(job, FLATNESS * camera.unit())? {
         facets.add_curve(&curve, &camera, sheet.scale);
@@ -112,7 +135,8 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             let places = visible.places(names.len());
             for (index, place) in places.into_iter().enumerate().take(caption.legend.numbers(sheet)) {
                 if let Some(place) = place {
-                    balloon(&mut canvas, place, index + 1, sheet, Ink::object(index));
+                    let ink = if is_shape(index) { Ink::object(index) } else { Ink::TEXT };
+                    balloon(&mut canvas, place, index + 1, sheet, ink);
                 }
             }
         }

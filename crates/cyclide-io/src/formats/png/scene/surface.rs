@@ -3,18 +3,20 @@
 use super::camera::Camera;
 use super::light::{Lights, Rgb, mix};
 use crate::drawing::palette;
-use crate::drawing::parameter_circles::halvings;
+use crate::drawing::parameter_circles::{Planes, halvings};
 use crate::drawing::plane_regions::drawn_edges;
 use cyclide::{FaceSurface, ParamSurface as _, Shell, Side, Vec3};
 
 /// Distance that the inner parameter circles have, about, pixels.
 const SPACING: f64 = 30.0;
 /// Half widths of lines, pixels: inner circles, edges between two patches, and the visible side of a border.
-const CIRCLE: f64 = 0.45;
+pub(super) const CIRCLE: f64 = 0.45;
 pub(super) const EDGE: f64 = 0.75;
 pub(super) const BORDER: f64 = 1.8;
 /// Strength of the ink: inner circles, edges.
-const CIRCLE_INK: f64 = 0.36;
+pub(super) const CIRCLE_INK: f64 = 0.36;
+/// The same of lines at given places.
+pub(super) const PLACE_INK: f64 = 0.5;
 pub(super) const EDGE_INK: f64 = 0.78;
 /// Lines closer together than the first are gone, farther apart than the second they have their full strength, pixels.
 const FADE: (f64, f64) = (3.5, 9.0);
@@ -25,23 +27,31 @@ pub(super) const INNER: f64 = 0.78;
 
 /// A face with what is drawn on it.
 pub(super) struct Surface<'a> {
-    surface: &'a FaceSurface,
-    /// Twofold divisions along s and along t.
-    levels: [u32; 2],
-    /// Half widths of the sides t=0, t=1, s=0, s=1; 0 for a side of one point, and between parts of one plane.
-    sides: [f64; 4],
-    outer: f64,
-    tint: Rgb,
-    inner_tint: Rgb,
-    ink: Rgb,
+    pub(super) surface: &'a FaceSurface,
+    /// The inner lines across s and across t.
+    pub(super) lines: [Lines; 2],
+    /// Half widths and ink of the sides t=0, t=1, s=0, s=1; 0 for a side of one point, and between parts of one plane.
+    pub(super) sides: [(f64, f64); 4],
+    pub(super) outer: f64,
+    pub(super) tint: Rgb,
+    pub(super) inner_tint: Rgb,
+    pub(super) ink: Rgb,
     /// Widths of lines are multiplied by this.
-    scale: f64,
+    pub(super) scale: f64,
+}
+
+/// The inner lines on which a parameter is constant.
+pub(super) enum Lines {
+    /// Of so many twofold divisions; finer ones fade where they stand close.
+    Halvings(u32),
+    /// At these parameters, rising: as dense as they are.
+    Places(Vec<f64>),
 }
 
 /// The faces of a shell for the picture; `unit` is the size of a pixel, `scale` multiplies widths and distances of lines.
 pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> impl Iterator<Item = Surface<'_>> {
     let uses = shell.edge_uses();
-    let levels = halvings(shell, SPACING * scale * unit);
+    let levels = halvings(shell, SPACING * scale * unit, Planes::Plain);
     let closed = uses.iter().all(|n| *n == 2);
     let drawn = drawn_edges(shell);
     let (ink, tint) = (palette::linear(object), palette::surface(object));
@@ -53,8 +63,8 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> i
         };
         Surface {
             surface: &face.surface,
-            levels,
-            sides: face.sides.map(|side| side.map_or(0.0, |s| width(s.edge))),
+            lines: levels.map(Lines::Halvings),
+            sides: face.sides.map(|side| (side.map_or(0.0, |s| width(s.edge)), EDGE_INK)),
             outer: face.outer_sign(),
             tint,
             inner_tint: if closed { tint } else { tint.map(|c| c * INNER) },
@@ -122,25 +132,47 @@ impl Surface<'_> {
             return 0.0;
         }
         let [first, last] = if k == 0 { [Side::Left, Side::Right] } else { [Side::Bottom, Side::Top] };
-        let side = self.sides[if at < 0.5 { first } else { last } as usize];
-        let mut strength = EDGE_INK * cover(at.min(1.0 - at).max(0.0) / slope, side) * fade(1.0 / slope);
-        let mut count = 1.0;
-        for _ in 0..self.levels[k] {
-            count *= 2.0;
-            let spacing = 1.0 / (count * slope);
-            if spacing <= FADE.0 {
-                break;
-            }
-            let place = at * count;
-            let nearest = f64::from((place + 0.5) as u32);
-            if nearest <= 0.0 || nearest >= count {
-                continue;
-            }
-            let line = cover((place - nearest).abs() * spacing, CIRCLE * self.scale) * fade(spacing);
-            strength = strength.max(CIRCLE_INK * line);
-        }
-        strength
+        let (side, ink) = self.sides[if at < 0.5 { first } else { last } as usize];
+        let edge = ink * cover(at.min(1.0 - at).max(0.0) / slope, side) * fade(1.0 / slope);
+        let width = CIRCLE * self.scale;
+        let inner = match &self.lines[k] {
+            Lines::Halvings(levels) => CIRCLE_INK * halved(at, slope, *levels, width),
+            Lines::Places(places) => PLACE_INK * dense(at, slope, places, width),
+        };
+        edge.max(inner)
     }
+}
+
+/// How much of a pixel lines of twofold divisions cover, those that stand close faded.
+fn halved(at: f64, slope: f64, levels: u32, width: f64) -> f64 {
+    let (mut strength, mut count): (f64, f64) = (0.0, 1.0);
+    for _ in 0..levels {
+        count *= 2.0;
+        let spacing = 1.0 / (count * slope);
+        if spacing <= FADE.0 {
+            break;
+        }
+        let place = at * count;
+        let nearest = f64::from((place + 0.5) as u32);
+        if nearest <= 0.0 || nearest >= count {
+            continue;
+        }
+        strength = strength.max(cover((place - nearest).abs() * spacing, width) * fade(spacing));
+    }
+    strength
+}
+
+/// How much of a pixel lines at given places cover, however close they stand: where there are many it is their mean tone.
+fn dense(at: f64, slope: f64, places: &[f64], width: f64) -> f64 {
+    let reach = (0.5 + width) * slope;
+    let first = places.partition_point(|x| *x < at - reach);
+    let near = &places[first..first + places[first..].partition_point(|x| *x <= at + reach)];
+    let covered = match near.len() {
+        0..=8 => near.iter().map(|x| cover((at - x).abs() / slope, width)).sum(),
+        // Of lines that pass by anywhere within reach.
+        count => count as f64 * width / (0.5 + width),
+    };
+    f64::min(covered, 1.0)
 }
 
 /// Length of a gradient; `hypot` guards against overflow that pixels do not have, at ten times the cost.
