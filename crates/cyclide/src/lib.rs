@@ -168,8 +168,8 @@ pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
 };
 pub use motion::{
-    BodyMesh, CubicMotions, DualQuat, Motion, MotionExtremes, MotionJet, MovingBody, Pose, RationalMotion, Schedule,
-    ScrewMotion, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
+    BodyMesh, CubicMotions, DualQuat, Motion, MotionExtremes, MotionJet, MotionPlace, MotionReversal, MovingBody, Pose,
+    RationalMotion, Schedule, ScrewMotion, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
 };
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface, RationalBezierVolume};
 pub use shape_change::ShapeChange;
@@ -197,4 +197,4 @@ pub use volume::{
     CellQuality, CyclideGrid, CyclideVolume, FineEnd, FoldVerdict, Grading, GridQuality, MOST_CELLS, ParamVolume,
     SphericalCube, StructuredGrid, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeRow, miquel_point,
 };
-pub use warning::Warning;
+pub use warning::{SpikeRemedy, Warning};

@@ -29,7 +29,7 @@ pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions,
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
-pub use motion::{MotionReport, PeakReport};
+pub use motion::{MotionReport, PeakReport, PlaceReport, ReversalReport};
 pub use polyhedron::PolyhedronReport;
 pub use qb::QbReport;
 pub use sample::{Spacing, sample, sample_cells, sample_poses};

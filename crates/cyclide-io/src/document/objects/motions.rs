@@ -13,7 +13,7 @@ use crate::document::spec::{
     MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
 };
 use crate::error::{Error, Result};
-use crate::input::points::read_poses;
+use crate::input::points::{read_poses, whole_turns};
 use std::f64::consts::TAU;
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
@@ -119,7 +119,10 @@ impl Builder<'_> {
         let tool = spec.tool.unwrap_or_default().point();
         let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
-        let made = made.map_err(|e| self.refused(&e, None))?;
+        let made = made.map_err(|e| match e {
+            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(&e),
+            _ => self.refused(&e, None),
+        })?;
         if spec.arm.is_some_and(|arm| arm > 0.0) && spec.law == TimeLaw::AsGiven {
             let message = "`arm` has no effect: without a `law` that goes by the way the times are those of the poses";
             self.remark(NO_EFFECT, None, None, self.place_of([Step::from("arm")]), message.to_owned());
@@ -145,16 +148,7 @@ impl Builder<'_> {
     fn poses(&mut self, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
         let made: Vec<(Option<f64>, Pose)> = match source {
             PoseSource::Inline(list) => {
-                let angles = list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
-                let wide =
-                    angles.flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
-                        (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
-                        _ => None,
-                    });
-                if let Some((i, k, angle)) = wide {
-                    let place = self.place_of(["poses".into(), i.into(), "rpy".into(), k.into()]);
-                    self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
-                }
+                self.remark_wide_angles(list);
                 let made = list.iter().enumerate().map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)));
                 made.collect::<Result<_>>()?
             }
@@ -171,6 +165,8 @@ impl Builder<'_> {
                         Some(format!("{name}:{line}")),
                         "name the columns roll_deg, pitch_deg, yaw_deg",
                     );
+                } else if let Some((line, change)) = table.whole_turns {
+                    self.remark_whole_turns(change, Some(format!("{name}:{line}")));
                 }
                 table.poses.into_iter().map(|row| (row.time, row.pose)).collect()
             }
@@ -184,6 +180,41 @@ impl Builder<'_> {
         let poses = made.into_iter().enumerate();
         let poses = poses.map(|(i, (time, pose))| TimedPose { time: time.unwrap_or(i as f64), pose }).collect();
         Ok((poses, given > 0))
+    }
+
+    /// Asks about angles of the document of more than a turn: whether degrees are meant, and whether turns that no pose can say.
+    fn remark_wide_angles(&mut self, list: &[PoseSpec]) {
+        let angles = || list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
+        let wide = angles().flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
+            (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
+            _ => None,
+        });
+        let place = |i: usize, k: usize| ["poses".into(), i.into(), "rpy".into(), k.into()];
+        if let Some((i, k, angle)) = wide {
+            let place = self.place_of(place(i, k));
+            return self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
+        }
+        let mut before: Option<[f64; 3]> = None;
+        for (i, pose) in list.iter().enumerate() {
+            let turned = pose.quaternion.is_some() || pose.matrix.is_some();
+            // Without a rotation it is not turned.
+            let angles = (!turned).then(|| pose.rpy.map_or([0.0; 3], |angles| angles.map(Angle::radians)));
+            if let Some((k, change)) = before.zip(angles).and_then(|(before, angles)| whole_turns(before, angles)) {
+                let place = self.place_of(place(i, k));
+                return self.remark_whole_turns(change, place);
+            }
+            before = angles;
+        }
+    }
+
+    /// Says that an angle differs by a turn or more from that of the pose before.
+    fn remark_whole_turns(&mut self, change: f64, place: Option<String>) {
+        let message = format!(
+            "the angle differs by {} degrees from that of the pose before: a pose says how the body is turned and not how often it came round, so it goes the shorter way; \
+             give poses in between, less than half a turn apart",
+            ShortNumber(change.to_degrees())
+        );
+        self.remark("whole-turns", None, None, place, message);
     }
 
     /// One pose of the document.

@@ -10,7 +10,7 @@ use crate::export::error::ExportError;
 use crate::export::exported::Promise;
 use crate::export::mesh::single;
 use crate::export::moving::{reach, way};
-use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, Vec3};
+use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, TimeLaw, Vec3};
 use serde_json::{Value, json};
 
 /// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.
@@ -48,7 +48,7 @@ pub(super) fn animated(
     let schedule = body.schedule().map_err(|source| ExportError::Lowering { object: object(), contour: 0, source })?;
     let carried = carried(body, &schedule, center);
     let (track, off) = carried.track(tolerance).map_err(|TrackFault::Off { keys, off, seconds }| {
-        ExportError::Keyframes { object: object(), off, tolerance, seconds, keys }
+        ExportError::Keyframes { object: object(), off, tolerance, seconds, keys, hint: slower(body) }
     })?;
     let promise = Promise::sampled(off.max(tolerance));
     let (primitives, materials) = match body.mesh() {
@@ -67,6 +67,16 @@ pub(super) fn animated(
     });
     let first = json!({"translation": track.translations[0][1], "rotation": track.rotations[0][1]});
     Ok(Animated { center, first, primitives, materials, animation, promise })
+}
+
+/// What makes a body slower that is too fast for its keys.
+fn slower(body: &MovingBody) -> &'static str {
+    match body.law() {
+        TimeLaw::AsGiven => {
+            "give other times, or a `law` that goes by the way, with an `arm` if it is its turns that are fast"
+        }
+        _ => "give an `arm`, the length by which turns count as way, or a larger one, or other poses",
+    }
 }
 
 /// What keys of a body are held against.

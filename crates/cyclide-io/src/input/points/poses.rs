@@ -1,6 +1,7 @@
 //! Tables of poses: columns by their names.
 
 use cyclide::{Pose, Quat, Units, Vec3};
+use std::f64::consts::{PI, TAU};
 
 use super::decimals::Decimals;
 use super::pose_columns::{NAMES, PoseColumns, RotationColumns};
@@ -21,10 +22,20 @@ pub(crate) struct PoseTable {
     pub(crate) poses: Vec<TablePose>,
     /// The first angle in radians of more than a turn, with its line: degrees may be meant.
     pub(crate) more_than_a_turn: Option<(usize, f64)>,
+    /// The first angle that differs by a turn or more from that of the pose before, with its line and the difference.
+    pub(crate) whole_turns: Option<(usize, f64)>,
     /// Units that the names of the coordinates speak of.
     pub(crate) unit_hints: Vec<(String, Units)>,
     /// The sentence about names that speak of a unit which no model has.
     pub(crate) unit_not_applied: Option<String>,
+}
+
+/// Which of three angles, in radians, differs by a turn or more from that of the pose before, and by how much: turns that no pose can say. Angles within half
+/// a turn of 0 that do so come round there, as headings do.
+pub(crate) fn whole_turns(before: [f64; 3], angles: [f64; 3]) -> Option<(usize, f64)> {
+    let rounded = 1.0 - 1e-9;
+    let differs = |k: &usize| angles[*k].abs() > PI / rounded && (angles[*k] - before[*k]).abs() >= TAU * rounded;
+    (0..3).find(differs).map(|k| (k, angles[k] - before[k]))
 }
 
 /// Reads a table of poses.
@@ -42,6 +53,7 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
     let PoseColumns { position, time, rotation } = PoseColumns::new(source, &table)?;
     let mut decimals = Decimals::default();
     let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
+    let (mut turned, mut turns): (Option<[f64; 3]>, Option<(usize, f64)>) = (None, None);
     let [x, y, z] = [0, 1, 2].map(|axis| position.coordinates[axis]);
     table.for_each_row(|row| {
         if poses.len() == MOST_POSES {
@@ -56,11 +68,16 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
             }
             RotationColumns::Angles([roll, pitch, yaw], unit) => {
                 let angles = [value(*roll)?, value(*pitch)?, value(*yaw)?];
-                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > std::f64::consts::TAU);
+                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > TAU);
                 if let (Some(angle), None) = (wide, more_than_a_turn) {
                     more_than_a_turn = Some((source.line_of(row.fields[0].start), angle));
                 }
-                Pose::from_roll_pitch_yaw(translation, angles.map(|angle| angle * unit))
+                let angles = angles.map(|angle| angle * unit);
+                if let (Some((_, change)), None) = (turned.and_then(|before| whole_turns(before, angles)), turns) {
+                    turns = Some((source.line_of(row.fields[0].start), change));
+                }
+                turned = Some(angles);
+                Pose::from_roll_pitch_yaw(translation, angles)
             }
             RotationColumns::Matrix(rows, last) => {
                 let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -81,5 +98,5 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
         Ok(())
     })?;
     let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
-    Ok(PoseTable { poses, more_than_a_turn, unit_hints, unit_not_applied })
+    Ok(PoseTable { poses, more_than_a_turn, whole_turns: turns, unit_hints, unit_not_applied })
 }
