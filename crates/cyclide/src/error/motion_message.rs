@@ -10,7 +10,7 @@ pub(super) fn of_motion(error: &Error) -> String {
         Error::ZeroRotation { index } => format!("rotation {index} is zero: it has no direction"),
         Error::NotARotation { off, limit } => format!(
             "the matrix is no displacement: its first three columns have to be orthonormal and right-handed and its last row 0 0 0 1, \
-             and they are off by {}, limit {}",
+             and they are off by {}, limit {} (with more decimals they are nearer; one that scales or mirrors is none)",
             ShortNumber(*off),
             ShortNumber(*limit)
         ),
