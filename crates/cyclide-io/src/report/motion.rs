@@ -4,12 +4,15 @@ use cyclide::{Motion, MotionJet, MotionPlace, MotionReversal, MovingBody, Schedu
 use serde::Serialize;
 
 use super::RangeReport;
+use super::fast::FastReport;
 use super::text::{Line, plural, short};
 
 /// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
 const BESIDE: f64 = 1e-4;
 /// So many times of poses are in the text; all of them are in JSON.
 const POSES_SHOWN: usize = 12;
+/// The same of places that are too fast.
+const PLACES_SHOWN: usize = 12;
 /// Turns up to this, in radians, close a motion.
 const CLOSES: f64 = 1e-9;
 /// A figure that varies by no more than this part of itself is the largest nowhere.
@@ -74,6 +77,9 @@ pub struct MotionReport {
     pub acceleration_jump: f64,
     /// Largest jump of the angular velocity from span to span, radians per second.
     pub angular_velocity_jump: f64,
+    /// The places that are faster than limits, where some were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fast: Option<FastReport>,
 }
 
 /// A place in a motion.
@@ -176,6 +182,7 @@ impl MotionReport {
             velocity_jump: 0.0,
             acceleration_jump: 0.0,
             angular_velocity_jump: 0.0,
+            fast: None,
         };
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
@@ -290,6 +297,19 @@ impl MotionReport {
                 self.reversals.iter().take(POSES_SHOWN).map(|reversal| short(reversal.time)).collect::<Vec<_>>();
             let more = if self.reversals.len() > POSES_SHOWN { ", …" } else { "" };
             line("turns back", format!("at {}{more} s, where the velocity jumps", times.join(", ")))?;
+        }
+        if let Some(fast) = &self.fast {
+            let limits = fast.limits.all(units);
+            match fast.places.len() {
+                0 => line("fast", format!("no place faster than {limits}"))?,
+                count => line("fast", format!("{} faster than {limits}", plural(count, "place")))?,
+            }
+            for place in fast.places.iter().take(PLACES_SHOWN) {
+                line("", place.words(units))?;
+            }
+            if fast.places.len() > PLACES_SHOWN {
+                line("", format!("and {} more", fast.places.len() - PLACES_SHOWN))?;
+            }
         }
         if let Some(degree) = self.degree {
             line("degree", format!("{degree} of the paths of points, exact"))?;

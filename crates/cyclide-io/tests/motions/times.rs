@@ -79,3 +79,41 @@ fn times_follow_from_chords() {
         assert!(error.contains(says), "{error}");
     }
 }
+
+/// Places that are too fast are parts of the time, over joints and round peaks, told in the report.
+#[test]
+fn places_faster_than_limits_are_named() {
+    // A thousand places a second are on the right side of the limit.
+    let fields = r#""tool": [0, 7, 3], "poses": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [4, 0], "rpy": [0, 0, 1]}, {"position": [9, 0], "rpy": [0, 1, 1]}, {"position": [9, 4]}]"#;
+    for law in ["as-given", "eased"] {
+        let built = build(&motion(&format!(r#"{fields}, "law": "{law}", "arm": 5, "duration": 4"#))).unwrap();
+        let schedule = built.item.motion().unwrap().schedule().unwrap();
+        for (kind, limit) in [(cyclide::SpeedKind::Tool, 5.0), (cyclide::SpeedKind::Turn, 0.8)] {
+            let found = schedule.faster_than(kind, limit);
+            assert!(!found.is_empty(), "{law} {kind:?}");
+            let inside =
+                |time: f64, slack: f64| found.iter().any(|part| time > part.from - slack && time < part.to + slack);
+            for k in 0..4000 {
+                let time = (f64::from(k) + 0.5) * 1e-3;
+                let jet = schedule.jet(time / 4.0);
+                let speed =
+                    if kind == cyclide::SpeedKind::Tool { jet.point.speed() } else { jet.angular_velocity.length() };
+                assert!(
+                    if speed > limit { inside(time, 1e-9) } else { !inside(time, -1e-9) },
+                    "{law} {kind:?} {time}: {speed} {found:?}"
+                );
+            }
+            assert!(found.iter().all(|part| part.value > limit && part.time >= part.from && part.time <= part.to));
+            assert!(found.windows(2).all(|parts| parts[0].to < parts[1].from), "{found:?}");
+        }
+    }
+    let limits = cyclide_io::SpeedLimits { speed: Some(5.0), angular_speed: Some(100.0) };
+    let built = [build(&motion(fields)).unwrap()];
+    let report = cyclide_io::Report::new(cyclide::Units::Millimetre, &built, None).with_speed_limits(&built, limits);
+    let text = report.to_string();
+    assert!(
+        text.contains("2 places faster than 5 mm/s or 100 rad/s")
+            && report.objects["m"].warnings.iter().filter(|w| w.reason == "faster-than-limit").count() == 2,
+        "{text}"
+    );
+}

@@ -81,7 +81,7 @@ pub struct MotionPlace {
 
 /// What is looked for the largest of.
 #[derive(Clone, Copy)]
-enum Figure {
+pub(super) enum Figure {
     Speed,
     Slowness,
     Turning,
@@ -95,7 +95,7 @@ const FIGURES: [Figure; 6] =
 
 /// A place that is higher than those beside it.
 #[derive(Clone, Copy)]
-struct Bracket {
+pub(super) struct Bracket {
     span: usize,
     /// The ends of the span.
     of_span: [f64; 2],
@@ -103,7 +103,7 @@ struct Bracket {
     ends: [f64; 2],
     /// The value at the place, and about how high it may be between its neighbours.
     value: f64,
-    may_be: f64,
+    pub(super) may_be: f64,
 }
 
 /// The largest value so far, and where it is, as a part of the duration.
@@ -177,7 +177,7 @@ impl Schedule<'_> {
     }
 
     /// The figures at a part of the duration; those that are not known there are below all others.
-    fn figures(&self, span: usize, fraction: f64) -> [f64; 6] {
+    pub(super) fn figures(&self, span: usize, fraction: f64) -> [f64; 6] {
         let (jet, [acceleration, jerk]) = self.jet_with_terms(span, fraction);
         let known = |value: f64, terms: f64| match value {
             value if !value.is_finite() || !terms.is_finite() => f64::NEG_INFINITY,
@@ -200,7 +200,7 @@ impl Schedule<'_> {
     }
 
     /// The highest place of a bracket, and how high it is: infinitely, if it still grows where it should have been reached.
-    fn highest(&self, figure: Figure, bracket: Bracket) -> (f64, f64) {
+    pub(super) fn highest(&self, figure: Figure, bracket: Bracket) -> (f64, f64) {
         let value = |x: f64| self.figures(bracket.span, x)[figure as usize];
         let mut search = GoldenSection::new(|x| -value(x), bracket.ends);
         let (mut best, mut reached) = ((bracket.at, bracket.value), bracket.value);
@@ -227,7 +227,11 @@ impl Schedule<'_> {
 }
 
 /// The places of a span that are as high as their neighbours; at its ends there is one of them only.
-fn raised<'a>(cells: &'a SpanCells, places: &'a [f64], values: &'a [f64]) -> impl Iterator<Item = Bracket> + 'a {
+pub(super) fn raised<'a>(
+    cells: &'a SpanCells,
+    places: &'a [f64],
+    values: &'a [f64],
+) -> impl Iterator<Item = Bracket> + 'a {
     let last = values.len() - 1;
     (0..=last).filter_map(move |k| {
         let (before, after) = (k.saturating_sub(1), (k + 1).min(last));
