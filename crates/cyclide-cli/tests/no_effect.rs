@@ -88,6 +88,10 @@ fn what_the_model_tells_is_a_warning() {
         ("curve line.csv -o a.svg --svg-comb", &["--svg-comb has no effect: no curve is bent"]),
         ("build c.json -o a.svg --svg-points", &["--svg-points has no effect: no curve has joints or ends"]),
         ("report t.json --min-radius 2", &["--min-radius has no effect: there are no curves"]),
+        (
+            "report t.json --max-speed 2 --max-angular-speed 3",
+            &["--max-speed has no effect: there are no motions", "--max-angular-speed has no effect"],
+        ),
         ("build t.json -o a.step --min-radius 2", &["--min-radius has no effect: there are no curves"]),
         (
             "sample l.json --count 3 --frames rotation-minimizing --spread-twist",

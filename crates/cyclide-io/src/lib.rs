@@ -19,7 +19,7 @@
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PeakReport`]), [`sample_poses`] |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
@@ -94,12 +94,13 @@ pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointT
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples,
-    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FairnessReport, FileReport,
-    FitPieces, FitReport, FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace,
-    PeakReport, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport,
-    SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS,
-    TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport,
-    WarningReport, sample, sample_cells, sample_poses,
+    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FASTER_THAN_LIMIT, FairnessReport,
+    FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport, JointReport,
+    MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace, PeakReport, PlaceReport,
+    PolyhedronReport, QbReport, RangeReport, Report, ReversalReport, SampleOptions, SamplePlaces, SeamReport,
+    SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits, SurfaceReport,
+    TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
+    VolumeReport, WarningReport, sample, sample_cells,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -87,12 +87,12 @@
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`RingBlend`] ([`BlendRing`]), [`BallCenters`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
-//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`], [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`SpeedPeak`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
+//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`] ([`PoseTimes`]), [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`MotionPlace`], [`SpeedPeak`], [`MotionReversal`], [`FastPlace`], [`SpeedKind`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`Result`], [`reasons`], [`Warning`], [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -168,8 +168,9 @@ pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
 };
 pub use motion::{
-    BodyMesh, CubicMotions, DualQuat, Motion, MotionExtremes, MotionJet, MovingBody, Pose, RationalMotion, Schedule,
-    ScrewMotion, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
+    BodyMesh, CubicMotions, DualQuat, FastPlace, Motion, MotionExtremes, MotionJet, MotionPlace, MotionReversal,
+    MovingBody, Pose, PoseTimes, RationalMotion, Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw,
+    TimedPose, Timing,
 };
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface, RationalBezierVolume};
 pub use shape_change::ShapeChange;
@@ -197,4 +198,4 @@ pub use volume::{
     CellQuality, CyclideGrid, CyclideVolume, FineEnd, FoldVerdict, Grading, GridQuality, MOST_CELLS, ParamVolume,
     SphericalCube, StructuredGrid, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeMetric, VolumeRow, miquel_point,
 };
-pub use warning::Warning;
+pub use warning::{SpikeRemedy, Warning};

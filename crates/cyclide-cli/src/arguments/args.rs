@@ -96,6 +96,7 @@ Examples:
   cyclide report logo.json
   cyclide report logo.json --json | jq '.objects[].length'
   cyclide report track.json --min-radius 12
+  cyclide report gripper.json --max-speed 500 --max-angular-speed 3
   cyclide report roof.json --json | jq '.objects[].circular.move_max'
 
 docs/report.md explains every word of the report, with what is good and what to do about the rest; the fields of --json are in
@@ -374,6 +375,12 @@ pub struct ReportArgs {
     /// Name the places of curves whose radius is below R.
     #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
     pub min_radius: Option<f64>,
+    /// Name the places of motions where the tool is faster than V, in units of length per second.
+    #[arg(long, value_name = "V", value_parser = positive, allow_negative_numbers = true)]
+    pub max_speed: Option<f64>,
+    /// Name the places of motions where the body turns faster than W, in radians per second.
+    #[arg(long, value_name = "W", value_parser = positive, allow_negative_numbers = true)]
+    pub max_angular_speed: Option<f64>,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -7,8 +7,8 @@ use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
     FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec,
-    PointColumns, PointFile, PointSource, QbInterpolationSpec, TypeWord, WriteOptions, leads_to_standard_input,
-    same_file,
+    PointColumns, PointFile, PointSource, QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions,
+    leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
@@ -78,6 +78,8 @@ pub struct ReportPlan {
     pub json: bool,
     /// Places of curves tighter than this are named.
     pub min_radius: Option<f64>,
+    /// Places of motions faster than this are named.
+    pub limits: SpeedLimits,
 }
 
 /// Build the gallery.
@@ -107,8 +109,9 @@ impl Args {
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Compare(args) => args.plan().map(Plan::Compare),
             Command::Sample(args) => args.plan().map(Plan::Sample),
-            Command::Report(ReportArgs { model, json, min_radius }) => {
-                Ok(Plan::Report(ReportPlan { input: Input::File(model), json, min_radius }))
+            Command::Report(ReportArgs { model, json, min_radius, max_speed, max_angular_speed }) => {
+                let limits = SpeedLimits { speed: max_speed, angular_speed: max_angular_speed };
+                Ok(Plan::Report(ReportPlan { input: Input::File(model), json, min_radius, limits }))
             }
             Command::New(NewArgs { kind, output }) => {
                 let output = output.filter(|path| !is_standard_output(path));

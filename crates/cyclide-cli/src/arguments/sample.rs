@@ -20,6 +20,7 @@ Examples:
   cyclide sample cable.json --object cable --step 10 --frames rotation-minimizing -o cable-frames.json
   cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
   cyclide sample gripper.json --object gripper --count 101 -o poses.csv
+  cyclide sample gripper.json --object gripper --step 0.008 -o controller.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion, with --frames also normal_x to
 normal_z and binormal_x to binormal_z, before them of look-at look_x to look_z, with a column 'contour' in front if the object has several. The station is the arc length
@@ -27,8 +28,8 @@ from the start; signed curvature is positive to the left, of plane curves only. 
 Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
 patch, edges included, with a column 'body' in front if the object has several.
 Volumes: columns s,t,u,x,y,z,jacobian on a grid of N by N by N places of every block, with a column 'block' in front if the object has several.
-Motions: columns time,x,y,z,qw,qx,qy,qz,m11 to m34 (a quaternion, and the rows of the matrix) at equal steps of time; JSON has poses as a
-document takes them.";
+Motions: columns time,x,y,z,qw,qx,qy,qz,m11 to m34 (a quaternion, and the rows of the matrix),speed,angular_speed,acceleration at equal
+steps of time, or every so many seconds (--step) and at the end; JSON has poses as a document takes them. Both are read back as poses.";
 
 #[derive(Debug, ClapArgs)]
 pub struct SampleArgs {
@@ -40,7 +41,7 @@ pub struct SampleArgs {
     /// Samples per contour of a curve, N by N per patch of a surface, N by N by N per block of a volume, or of a motion; at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present_any = ["step", "cells"])]
     pub count: Option<u32>,
-    /// Curves: a sample every D of arc length, and the end.
+    /// Curves: a sample every D of arc length, motions: every D seconds; and the end.
     #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count")]
     pub step: Option<f64>,
     /// Volumes: the nodes of the cells that the document divides blocks into.

@@ -1,8 +1,8 @@
 //! `sample`: places of one object as a table, without writing exchange files.
 
-use cyclide::{Body, CurveObject, Geometry, length};
+use cyclide::{Body, CurveObject, Geometry, MovingBody, length};
 use cyclide_io::{
-    BuiltObject, CurveSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean, sample_poses, write_file,
+    BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean, write_file,
 };
 
 use crate::arguments::plan::refuse_overwriting;
@@ -50,10 +50,21 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
 }
 
 fn motion(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
-    let count = count_alone(plan, "a motion")?;
-    refuse_many(&format!("--count {count}"), count as f64, 1, "motion")?;
-    let as_json = if plan.json { sample_poses(object, count) } else { None };
-    Ok(as_json.unwrap_or_else(|| cyclide_io::sample(object, count, Spacing::Parameter)))
+    let (option, rows) = match plan.places {
+        SamplePlaces::Step(step) => {
+            let for_curves = "--frames is for curves, the object is a motion".to_owned();
+            plan.frames.is_none().then_some(()).ok_or(Failure::Usage(for_curves))?;
+            let duration = object.item.motion().map_or(0.0, MovingBody::duration);
+            (format!("--step {step}"), plan.places.count_on(duration))
+        }
+        SamplePlaces::Count { .. } => {
+            let count = count_alone(plan, "a motion")?;
+            (format!("--count {count}"), count as f64)
+        }
+    };
+    refuse_many(&option, rows, 1, "motion")?;
+    let samples = MotionSamples::new(object, plan.places);
+    Ok(samples.map_or_else(String::new, |samples| if plan.json { samples.json() } else { samples.csv() }))
 }
 
 fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
@@ -85,7 +96,9 @@ fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<Stri
 fn count_alone(plan: &SamplePlan, what: &str) -> Result<usize, Failure> {
     let for_curves = |option: &str| Failure::Usage(format!("{option} is for curves, the object is {what}"));
     match plan.places {
-        SamplePlaces::Step(_) => Err(for_curves("--step")),
+        SamplePlaces::Step(_) => {
+            Err(Failure::Usage(format!("--step is for curves and motions, the object is {what}: give --count")))
+        }
         SamplePlaces::Count { spacing: Spacing::Length, .. } => Err(for_curves("--equal-length")),
         SamplePlaces::Count { .. } if plan.frames.is_some() => Err(for_curves("--frames")),
         SamplePlaces::Count { count, .. } => Ok(count),

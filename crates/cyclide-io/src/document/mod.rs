@@ -13,6 +13,7 @@ mod coordinates;
 mod interpolate;
 mod limits;
 mod locate;
+mod matrix;
 mod objects;
 mod plain_words;
 mod schema;

@@ -147,8 +147,8 @@ pub enum ExportError {
     /// Keys of an animation do not keep the tolerance, however many: the motion is too fast for the times that the format has, or so fine that
     /// there would be too many.
     #[error(
-        "object {object}: {keys} keys of the animation leave the body {} off at {} seconds, more than the tolerance {}: its motion is too fast there; give it a \
-         `law` that goes by the way, other times, or take a larger tolerance",
+        "object {object}: {keys} keys of the animation leave the body {} off at {} seconds, more than the tolerance {}: its motion is too fast there; {hint}, \
+         or take a larger tolerance",
         ShortNumber(*.off), ShortNumber(*.seconds), ShortNumber(*.tolerance)
     )]
     Keyframes {
@@ -162,6 +162,8 @@ pub enum ExportError {
         seconds: f64,
         /// How many keys there are.
         keys: usize,
+        /// What to do instead.
+        hint: &'static str,
     },
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {detail}")]

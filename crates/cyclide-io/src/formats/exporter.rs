@@ -116,7 +116,7 @@ impl<'a> Exporter<'a> {
     }
 }
 
-const ONLY_MOTIONS: &str = "motions: write GLB, or add a `trajectory` or a `swept-surface` of it, which have a form";
+const ONLY_MOTIONS: &str = "motions: write GLB, or add a `trajectory` or a `swept-surface` of it, which have a form; `cyclide sample` writes the poses, as CSV and JSON";
 
 /// Refuses surfaces without an exact form where the format holds exact ones only.
 fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportError> {

@@ -5,8 +5,10 @@ mod curvature;
 mod curve_sample;
 mod curves;
 mod fairness;
+mod fast;
 mod file;
 mod motion;
+mod motion_sample;
 mod polyhedron;
 mod qb;
 mod sample;
@@ -30,11 +32,13 @@ pub use curvature::CurvatureRangeReport;
 pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
+pub use fast::{FASTER_THAN_LIMIT, FastPlaceReport, FastReport, SpeedLimits};
 pub use file::{CheckError, FileReport};
-pub use motion::{MotionReport, PeakReport};
+pub use motion::{MotionReport, PeakReport, PlaceReport, ReversalReport};
+pub use motion_sample::{MotionSample, MotionSamples};
 pub use polyhedron::PolyhedronReport;
 pub use qb::QbReport;
-pub use sample::{Spacing, sample, sample_cells, sample_poses};
+pub use sample::{Spacing, sample, sample_cells};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
@@ -188,6 +192,24 @@ impl Report {
             }
         }
         Ok(self)
+    }
+}
+
+impl Report {
+    /// With the places of all motions that are faster than limits, in the reports of these objects and as warnings.
+    #[must_use]
+    pub fn with_speed_limits(mut self, objects: &[BuiltObject], limits: SpeedLimits) -> Self {
+        for built in objects {
+            if let Some(body) = built.item.motion()
+                && let Some(report) = self.objects.get_mut(&built.item.name)
+                && let GeometryReport::Motion(motion) = &mut report.geometry
+            {
+                let found = FastReport::new(body, limits);
+                report.warnings.extend(found.warnings(self.units));
+                motion.fast = Some(found);
+            }
+        }
+        self
     }
 }
 

@@ -1,17 +1,22 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, Schedule, SpeedPeak, TimeLaw, Vec3};
+use cyclide::{Motion, MotionJet, MotionPlace, MotionReversal, MovingBody, Schedule, SpeedPeak, TimeLaw, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
+use super::fast::FastReport;
 use super::text::{Line, plural, short};
 
 /// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
 const BESIDE: f64 = 1e-4;
 /// So many times of poses are in the text; all of them are in JSON.
 const POSES_SHOWN: usize = 12;
+/// The same of places that are too fast.
+const PLACES_SHOWN: usize = 12;
 /// Turns up to this, in radians, close a motion.
 const CLOSES: f64 = 1e-9;
+/// A figure that varies by no more than this part of itself is the largest nowhere.
+const CONSTANT: f64 = 1e-9;
 
 /// The report on a motion: way and turn to rounding, extremes to 1e-6 of themselves ([`Schedule::extremes`]; what grows beyond every bound is infinite, `null` in JSON).
 /// Lengths are in the document's units, times in seconds.
@@ -46,20 +51,80 @@ pub struct MotionReport {
     pub closing_turn: Option<f64>,
     /// Speed of the tool.
     pub speed: RangeReport,
+    /// Where it is the largest.
+    pub speed_at: PlaceReport,
     /// Angular speed, radians per second.
     pub angular_speed: RangeReport,
+    /// Where it is the largest.
+    pub angular_speed_at: PlaceReport,
     /// Largest acceleration of the tool between poses.
     pub acceleration: f64,
+    /// Where.
+    pub acceleration_at: PlaceReport,
     /// Largest jerk of the tool between poses.
     pub jerk: f64,
+    /// Where.
+    pub jerk_at: PlaceReport,
     /// Where the speed of the tool, or the angular speed, is the most times as large as on average over the same span.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak: Option<PeakReport>,
-    /// Largest jump of the velocity of the tool from span to span: where there is one, the acceleration has no bound.
+    /// Where a law that goes by the way runs on over a place at which the way turns back: the velocity jumps there.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reversals: Vec<ReversalReport>,
+    /// Largest jump of the velocity of the tool, from span to span or where the way turns back: where there is one, the acceleration has no bound.
     pub velocity_jump: f64,
     /// Largest jump of the acceleration of the tool from span to span: where there is one, the jerk has no bound.
     pub acceleration_jump: f64,
     /// Largest jump of the angular velocity from span to span, radians per second.
+    pub angular_velocity_jump: f64,
+    /// The places that are faster than limits, where some were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fast: Option<FastReport>,
+}
+
+/// A place in a motion.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "law": "eased", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// assert!(found.speed_at.span == 0 && (found.speed_at.time - 0.5).abs() < 1e-6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct PlaceReport {
+    /// The span, from 0: that from the pose of this number to the next.
+    pub span: usize,
+    /// Seconds from the start.
+    pub time: f64,
+}
+
+impl From<MotionPlace> for PlaceReport {
+    fn from(MotionPlace { span, time }: MotionPlace) -> Self {
+        Self { span, time }
+    }
+}
+
+/// Where a law that goes by the way runs on over a place at which the way turns back.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let poses = r#"[{"position": [1, 0]}, {"position": [0, 0]}, {"position": [1, 0]}]"#;
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "kind": "conic", "law": "constant-speed", "poses": {poses}}}}}}}"#);
+/// let document: Document = text.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// assert!((found.reversals[0].time - 1.0).abs() < 1e-6 && (found.reversals[0].velocity_jump - 2.0).abs() < 1e-6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ReversalReport {
+    /// The span, from 0; at a pose the one that starts there.
+    pub span: usize,
+    /// Seconds from the start.
+    pub time: f64,
+    /// By how much the velocity of the tool jumps.
+    pub velocity_jump: f64,
+    /// By how much the angular velocity jumps, radians per second.
     pub angular_velocity_jump: f64,
 }
 
@@ -105,13 +170,19 @@ impl MotionReport {
             turn: motion.turn(),
             closing_turn: motion.closing_turn(),
             speed: RangeReport::EMPTY,
+            speed_at: PlaceReport::default(),
             angular_speed: RangeReport::EMPTY,
+            angular_speed_at: PlaceReport::default(),
             acceleration: 0.0,
+            acceleration_at: PlaceReport::default(),
             jerk: 0.0,
+            jerk_at: PlaceReport::default(),
             peak: None,
+            reversals: Vec::new(),
             velocity_jump: 0.0,
             acceleration_jump: 0.0,
             angular_velocity_jump: 0.0,
+            fast: None,
         };
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
@@ -138,6 +209,8 @@ impl MotionReport {
         self.speed = range(found.speed);
         self.angular_speed = range(found.angular_speed);
         (self.acceleration, self.jerk) = (found.acceleration, found.jerk);
+        (self.speed_at, self.angular_speed_at) = (found.speed_at.into(), found.angular_speed_at.into());
+        (self.acceleration_at, self.jerk_at) = (found.acceleration_at.into(), found.jerk_at.into());
         self.peak =
             found.peak.map(|SpeedPeak { span, time, ratio, turning, .. }| PeakReport { span, time, ratio, turning });
         let mut arrived: Option<MotionJet> = None;
@@ -159,6 +232,11 @@ impl MotionReport {
                 self.angular_velocity_jump = larger(self.angular_velocity_jump, jump(|jet| jet.angular_velocity));
             }
             arrived = Some(ends);
+        }
+        for MotionReversal { span, time, velocity_jump, angular_velocity_jump, .. } in schedule.reversals() {
+            self.reversals.push(ReversalReport { span, time, velocity_jump, angular_velocity_jump });
+            self.velocity_jump = larger(self.velocity_jump, velocity_jump);
+            self.angular_velocity_jump = larger(self.angular_velocity_jump, angular_velocity_jump);
         }
     }
 
@@ -184,24 +262,54 @@ impl MotionReport {
             };
             line(word, text)?;
         }
-        let [speed, turning] = [&self.speed, &self.angular_speed].map(|range| match range {
-            RangeReport { min, max } if max.is_infinite() => format!("{} to no bound,", short(*min)),
-            range => super::text::range(range),
-        });
-        line("speed", format!("{speed} {units}/s, angular {turning} rad/s"))?;
-        let [acceleration, jerk] = [self.acceleration, self.jerk]
-            .map(|value| if value.is_infinite() { "without bound,".to_owned() } else { short(value) });
+        let of_range = |range: &RangeReport, unit: &str, at: PlaceReport| {
+            let text = match range {
+                RangeReport { min, max } if max.is_infinite() => format!("{} to no bound,", short(*min)),
+                range => super::text::range(range),
+            };
+            let varies = range.max - range.min > CONSTANT * range.max;
+            if varies { format!("{text} {unit} (at {} s)", short(at.time)) } else { format!("{text} {unit}") }
+        };
+        let speed = of_range(&self.speed, &format!("{units}/s"), self.speed_at);
+        line("speed", format!("{speed}, angular {}", of_range(&self.angular_speed, "rad/s", self.angular_speed_at)))?;
+        let of_most = |value: f64, unit: &str, at: PlaceReport| match value {
+            value if value.is_infinite() => format!("without bound, {unit} (at {} s)", short(at.time)),
+            value if value > 0.0 => format!("{} {unit} (at {} s)", short(value), short(at.time)),
+            value => format!("{} {unit}", short(value)),
+        };
+        let acceleration = of_most(self.acceleration, &format!("{units}/s²"), self.acceleration_at);
+        let jerk = of_most(self.jerk, &format!("{units}/s³"), self.jerk_at);
         let between = if self.spans > 1 { " between poses" } else { "" };
-        line("at most", format!("acceleration {acceleration} {units}/s², jerk {jerk} {units}/s³{between}"))?;
-        if self.spans > 1 {
+        line("at most", format!("acceleration {acceleration}, jerk {jerk}{between}"))?;
+        if self.spans > 1 || !self.reversals.is_empty() {
             let [velocity, acceleration] = [self.velocity_jump, self.acceleration_jump].map(short);
             let angular = short(self.angular_velocity_jump);
+            let places = if self.spans > 1 { " at poses" } else { "" };
             line(
                 "jumps",
                 format!(
-                    "velocity {velocity} {units}/s, angular {angular} rad/s, acceleration {acceleration} {units}/s² at poses"
+                    "velocity {velocity} {units}/s, angular {angular} rad/s, acceleration {acceleration} {units}/s²{places}"
                 ),
             )?;
+        }
+        if !self.reversals.is_empty() {
+            let times =
+                self.reversals.iter().take(POSES_SHOWN).map(|reversal| short(reversal.time)).collect::<Vec<_>>();
+            let more = if self.reversals.len() > POSES_SHOWN { ", …" } else { "" };
+            line("turns back", format!("at {}{more} s, where the velocity jumps", times.join(", ")))?;
+        }
+        if let Some(fast) = &self.fast {
+            let limits = fast.limits.all(units);
+            match fast.places.len() {
+                0 => line("fast", format!("no place faster than {limits}"))?,
+                count => line("fast", format!("{} faster than {limits}", plural(count, "place")))?,
+            }
+            for place in fast.places.iter().take(PLACES_SHOWN) {
+                line("", place.words(units))?;
+            }
+            if fast.places.len() > PLACES_SHOWN {
+                line("", format!("and {} more", fast.places.len() - PLACES_SHOWN))?;
+            }
         }
         if let Some(degree) = self.degree {
             line("degree", format!("{degree} of the paths of points, exact"))?;

@@ -2,12 +2,11 @@
 //! curvatures on surfaces.
 
 use cyclide::{
-    Body, CyclideVolume, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, Quat, ShellFace, SurfaceObject,
-    TriangleSurface,
+    Body, CyclideVolume, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface,
 };
-use serde_json::json;
 
 use super::curve_sample::{CurveSamples, SampleOptions, SamplePlaces};
+use super::motion_sample::MotionSamples;
 use crate::document::BuiltObject;
 use crate::text::number::push_plain;
 
@@ -44,8 +43,7 @@ pub enum Spacing {
 /// Volumes: columns `s,t,u,x,y,z,jacobian` with s fastest, `count` by `count` by `count` per block; a column `block` (from 0) in front if there
 /// are several.
 ///
-/// Motions: columns `time,x,y,z,qw,qx,qy,qz` and the first three rows `m11` to `m34` of the matrix of each pose (the fourth is `0 0 0 1`), at equal
-/// steps of time; neighbouring quaternions are on the same side.
+/// Motions: as [`MotionSamples::csv`].
 ///
 /// Fields are empty where a tangent, normal or curvature does not exist.
 ///
@@ -74,36 +72,10 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
             let along = || fractions(count).collect();
             volumes(blocks, &[along(), along(), along()])
         }
-        Geometry::Motion(body) => motion(body, count),
+        Geometry::Motion(body) => {
+            MotionSamples::of(body, SamplePlaces::Count { count, spacing }).map_or_else(String::new, |s| s.csv())
+        }
     }
-}
-
-/// Samples of a motion as JSON: `poses`, as a document has them (time, position, quaternion), and beside them `matrices`, 4 × 4 by rows. `None` of
-/// an object that is no motion.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let text = cyclide_io::sample_poses(&built[0], 3).expect("it is a motion");
-/// let poses: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
-/// assert_eq!(poses["matrices"][1][0][3], 15.0);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[must_use]
-pub fn sample_poses(built: &BuiltObject, count: usize) -> Option<String> {
-    let body = built.item.motion()?;
-    let schedule = body.schedule().ok()?;
-    let (mut before, mut poses, mut matrices) = (None, Vec::new(), Vec::new());
-    for fraction in fractions(count) {
-        let pose = schedule.pose(fraction);
-        let rotation = same_side(pose.rotation(), &mut before).to_array();
-        let time = fraction * body.duration();
-        poses.push(json!({"time": time, "position": pose.translation().to_array(), "quaternion": rotation}));
-        matrices.push(json!(pose.to_matrix()));
-    }
-    let text = json!({"poses": poses, "matrices": matrices}).to_string();
-    Some(text + "\n")
 }
 
 /// The nodes of the cells that blocks are divided into, as [`sample`] has volumes; `None` of an object without cells.
@@ -147,30 +119,6 @@ fn volumes(blocks: &[CyclideVolume], [s, t, u]: &[Vec<f64>; 3]) -> String {
         }
     }
     out
-}
-
-fn motion(body: &MovingBody, count: usize) -> String {
-    let mut out = "time,x,y,z,qw,qx,qy,qz,m11,m12,m13,m14,m21,m22,m23,m24,m31,m32,m33,m34\n".to_owned();
-    let Ok(schedule) = body.schedule() else { return out };
-    let mut before = None;
-    for fraction in fractions(count) {
-        let pose = schedule.pose(fraction);
-        let rotation = same_side(pose.rotation(), &mut before).to_array();
-        push_plain(&mut out, fraction * body.duration());
-        let matrix = pose.to_matrix();
-        let numbers =
-            pose.translation().to_array().into_iter().chain(rotation).chain(matrix[..3].iter().flatten().copied());
-        numbers.for_each(|value| push_field(&mut out, Some(value)));
-        out.push('\n');
-    }
-    out
-}
-
-/// The rotation with the sign that is nearer to the one before.
-fn same_side(rotation: Quat, before: &mut Option<Quat>) -> Quat {
-    let turned = if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation };
-    *before = Some(turned);
-    turned
 }
 
 fn triangles(surface: &TriangleSurface, count: usize) -> String {

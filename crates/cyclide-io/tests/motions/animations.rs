@@ -59,3 +59,27 @@ fn keys_keep_the_tolerance_or_are_refused() {
         assert!(error.to_string().contains(" off at 10"), "{error}");
     }
 }
+
+/// Viewers play one animation: all bodies are in it, each with its own duration, and the file is read back by their names.
+#[test]
+fn several_bodies_move_in_one_animation() {
+    let two = r#""a": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}], "duration": 2},
+        "b": {"type": "motion", "kind": "sclerp", "poses": [{"position": [0, 50]}, {"position": [30, 60], "rpy": [0, 1, 0]}], "duration": 5}"#;
+    let model = model(two);
+    let exporter = Exporter::new(&model).unwrap();
+    let file = exporter.export(Format::Glb, &ExportOptions::default()).unwrap();
+    exporter.check("m.glb".as_ref(), Format::Glb, &file).unwrap();
+    let length = u32::from_le_bytes(file.bytes[12..16].try_into().unwrap()) as usize;
+    let document: serde_json::Value = serde_json::from_slice(&file.bytes[20..20 + length]).unwrap();
+    let animations = document["animations"].as_array().unwrap();
+    let counts = ["samplers", "channels"].map(|list| animations[0][list].as_array().unwrap().len());
+    assert!(animations.len() == 1 && animations[0]["name"] == "all motions" && counts == [4, 4], "{animations:?}");
+    // Other names, another order, another motion.
+    let changes: [fn(&mut Vec<cyclide::Item>); 3] =
+        [|items| items[1].name = "c".to_owned(), |items| items.swap(0, 1), |items| drop(items.pop())];
+    for change in changes {
+        let mut other = model.clone();
+        change(&mut other.items);
+        assert!(Exporter::new(&other).unwrap().check("m.glb".as_ref(), Format::Glb, &file).is_err());
+    }
+}

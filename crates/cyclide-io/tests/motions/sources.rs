@@ -52,3 +52,65 @@ fn curves_that_carry_no_body_are_told_which_do() {
     let error = build_all(&(spline.to_owned() + &motion(r#""along": "cable""#)), "").unwrap_err();
     assert!(error.contains("a `fair-spline` of tension 0"), "{error}");
 }
+
+/// Tables of loggers: other units of time, and what no column has is 0, as is said.
+#[test]
+fn tables_of_loggers_are_read() {
+    let read = |table: &str| build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap().pop().unwrap();
+    for table in [
+        "timestamp,x,y,z\n1700000000,0,0,0\n1700000002,30,0,0\n",
+        "#timestamp tx ty tz qx qy qz qw\n0 0 0 0 0 0 0 1\n2 30 0 0 0 0 0 1\n",
+        "time_ns,x,y,z\n0,0,0,0\n2000000000,30,0,0\n",
+        "time [us],x,y,z\n0,0,0,0\n2000000,30,0,0\n",
+        "time [min],x,y,z\n0,0,0,0\n0.033333333333333333,30,0,0\n",
+    ] {
+        let built = read(table);
+        assert!((built.item.motion().unwrap().duration() - 2.0).abs() < 1e-12 && built.remarks.is_empty(), "{table}");
+    }
+    for (table, absent) in
+        [("x,y,yaw_deg\n0,0,0\n30,0,90\n", "z, roll, pitch"), ("x,y,z,yaw_deg\n0,0,0,0\n30,0,0,90\n", "roll, pitch")]
+    {
+        let built = read(table);
+        let pose = built.item.motion().unwrap().schedule().unwrap().pose(1.0);
+        assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
+        assert!((pose.translation() - Vec3::X * 30.0).length() < 1e-15);
+        let [remark] = &built.remarks[..] else { panic!("{:?}", built.remarks) };
+        assert!(remark.reason == "taken-as-zero" && remark.message.contains(absent), "{remark:?}");
+    }
+}
+
+/// Matrices as one list, by columns, and with few decimals.
+#[test]
+fn matrices_of_other_programs_are_read_or_told() {
+    let with = |matrix: &str| build(&motion(&format!(r#""poses": [{{"position": [0, 0]}}, {{"matrix": {matrix}}}]"#)));
+    let end = |matrix: &str| with(matrix).unwrap().item.motion().unwrap().schedule().unwrap().pose(1.0);
+    let rows = end("[[0, -1, 0, 30], [1, 0, 0, 2], [0, 0, 1, 10]]");
+    for flat in ["[0, -1, 0, 30, 1, 0, 0, 2, 0, 0, 1, 10]", "[0, -1, 0, 30, 1, 0, 0, 2, 0, 0, 1, 10, 0, 0, 0, 1]"] {
+        assert!(end(flat).angle_to(rows) < 1e-15 && (end(flat).translation() - rows.translation()).length() < 1e-15);
+    }
+    for (matrix, says) in [
+        ("[0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 30, 2, 10, 1]", "column by column"),
+        ("[[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [30, 2, 10, 1]]", "column by column"),
+        ("[0, -1, 0, 1, 0, 0, 0, 0, 1]", "or 12 or 16 numbers row by row, not 9 numbers"),
+        ("[[0, -1, 0, 30], 1, 2]", "not both"),
+        ("[[0, -1, 0], [1, 0, 0], [0, 0, 1]]", "3 values are given, 4 are needed"),
+        ("[[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]", "off by 7, limit 0.002"),
+    ] {
+        let error = with(matrix).unwrap_err();
+        assert!(error.contains(says), "{error}");
+    }
+    // Four decimals of a turn about a slanted axis: the nearest rotation is nearer than the digits.
+    let meant = Pose::new(cyclide::Quat::new(0.8, 0.3, -0.4, 0.2), Vec3::ZERO).unwrap();
+    let text = |decimals: i32| {
+        let unit = 10_f64.powi(decimals);
+        let rows = meant.to_matrix().map(|row| row.map(|v| (v * unit).round() / unit));
+        serde_json::to_string(&rows[..3]).unwrap()
+    };
+    for decimals in [3, 4] {
+        let built = with(&text(decimals)).unwrap();
+        assert!(end(&text(decimals)).angle_to(meant) < 2.0 * 0.1_f64.powi(decimals));
+        let [remark] = &built.remarks[..] else { panic!("{:?}", built.remarks) };
+        assert_eq!((remark.reason, remark.place.as_deref()), ("matrices-rounded", Some("objects.m.poses[1]")));
+    }
+    assert!(with(&text(6)).unwrap().remarks.is_empty() && with(&text(2)).is_err());
+}

@@ -1280,6 +1280,17 @@ pub enum Error {
         /// Lengths up to this are refused.
         limit: f64,
     },
+    /// A time law by the way of a point, or times by it, have no time for a span on which the body turns on the spot, or rests.
+    SpanWithoutWay {
+        /// Which span, from 0.
+        span: usize,
+        /// By how much the body turns there, radians.
+        turn: f64,
+        /// Length of the way.
+        length: f64,
+        /// Lengths up to this are refused.
+        limit: f64,
+    },
     // Volumes.
     /// The first corner of a spherical cube and its three neighbours are on one circle: the eighth corner is not determined.
     ConcircularCube {

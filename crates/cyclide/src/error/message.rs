@@ -802,7 +802,8 @@ impl std::fmt::Display for Error {
             | Self::NoCubicMotion { .. }
             | Self::StudyFormVanishes { .. }
             | Self::MotionNotRational
-            | Self::MotionAtRest { .. } => f.write_str(&of_motion(self)),
+            | Self::MotionAtRest { .. }
+            | Self::SpanWithoutWay { .. } => f.write_str(&of_motion(self)),
             Self::ConcircularCube { .. }
             | Self::CrossingFace { .. }
             | Self::VolumeThroughInfinity { .. }

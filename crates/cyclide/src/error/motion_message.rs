@@ -1,6 +1,7 @@
 //! What errors of displacements and motions say.
 
 use super::Error;
+use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 
 /// The sentence of an error about poses and motions; empty for another.
@@ -9,7 +10,7 @@ pub(super) fn of_motion(error: &Error) -> String {
         Error::ZeroRotation { index } => format!("rotation {index} is zero: it has no direction"),
         Error::NotARotation { off, limit } => format!(
             "the matrix is no displacement: its first three columns have to be orthonormal and right-handed and its last row 0 0 0 1, \
-             and they are off by {}, limit {}",
+             and they are off by {}, limit {} (with more decimals they are nearer; one that scales or mirrors is none)",
             ShortNumber(*off),
             ShortNumber(*limit)
         ),
@@ -83,6 +84,21 @@ pub(super) fn of_motion(error: &Error) -> String {
             ShortNumber(*length),
             ShortNumber(*limit)
         ),
+        Error::SpanWithoutWay { span, turn, length, limit } => {
+            let (does, remedy) = match *turn {
+                turn if turn > 0.0 => (
+                    format!("turns by {} degrees on the spot", degrees(turn)),
+                    "give an `arm`, the length by which a turn counts as way, or name a `tool` that moves",
+                ),
+                _ => ("rests".to_owned(), "give times"),
+            };
+            format!(
+                "span {span}, from pose {span} to the next, {does}: its way is {} long, which must be above {}, and what goes by the way has no time \
+                 for it: {remedy}",
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            )
+        }
         _ => String::new(),
     }
 }

@@ -175,6 +175,7 @@ impl Error {
             Self::StudyFormVanishes { .. } => "study-form-vanishes",
             Self::MotionNotRational => "motion-not-rational",
             Self::MotionAtRest { .. } => "motion-at-rest",
+            Self::SpanWithoutWay { .. } => "span-without-way",
         }
     }
 
@@ -194,7 +195,7 @@ impl Error {
             | Self::ZeroRotation { index }
             | Self::ParametersNotIncreasing { index, .. }
             | Self::UnattainablePose { index, .. } => Some(index),
-            Self::RotationTooLarge { span, .. } => Some(span),
+            Self::RotationTooLarge { span, .. } | Self::SpanWithoutWay { span, .. } => Some(span),
             Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,

@@ -127,7 +127,7 @@ impl Motion {
     pub fn warnings(&self) -> Vec<Warning> {
         match self {
             Self::Rational(motion) => motion.warnings(),
-            Self::Screw(_) => Vec::new(),
+            Self::Screw(motion) => motion.warnings(),
         }
     }
 

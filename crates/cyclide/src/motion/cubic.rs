@@ -104,7 +104,8 @@ impl CubicMotions {
         check_attained(&lengths)?;
         let factors: [f64; 4] = std::array::from_fn(|i| lengths[i] * plain[i]);
         let prepared = Prepared { places: parts.to_vec(), ..prepared };
-        prepared.single(lagrange_rows(&poses, &factors, &parts))
+        let motion = prepared.single(lagrange_rows(&poses, &factors, &parts))?;
+        Ok(motion.half_turning(prepared.half_turns))
     }
 }
 

@@ -40,7 +40,8 @@ impl RationalMotion {
         let times: Vec<f64> = poses.iter().map(|p| p.time).collect();
         let swings = Swings::of(&spans);
         let pose_times = Vec::clone(&times);
-        Ok(Self::of_spans(times, spans, prepared.centre, prepared.unit).through(pose_times).swinging(swings))
+        let motion = Self::of_spans(times, spans, prepared.centre, prepared.unit).through(pose_times);
+        Ok(motion.swinging(swings).half_turning(prepared.half_turns))
     }
 }
 

@@ -1,14 +1,15 @@
 //! A body on its way: a motion with a point of the body, a time law and a duration.
 
 use super::any_motion::Motion;
-use super::extremes::SpeedPeak;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
+use super::reversals::MotionReversal;
+use super::speed_peak::{FastTurn, SpeedPeak};
 use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
-use crate::warning::Warning;
+use crate::warning::{SpikeRemedy, Warning};
 
 /// How long a motion may take: the cube of it divides a jerk.
 const DURATIONS: [f64; 2] = [1e-90, 1e90];
@@ -163,15 +164,48 @@ impl MovingBody {
         self.arm
     }
 
-    /// What should be known of it: of its [motion](Motion::warnings), and where it gets more than 30 times as fast as on average over the same span
-    /// (`speed-spike`).
+    /// What should be known of it: of its [motion](Motion::warnings); where it gets more than 30 times as fast as on average over the same span
+    /// (`speed-spike`); and under a law that goes by the way rests that it has no time for (`rests-passed-over`), spans on which the body turns more
+    /// than 30 times as fast as on average (`turns-nearly-in-place`), and where the way turns back (`motion-reverses`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let peak = self.schedule().ok().and_then(|schedule| schedule.extremes().peak);
-        let spike = peak.filter(|peak| peak.ratio > PEAK).map(|SpeedPeak { span, time, ratio, turning }| {
-            Warning::SpeedSpike { span, time, ratio, turning, limit: PEAK }
-        });
-        self.motion.warnings().into_iter().chain(spike).collect()
+        let mut warnings = self.motion.warnings();
+        let Ok(schedule) = self.schedule() else { return warnings };
+        if self.law != TimeLaw::AsGiven
+            && let [span, ..] = *schedule.timing.at_rest()
+        {
+            warnings.push(Warning::RestsPassedOver { span, count: schedule.timing.at_rest().len() });
+        }
+        let spans = schedule.span_cells();
+        let turn = schedule.fastest_turn(&spans).filter(|turn| turn.ratio > PEAK);
+        let peak = schedule.speed_peak(&spans).filter(|peak| peak.ratio > PEAK);
+        // A span that is fast all over has been named.
+        let named = |peak: &SpeedPeak| turn.is_some_and(|turn| turn.span == peak.span && peak.turning);
+        if let Some(SpeedPeak { span, time, ratio, turning }) = peak.filter(|peak| !named(peak)) {
+            let remedy = self.spike_remedy(turning);
+            warnings.push(Warning::SpeedSpike { span, time, ratio, turning, limit: PEAK, remedy });
+        }
+        if let Some(FastTurn { span, turn, seconds, ratio }) = turn {
+            warnings.push(Warning::TurnsNearlyInPlace { span, turn, seconds, ratio, limit: PEAK });
+        }
+        let reversals = schedule.reversals();
+        if let Some(&MotionReversal { span, time, velocity_jump, .. }) = reversals.first() {
+            warnings.push(Warning::MotionReverses { span, time, count: reversals.len(), velocity_jump });
+        }
+        warnings
+    }
+
+    /// What helps where it gets very fast.
+    fn spike_remedy(&self, turning: bool) -> SpikeRemedy {
+        match (self.law, &self.motion) {
+            (TimeLaw::AsGiven, Motion::Rational(motion)) if motion.pose_times().is_empty() => SpikeRemedy::Law,
+            (TimeLaw::AsGiven, Motion::Rational(motion)) if motion.times().len() < motion.pose_times().len() => {
+                SpikeRemedy::Spline
+            }
+            (TimeLaw::AsGiven, _) => SpikeRemedy::Times,
+            _ if turning => SpikeRemedy::LargerArm,
+            _ => SpikeRemedy::SmallerArm,
+        }
     }
 
     /// The way measured, for poses at times.
@@ -264,30 +298,19 @@ impl Schedule<'_> {
     /// What they do at a time of the motion, which is there when the part of the duration is over.
     fn jet_at(&self, time: f64, fraction: f64) -> MotionJet {
         let own = self.body.motion.jet(time, self.body.tool);
-        let [u1, u2, u3] = self.rates(&own, fraction);
-        let CurveJet { point, d1, d2, d3 } = own.point;
-        let (omega, alpha, beta) = (own.angular_velocity, own.angular_acceleration, own.angular_jerk);
-        MotionJet {
-            pose: own.pose,
-            point: CurveJet {
-                point,
-                d1: d1 * u1,
-                d2: d2 * (u1 * u1) + d1 * u2,
-                d3: d3 * (u1 * u1 * u1) + d2 * (3.0 * u1 * u2) + d1 * u3,
-            },
-            angular_velocity: omega * u1,
-            angular_acceleration: alpha * (u1 * u1) + omega * u2,
-            angular_jerk: beta * (u1 * u1 * u1) + alpha * (3.0 * u1 * u2) + omega * u3,
-        }
+        let rates = self.rates(&own, fraction);
+        by_rates(own, rates)
     }
 
-    /// The lengths of the terms that acceleration and jerk of the tool are summed of in [`jet_in_span`](Self::jet_in_span).
-    pub(super) fn sizes_of_terms(&self, span: usize, fraction: f64) -> [f64; 2] {
+    /// As [`jet_in_span`](Self::jet_in_span), with the lengths of the terms that acceleration and jerk of the tool are summed of.
+    pub(super) fn jet_with_terms(&self, span: usize, fraction: f64) -> (MotionJet, [f64; 2]) {
         let own = self.body.motion.jet(self.time_in_span(span, fraction), self.body.tool);
-        let [u1, u2, u3] = self.rates(&own, fraction);
+        let rates = self.rates(&own, fraction);
         let [d1, d2, d3] = [own.point.d1, own.point.d2, own.point.d3].map(Vec3::length);
+        let [u1, u2, u3] = rates;
         let first = d2 * u1 * u1 + d1 * u2.abs();
-        [first, d3 * u1.abs().powi(3) + 3.0 * d2 * (u1 * u2).abs() + d1 * u3.abs()]
+        let second = d3 * u1.abs().powi(3) + 3.0 * d2 * (u1 * u2).abs() + d1 * u3.abs();
+        (by_rates(own, rates), [first, second])
     }
 
     /// How long the body takes.
@@ -337,5 +360,23 @@ impl Schedule<'_> {
         let u2 = (s2 - g1 * u1 * u1) / g;
         let u3 = (s3 - g2 * u1 * u1 * u1 - 3.0 * g1 * u1 * u2) / g;
         [u1, u2, u3]
+    }
+}
+
+/// A jet by another time, of which the own one has these derivatives.
+fn by_rates(own: MotionJet, [u1, u2, u3]: [f64; 3]) -> MotionJet {
+    let CurveJet { point, d1, d2, d3 } = own.point;
+    let (omega, alpha, beta) = (own.angular_velocity, own.angular_acceleration, own.angular_jerk);
+    MotionJet {
+        pose: own.pose,
+        point: CurveJet {
+            point,
+            d1: d1 * u1,
+            d2: d2 * (u1 * u1) + d1 * u2,
+            d3: d3 * (u1 * u1 * u1) + d2 * (3.0 * u1 * u2) + d1 * u3,
+        },
+        angular_velocity: omega * u1,
+        angular_acceleration: alpha * (u1 * u1) + omega * u2,
+        angular_jerk: beta * (u1 * u1 * u1) + alpha * (3.0 * u1 * u2) + omega * u3,
     }
 }

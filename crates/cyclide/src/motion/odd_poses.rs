@@ -36,8 +36,12 @@ impl RationalMotion {
     pub fn conic(poses: &[TimedPose]) -> Result<Self> {
         let prepared = Prepared::of_count::<3>(poses)?;
         let displacements = array::<_, 3>(&prepared.poses);
-        let rows = conic_rows(&displacements, &array(&prepared.places), prepared.vanished.max(ROUNDED))?;
-        Ok(prepared.single(rows)?.leaving_out(prepared.left_out(largest(&forms(&displacements)))))
+        let vanished = prepared.vanished.max(ROUNDED);
+        let rows = conic_rows(&displacements, &array(&prepared.places), vanished)?;
+        let size = largest(&forms(&displacements));
+        // The signs of rotations matter to the motion of Lagrange only.
+        let half_turns = prepared.half_turns.filter(|_| size <= vanished);
+        Ok(prepared.single(rows)?.leaving_out(prepared.left_out(size)).half_turning(half_turns))
     }
 
     /// The motion of degree 4 that takes five poses at given times, in any order: it has no freedom, and may swing. Five poses of a motion of
@@ -52,7 +56,7 @@ impl RationalMotion {
         let size = largest(&all);
         if size <= prepared.vanished.max(ROUNDED) {
             let motion = prepared.single(lagrange_rows(&displacements, &plain_factors(&times), &times))?;
-            return Ok(motion.leaving_out(prepared.left_out(size)));
+            return Ok(motion.leaving_out(prepared.left_out(size)).half_turning(prepared.half_turns));
         }
         let m = over_times(&all, &times);
         let factors: [f64; 5] = std::array::from_fn(|i| {

@@ -7,6 +7,8 @@ use crate::error::{Error, ErrorItem, Result};
 
 /// Entries of a matrix may be off those of a rotation by this much: they are often written with six digits.
 const NOT_A_ROTATION: f64 = 1e-5;
+/// Steps to the nearest rotation: what is off by 0.1 is by 1e-2 after the first, 1e-4, 1e-8, and then by rounding.
+const POLAR_STEPS: usize = 4;
 
 /// A place and an orientation of a body: the displacement `x ↦ q x q⁻¹ + τ` from the body's frame to the world.
 ///
@@ -68,6 +70,26 @@ impl Pose {
     /// `not-finite`; `not-a-rotation` if the left upper part is not orthonormal and right-handed to 1e-5, or the last row is not
     /// `0 0 0 1`.
     pub fn from_matrix(rows: [[f64; 4]; 4]) -> Result<Self> {
+        Self::nearest_to_matrix(rows, NOT_A_ROTATION).map(|(pose, _)| pose)
+    }
+
+    /// As [`from_matrix`](Self::from_matrix), to another limit than 1e-5: the pose with the nearest rotation, and by how much the matrix is off one.
+    ///
+    /// ```
+    /// use cyclide::{Pose, Quat, Vec3};
+    /// // A turn by 30 degrees, with two decimals.
+    /// let rows = [[0.87, -0.5, 0.0, 5.0], [0.5, 0.87, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+    /// assert_eq!(Pose::from_matrix(rows).unwrap_err().reason(), "not-a-rotation");
+    /// let (pose, off) = Pose::nearest_to_matrix(rows, 1e-2)?;
+    /// assert!((0.006..0.007).contains(&off)); // of the determinant
+    /// let meant = Pose::new(Quat::from_axis_angle(Vec3::Z, 30_f64.to_radians()), Vec3::ZERO)?;
+    /// assert!(pose.angle_to(meant) < 2e-3);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-finite`, `not-a-rotation`.
+    pub fn nearest_to_matrix(rows: [[f64; 4]; 4], limit: f64) -> Result<(Self, f64)> {
         if let Some(index) = rows.iter().flatten().position(|v| !v.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::MatrixEntry, index });
         }
@@ -75,10 +97,10 @@ impl Pose {
         let axes = [column(0), column(1), column(2)];
         let last: [f64; 4] = std::array::from_fn(|j| rows[3][j] - f64::from(u8::from(j == 3)));
         let off = off_rotation(axes).max(last.into_iter().fold(0.0, |m: f64, v| m.max(v.abs())));
-        if off > NOT_A_ROTATION {
-            return Err(Error::NotARotation { off, limit: NOT_A_ROTATION });
+        if off.is_nan() || off > limit {
+            return Err(Error::NotARotation { off, limit });
         }
-        Self::new(rotation_of_axes(axes), column(3))
+        Self::new(rotation_of_axes(nearest_axes(axes)), column(3)).map(|pose| (pose, off))
     }
 
     /// The rows of the matrix `[R τ; 0 0 0 1]`.
@@ -164,6 +186,19 @@ fn off_rotation([x, y, z]: [Vec3; 3]) -> f64 {
     let lengths = [x, y, z].map(|v| (v.length() - 1.0).abs());
     let angles = [x.dot(y).abs(), y.dot(z).abs(), z.dot(x).abs(), (x.cross(y).dot(z) - 1.0).abs()];
     lengths.into_iter().chain(angles).fold(0.0, f64::max)
+}
+
+/// The columns of the rotation that is nearest to that of these columns: the orthogonal factor `U` of `A = U H`, by Newton's steps `(A + A⁻ᵀ)/2`, which
+/// square what is off (N. J. Higham, SIAM J. Sci. Stat. Comput. 7 (1986), 1160-1174).
+fn nearest_axes(mut axes: [Vec3; 3]) -> [Vec3; 3] {
+    for _ in 0..POLAR_STEPS {
+        let [x, y, z] = axes;
+        let determinant = x.cross(y).dot(z);
+        // The columns of the inverse transposed.
+        let dual = [y.cross(z), z.cross(x), x.cross(y)].map(|v| v / determinant);
+        axes = std::array::from_fn(|k| (axes[k] + dual[k]) * 0.5);
+    }
+    axes
 }
 
 /// The rotation whose columns these are, nearly: the row of `q qᵀ` with the largest entry on its diagonal.

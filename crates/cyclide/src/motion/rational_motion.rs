@@ -10,6 +10,7 @@ use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::span_of;
 use super::study_form::ROUNDED;
+use super::timed_pose::HalfTurns;
 use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
@@ -50,6 +51,8 @@ pub struct RationalMotion {
     pose_times: Vec<f64>,
     /// Of a spline through poses: where it runs beyond them.
     swings: Option<Swings>,
+    /// Poses to which both ways round are as short, where the sign of a rotation decides.
+    half_turns: Option<HalfTurns>,
 }
 
 /// The Bernstein coefficients of one span: real part, then dual part.
@@ -59,7 +62,7 @@ pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 impl RationalMotion {
     /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
-        Self { times, spans, centre, unit, left_out: 0.0, pose_times: Vec::new(), swings: None }
+        Self { times, spans, centre, unit, left_out: 0.0, pose_times: Vec::new(), swings: None, half_turns: None }
     }
 
     /// The same, made through poses at these times.
@@ -73,17 +76,24 @@ impl RationalMotion {
         Self { swings, ..self }
     }
 
+    /// The same, where the sign of a rotation decides which way round the body goes.
+    pub(super) fn half_turning(self, half_turns: Option<HalfTurns>) -> Self {
+        Self { half_turns, ..self }
+    }
+
     /// The same, with what was left out of the poses for rounding.
     pub(super) fn leaving_out(self, off: f64) -> Self {
         Self { left_out: off, ..self }
     }
 
     /// What should be known of it: that its poses are planar, spherical, translated or of one motion of degree 2 but for the digits they are
-    /// written with, and were taken for that (`poses-rounded`); or that a spline swings out between its poses (`motion-swings`).
+    /// written with, and were taken for that (`poses-rounded`); that a spline swings out between its poses (`motion-swings`); or that a pose is half a
+    /// turn away from the one before, and the sign of its rotation decides (`half-turn`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let rounded = (self.left_out > 0.0).then_some(Warning::PosesRounded { off: self.left_out, limit: ROUNDED });
-        rounded.into_iter().chain(self.swings.map(Swings::warning)).collect()
+        let half_turns = self.half_turns.map(HalfTurns::warning);
+        rounded.into_iter().chain(self.swings.map(Swings::warning)).chain(half_turns).collect()
     }
 
     /// The times at which spans start, and the end.

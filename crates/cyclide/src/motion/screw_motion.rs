@@ -11,11 +11,12 @@
 use super::dual_quat::DualQuat;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
-use super::timed_pose::{Prepared, TimeOrder, TimedPose};
+use super::timed_pose::{HalfTurns, Prepared, TimeOrder, TimedPose};
 use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+use crate::warning::Warning;
 
 /// Below this half angle the quotients are taken from their series, which then are exact to rounding.
 const SMALL_HALF_ANGLE: f64 = 1e-4;
@@ -39,6 +40,7 @@ const SMALL_HALF_ANGLE: f64 = 1e-4;
 pub struct ScrewMotion {
     times: Vec<f64>,
     screws: Vec<Screw>,
+    half_turns: Option<HalfTurns>,
 }
 
 impl ScrewMotion {
@@ -55,6 +57,7 @@ impl ScrewMotion {
         Ok(Self {
             times: poses.iter().map(|p| p.time).collect(),
             screws: screws.map(|(pair, from)| Screw::new([pair[0], pair[1]], prepared.unit, from.pose)).collect(),
+            half_turns: prepared.half_turns,
         })
     }
 
@@ -76,6 +79,12 @@ impl ScrewMotion {
     pub fn jet(&self, time: f64, point: Point3) -> MotionJet {
         let (screw, t, duration) = self.screw_at(time);
         screw.jet(t, duration, point)
+    }
+
+    /// What should be known of it: that a pose is half a turn away from the one before, and the sign of its rotation decides (`half-turn`).
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.half_turns.map(HalfTurns::warning).into_iter().collect()
     }
 
     /// The screw of a time, the part of it that is done, and how long it takes.

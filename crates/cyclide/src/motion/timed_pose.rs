@@ -7,6 +7,7 @@ use crate::base::quat::Quat;
 use crate::base::range::MAX_COORDINATE;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
 
 /// A pose and the time, or other parameter, at which a motion takes it.
 ///
@@ -25,6 +26,26 @@ pub struct TimedPose {
 
 /// Rotations at an angle of more than half a turn have a product below this: at exactly half a turn its sign is rounding.
 const OPPOSITE: f64 = -1e-12;
+
+/// Turns are half a turn within this, in radians: what six digits of a matrix or a quaternion leave unknown.
+const HALF_TURN: f64 = 2e-6;
+
+/// Poses that are half a turn away from the one before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HalfTurns {
+    /// The first one.
+    pose: usize,
+    count: usize,
+    /// How much is missing to half a turn.
+    off: f64,
+}
+
+impl HalfTurns {
+    pub(super) fn warning(self) -> Warning {
+        let Self { pose, count, off } = self;
+        Warning::HalfTurn { pose, count, off, limit: HALF_TURN }
+    }
+}
 
 /// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbours in time on the same side.
 ///
@@ -45,6 +66,8 @@ pub(super) struct Prepared {
     pub(super) rounding: f64,
     /// Study forms between the poses up to this are zero.
     pub(super) vanished: f64,
+    /// Neighbours in time between which both ways round are as short.
+    pub(super) half_turns: Option<HalfTurns>,
 }
 
 /// How the times of a construction may be ordered.
@@ -95,14 +118,22 @@ impl Prepared {
         // Neighbours in time, whatever the order of the list: the motion is the same for all.
         let mut by_time: Vec<usize> = (0..poses.len()).collect();
         by_time.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
+        let mut half_turns: Option<HalfTurns> = None;
         for pair in by_time.windows(2) {
-            if poses[pair[1]].real.dot(poses[pair[0]].real) < OPPOSITE {
+            let cosine = poses[pair[1]].real.dot(poses[pair[0]].real);
+            if cosine < OPPOSITE {
                 poses[pair[1]] = poses[pair[1]] * -1.0;
+            }
+            // The cosine of half the angle.
+            let off = 2.0 * cosine.abs();
+            if off <= HALF_TURN {
+                let first = half_turns.unwrap_or(HalfTurns { pose: pair[1], count: 0, off });
+                half_turns = Some(HalfTurns { count: first.count + 1, ..first });
             }
         }
         let farthest = given.iter().map(|p| p.pose.translation().max_abs()).fold(0.0, f64::max);
         let rounding = rounding(farthest, unit);
-        Ok(Self { domain, places, poses, centre, unit, rounding, vanished: vanished(rounding) })
+        Ok(Self { domain, places, poses, centre, unit, rounding, vanished: vanished(rounding), half_turns })
     }
 }
 

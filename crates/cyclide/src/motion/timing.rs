@@ -4,9 +4,12 @@ use super::any_motion::Motion;
 use crate::base::quadrature;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
+use std::sync::OnceLock;
 
 /// A way, also that of a span, up to this part of what it is measured in is no way: rounding.
 const AT_REST: f64 = 1e-12;
+/// Turns up to this, in radians, are those of poses that are the same but for the six digits they are written with.
+const NO_TURN: f64 = 1e-6;
 
 /// Halvings of half the duration until a place in it is known to rounding.
 const BISECTIONS: u32 = 56;
@@ -63,18 +66,30 @@ pub struct Timing<'a> {
     law: TimeLaw,
     point: Point3,
     arm: f64,
+    /// Measured when it is asked for first: the times of the poses need no way.
+    measured: OnceLock<Measured>,
+}
+
+/// The way of a motion.
+#[derive(Debug)]
+struct Measured {
     /// Parts of the motion over which one quadrature rule gives the way, each with the way up to its end.
     cells: Vec<WayCell>,
     /// The way up to the end of each span.
     ways: Vec<f64>,
     total: f64,
+    /// Spans and ways up to this are rounding.
+    limit: f64,
+    /// Spans without a way.
+    at_rest: Vec<usize>,
 }
 
 impl<'a> Timing<'a> {
     /// Measures a motion by the way of a point of the body and an arm.
     ///
     /// # Errors
-    /// `not-finite`, `parameter-out-of-range` (an arm below 0); `motion-at-rest` for a law that goes by the way, where there is none.
+    /// `not-finite`, `parameter-out-of-range` (an arm below 0); for a law that goes by the way `motion-at-rest`, where there is none, and
+    /// `span-without-way`, where the body turns on the spot, for which the law has no time.
     pub fn new(motion: &'a Motion, law: TimeLaw, point: Point3, arm: f64) -> Result<Self> {
         if !point.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
@@ -82,32 +97,137 @@ impl<'a> Timing<'a> {
         if !(arm >= 0.0 && arm.is_finite()) {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Arm, value: arm, min: 0.0, max: f64::MAX });
         }
-        let size = motion.times().iter().map(|t| motion.pose(*t).apply(point).to_vec().max_abs()).fold(arm, f64::max);
-        let limit = AT_REST * size;
-        let (mut cells, mut ways, mut total) = (Vec::new(), Vec::new(), 0.0);
-        for ends in motion.times().windows(2) {
-            let mut speed = in_span(motion, ends, point, |velocities| way_speed(velocities, arm));
-            let of_span = quadrature::cells(&mut speed, ends[0], ends[1]);
-            // A span at rest has no way, and a law that goes by the way no time for it.
-            if of_span.iter().map(|cell| cell.integral).sum::<f64>() > limit {
-                for cell in of_span {
-                    total += cell.integral;
-                    let speeds = [speed(cell.a), speed(cell.b)];
-                    cells.push(WayCell { cell, end: total, speeds });
-                }
+        let timing = Self { motion, law, point, arm, measured: OnceLock::new() };
+        if law != TimeLaw::AsGiven {
+            timing.check_ways()?;
+        }
+        Ok(timing)
+    }
+
+    /// Refuses what a law that goes by the way has no time for.
+    ///
+    /// # Errors
+    /// `motion-at-rest`, `span-without-way`.
+    fn check_ways(&self) -> Result<()> {
+        let Measured { total, limit, at_rest, .. } = self.measured();
+        if !(*total > *limit) {
+            return Err(Error::MotionAtRest { length: *total, limit: *limit });
+        }
+        for &span in at_rest {
+            let ends = &self.motion.times()[span..span + 2];
+            let mut turning = in_span(self.motion, ends, self.point, |[_, turning]| turning.length());
+            let turn = quadrature::integrate(&mut turning, ends[0], ends[1]);
+            if turn > NO_TURN {
+                let length = quadrature::integrate(&mut self.speed_in_span(ends), ends[0], ends[1]);
+                return Err(Error::SpanWithoutWay { span, turn, length, limit: *limit });
             }
-            ways.push(total);
         }
-        if law != TimeLaw::AsGiven && !(total > limit) {
-            return Err(Error::MotionAtRest { length: total, limit });
+        Ok(())
+    }
+
+    /// The way, measured once.
+    fn measured(&self) -> &Measured {
+        self.measured.get_or_init(|| {
+            let places = self.motion.times().iter().map(|t| self.motion.pose(*t).apply(self.point).to_vec().max_abs());
+            let limit = AT_REST * places.fold(self.arm, f64::max);
+            let (mut cells, mut ways, mut total, mut at_rest) = (Vec::new(), Vec::new(), 0.0, Vec::new());
+            for (span, ends) in self.motion.times().windows(2).enumerate() {
+                let mut speed = self.speed_in_span(ends);
+                let of_span = quadrature::cells(&mut speed, ends[0], ends[1]);
+                // A span at rest has no way, and a law that goes by the way no time for it.
+                if of_span.iter().map(|cell| cell.integral).sum::<f64>() > limit {
+                    for cell in of_span {
+                        total += cell.integral;
+                        let speeds = [speed(cell.a), speed(cell.b)];
+                        cells.push(WayCell { cell, end: total, speeds });
+                    }
+                } else {
+                    at_rest.push(span);
+                }
+                ways.push(total);
+            }
+            Measured { cells, ways, total, limit, at_rest }
+        })
+    }
+
+    /// The speed of the way at times in a span with these ends.
+    fn speed_in_span(&self, ends: &[f64]) -> impl FnMut(f64) -> f64 {
+        let arm = self.arm;
+        in_span(self.motion, ends, self.point, move |velocities| way_speed(velocities, arm))
+    }
+
+    /// The law.
+    pub(super) fn law(&self) -> TimeLaw {
+        self.law
+    }
+
+    /// The spans without a way.
+    pub(super) fn at_rest(&self) -> &[usize] {
+        &self.measured().at_rest
+    }
+
+    /// Velocity of the point and angular velocity by the way, instead of by time: of a direction only, as long as 1 with the arm.
+    pub(super) fn by_way(&self, time: f64) -> [Vec3; 2] {
+        let velocities = self.motion.velocities(time, self.point);
+        let speed = way_speed(velocities, self.arm);
+        velocities.map(|velocity| velocity / speed)
+    }
+
+    /// The arm by which turns count.
+    pub(super) fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    /// The way between two times of one span.
+    pub(super) fn way_between(&self, from: f64, to: f64) -> f64 {
+        let cells = &self.measured().cells;
+        let first = cells.partition_point(|part| part.cell.a < from);
+        cells[first..].iter().take_while(|part| part.cell.a < to).map(|part| part.cell.integral).sum()
+    }
+
+    /// The derivative of the way that is done by the part of the duration, under a law that goes by it.
+    pub(super) fn way_by_part(&self, fraction: f64) -> f64 {
+        match self.law {
+            TimeLaw::Eased => 30.0 * (fraction * (1.0 - fraction)).powi(2) * self.way(),
+            _ => self.way(),
         }
-        Ok(Self { motion, law, point, arm, cells, ways, total })
+    }
+
+    /// The derivative of the motion's time by the part of the duration, at a time of the motion.
+    pub(super) fn time_by_part(&self, time: f64) -> f64 {
+        let [first, last] = self.motion.domain();
+        match self.law {
+            TimeLaw::AsGiven => last - first,
+            TimeLaw::ConstantSpeed => self.way() / self.way_speed_at(time),
+            TimeLaw::Eased => self.way_by_part(self.fraction_at(time)) / self.way_speed_at(time),
+        }
+    }
+
+    /// How much of the way is done in a unit of the motion's time.
+    pub(super) fn way_speed_at(&self, time: f64) -> f64 {
+        way_speed(self.motion.velocities(time, self.point), self.arm)
+    }
+
+    /// Of each span that has a way the times at which its cells start and its end, with the speeds of the way there.
+    pub(super) fn speeds_of_spans(&self) -> Vec<(usize, Vec<(f64, f64)>)> {
+        let Measured { cells, at_rest, .. } = self.measured();
+        let (mut rest, mut resting) = (cells.as_slice(), at_rest.iter().peekable());
+        let spans = self.motion.times().windows(2).enumerate();
+        spans
+            .filter(|(span, _)| resting.next_if(|index| **index == *span).is_none())
+            .map(|(span, ends)| {
+                let of_span;
+                (of_span, rest) = rest.split_at(rest.partition_point(|part| part.cell.a < ends[1]));
+                let starts = of_span.iter().map(|part| (part.cell.a, part.speeds[0]));
+                (span, starts.chain(of_span.last().map(|part| (part.cell.b, part.speeds[1]))).collect())
+            })
+            .collect()
     }
 
     /// The whole way.
     #[must_use]
     pub fn way(&self) -> f64 {
-        self.total
+        self.measured().total
     }
 
     /// The time of the motion when the part `fraction`, clamped to `[0, 1]`, of the duration is over.
@@ -124,8 +244,8 @@ impl<'a> Timing<'a> {
         }
         match self.law {
             TimeLaw::AsGiven => first + (last - first) * x,
-            TimeLaw::ConstantSpeed => self.time_of_way(x * self.total),
-            TimeLaw::Eased => self.time_of_way(eased(x) * self.total),
+            TimeLaw::ConstantSpeed => self.time_of_way(x * self.way()),
+            TimeLaw::Eased => self.time_of_way(eased(x) * self.way()),
         }
     }
 
@@ -136,11 +256,12 @@ impl<'a> Timing<'a> {
         let [first, last] = self.motion.domain();
         let time = time.clamp(first, last);
         let done = || {
-            let index = self.cells.partition_point(|part| part.cell.b <= time);
-            let Some(WayCell { cell, end, .. }) = self.cells.get(index) else { return 1.0 };
-            let mut speed = |time: f64| way_speed(self.motion.velocities(time, self.point), self.arm);
+            let Measured { cells, total, .. } = self.measured();
+            let index = cells.partition_point(|part| part.cell.b <= time);
+            let Some(WayCell { cell, end, .. }) = cells.get(index) else { return 1.0 };
+            let mut speed = |time: f64| self.way_speed_at(time);
             let rest = if time > cell.a { quadrature::gauss8(&mut speed, cell.a, time) } else { 0.0 };
-            ((end - cell.integral + rest) / self.total).clamp(0.0, 1.0)
+            ((end - cell.integral + rest) / total).clamp(0.0, 1.0)
         };
         match self.law {
             TimeLaw::AsGiven => (time - first) / (last - first),
@@ -151,8 +272,9 @@ impl<'a> Timing<'a> {
 
     /// Where in a span with these ends the parts start over which one quadrature rule gives the way.
     pub(super) fn cell_starts(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
-        let first = self.cells.partition_point(|part| part.cell.a < from);
-        self.cells[first..].iter().map(|part| part.cell.a).take_while(move |start| *start < to)
+        let cells = &self.measured().cells;
+        let first = cells.partition_point(|part| part.cell.a < from);
+        cells[first..].iter().map(|part| part.cell.a).take_while(move |start| *start < to)
     }
 
     /// The parts of the duration at which the spans of the motion start, and 1: rising, two of them the same where a law goes by the way and a
@@ -160,7 +282,10 @@ impl<'a> Timing<'a> {
     #[must_use]
     pub fn joints(&self) -> Vec<f64> {
         let [first, last] = self.motion.domain();
-        let of_ways = |part: fn(f64) -> f64| self.ways.iter().map(|way| part(way / self.total)).collect::<Vec<_>>();
+        let of_ways = |part: fn(f64) -> f64| {
+            let Measured { ways, total, .. } = self.measured();
+            ways.iter().map(|way| part(way / total)).collect::<Vec<_>>()
+        };
         let mut ends = match self.law {
             TimeLaw::AsGiven => self.motion.times()[1..].iter().map(|t| (t - first) / (last - first)).collect(),
             TimeLaw::ConstantSpeed => of_ways(|part| part),
@@ -174,10 +299,11 @@ impl<'a> Timing<'a> {
     }
 
     fn time_of_way(&self, goal: f64) -> f64 {
-        let index = self.cells.partition_point(|part| part.end < goal).min(self.cells.len() - 1);
-        let WayCell { cell, end, speeds } = &self.cells[index];
+        let cells = &self.measured().cells;
+        let index = cells.partition_point(|part| part.end < goal).min(cells.len() - 1);
+        let WayCell { cell, end, speeds } = &cells[index];
         let rest = (goal - (end - cell.integral)).clamp(0.0, cell.integral);
-        let mut speed = |time: f64| way_speed(self.motion.velocities(time, self.point), self.arm);
+        let mut speed = |time: f64| self.way_speed_at(time);
         // The cubic with the speeds at the ends, no steeper than one that rises all along may be.
         let (x, steepest) = (rest / cell.integral, 3.0);
         let slopes = speeds.map(|speed| (cell.integral / (speed * (cell.b - cell.a))).min(steepest));
@@ -225,7 +351,12 @@ impl Motion {
 }
 
 /// A speed, of velocity and angular velocity, as a function of times in a span with these ends: at its end they are those of the next one.
-fn in_span(motion: &Motion, ends: &[f64], point: Point3, speed: impl Fn([Vec3; 2]) -> f64) -> impl FnMut(f64) -> f64 {
+fn in_span<'m, S: Fn([Vec3; 2]) -> f64 + 'm>(
+    motion: &'m Motion,
+    ends: &[f64],
+    point: Point3,
+    speed: S,
+) -> impl FnMut(f64) -> f64 + use<'m, S> {
     let end = ends[1].next_down().max(ends[0]);
     move |time| speed(motion.velocities(time.min(end), point))
 }

@@ -1,5 +1,6 @@
 //! The list of warnings: what each is about, what was measured, and above which limit it is said.
 
+use super::SpikeRemedy;
 use crate::shape_change::ShapeChange;
 
 /// A remark on a result that is valid but may not be what was meant.
@@ -104,6 +105,39 @@ pub enum Warning {
         turning: bool,
         /// Ratios above this are reported.
         limit: f64,
+        /// What helps.
+        remedy: SpikeRemedy,
+    },
+    /// Under a law that goes by the way a body turns on a span with little way, which takes little time.
+    TurnsNearlyInPlace {
+        /// The span, from 0.
+        span: usize,
+        /// By how much it turns there, radians.
+        turn: f64,
+        /// How long that takes.
+        seconds: f64,
+        /// How many times as fast as on average over the motion.
+        ratio: f64,
+        /// Ratios above this are reported.
+        limit: f64,
+    },
+    /// Under a law that goes by the way a body does not rest between poses that are the same.
+    RestsPassedOver {
+        /// The first such span, from 0.
+        span: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Under a law that goes by the way a body runs on at its speed where the way turns back.
+    MotionReverses {
+        /// The first such span, from 0.
+        span: usize,
+        /// When, from the start of the motion.
+        time: f64,
+        /// How many such places there are.
+        count: usize,
+        /// By how much the velocity of the tool jumps there.
+        velocity_jump: f64,
     },
     /// A spline motion starts or ends a span much faster than it goes there on average: it runs beyond the poses and back in between.
     MotionSwings {
@@ -114,6 +148,17 @@ pub enum Warning {
         /// How many times as fast.
         ratio: f64,
         /// Ratios above this are reported.
+        limit: f64,
+    },
+    /// A pose is turned by half a turn against the one before, for which both ways round are as short.
+    HalfTurn {
+        /// The first such pose, from 0.
+        pose: usize,
+        /// How many there are.
+        count: usize,
+        /// How much is missing to half a turn there, radians.
+        off: f64,
+        /// Angles up to this are reported.
         limit: f64,
     },
     /// Poses that are planar, spherical, translated or of one motion of degree 2 but for the digits they are written with were taken for that.

@@ -79,19 +79,44 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
-            Self::SpeedSpike { span, time, ratio, turning, .. } => write!(
+            Self::SpeedSpike { span, time, ratio, turning, remedy, .. } => write!(
                 f,
-                "span {span}: {} seconds from its start the body {} {} times as fast as on average over the span: the motion has a spike there; take a \
-                 spline, or other times",
+                "span {span}: {} seconds from its start the body {} {} times as fast as on average over the span: the motion has a spike there; {}",
                 ShortNumber(*time),
                 if *turning { "turns" } else { "runs" },
+                ShortNumber(*ratio),
+                remedy.advice()
+            ),
+            Self::TurnsNearlyInPlace { span, turn, seconds, ratio, .. } => write!(
+                f,
+                "span {span}, from pose {span} to the next: the body turns by {} degrees within {} seconds, {} times as fast as on average, as its tool has hardly \
+                 a way there, by which the law goes: give an `arm`, the length by which turns count as way, or a larger one",
+                degrees(*turn),
+                ShortNumber(*seconds),
                 ShortNumber(*ratio)
+            ),
+            Self::RestsPassedOver { span, count } => write!(
+                f,
+                "in {count} span(s) the body rests, first from pose {span} to the next: a law that goes by the way has no time for that, and it does not stop there; \
+                 go by the times of the poses (`as-given`), or make a motion of each part"
+            ),
+            Self::MotionReverses { span, time, count, velocity_jump } => write!(
+                f,
+                "in {count} place(s) the way of the tool turns back, first {} seconds from its start, on span {span}: a law that goes by the way keeps its speed \
+                 there, and the velocity jumps by {}; go by times of the poses that fit the ways (`as-given`), or change the poses",
+                ShortNumber(*time),
+                ShortNumber(*velocity_jump)
             ),
             Self::MotionSwings { span, count, ratio, .. } => write!(
                 f,
                 "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where it starts or ends {} times as fast as it goes on \
                  average: give times that fit the ways, or a pose more (the same pose twice is a rest)",
                 ShortNumber(*ratio)
+            ),
+            Self::HalfTurn { pose, count, .. } => write!(
+                f,
+                "{count} pose(s), first pose {pose}, are turned by half a turn against the one before, up to rounding: both ways round are as short, and which one \
+                 the body takes hangs on the sign or the last digit of what the pose is written with; give a pose in between"
             ),
             Self::PosesRounded { off, limit } => write!(
                 f,

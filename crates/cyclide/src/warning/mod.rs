@@ -7,6 +7,8 @@
 mod kinds;
 mod message;
 mod reason;
+mod spike_remedy;
 mod words;
 
 pub use kinds::Warning;
+pub use spike_remedy::SpikeRemedy;

@@ -18,7 +18,11 @@ impl Warning {
             Self::SpikeNearPoint { .. } => "spike-near-point",
             Self::LargeExcursion { .. } => "large-excursion",
             Self::SpeedSpike { .. } => "speed-spike",
+            Self::TurnsNearlyInPlace { .. } => "turns-nearly-in-place",
+            Self::RestsPassedOver { .. } => "rests-passed-over",
+            Self::MotionReverses { .. } => "motion-reverses",
             Self::MotionSwings { .. } => "motion-swings",
+            Self::HalfTurn { .. } => "half-turn",
             Self::PosesRounded { .. } => "poses-rounded",
             Self::CuspInside { .. } => "cusp",
             Self::CornerKept { .. } => "corner-kept",
@@ -84,6 +88,7 @@ impl Warning {
                 Some(segment)
             }
             Self::SpikeNearPoint { point, .. } => Some(point),
+            Self::HalfTurn { pose, .. } => Some(pose),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
@@ -95,7 +100,11 @@ impl Warning {
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::SweptSurfaceFolds { face, .. } => Some(face),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
-            Self::SpeedSpike { span, .. } | Self::MotionSwings { span, .. } => Some(span),
+            Self::SpeedSpike { span, .. }
+            | Self::MotionSwings { span, .. }
+            | Self::TurnsNearlyInPlace { span, .. }
+            | Self::RestsPassedOver { span, .. }
+            | Self::MotionReverses { span, .. } => Some(span),
             Self::LargeExcursion { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }

@@ -1,7 +1,7 @@
 //! Laws of motions: frames on both sides, reversal of time, derivatives against differences, exact forms against evaluation,
 //! certificates and refusals.
 
-#![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "what cannot be made fails the test")]
 
 mod along;
 mod cubics;
@@ -13,4 +13,5 @@ mod refusals;
 mod rounded;
 mod swept;
 mod timing;
+mod told;
 mod trajectories;

@@ -125,23 +125,6 @@ fn nothing_is_differenced_across_a_joint() {
     }
 }
 
-/// A span without a way takes no time under a law that goes by the way, and the others are measured.
-#[test]
-fn spans_at_rest_take_no_time() {
-    let poses = [slide(0.0, 0.0, 0.0), slide(1.0, 3.0, 0.0), slide(2.0, 3.0, 1.5), slide(3.0, 4.0, 1.5)];
-    let motion = Motion::from(ScrewMotion::new(&poses).unwrap());
-    for law in [TimeLaw::ConstantSpeed, TimeLaw::Eased] {
-        let timing = Timing::new(&motion, law, Point3::ORIGIN, 0.0).unwrap();
-        let joints = timing.joints();
-        assert!(
-            joints[1] > 0.5 && joints[1].to_bits() == joints[2].to_bits() && joints[3].to_bits() == 1_f64.to_bits(),
-            "{joints:?}"
-        );
-        assert!((timing.way() - 4.0).abs() < 1e-13);
-    }
-    assert!((motion.turn() - 1.5).abs() < 1e-13 && (motion.way(Point3::ORIGIN) - 4.0).abs() < 1e-13);
-}
-
 /// A body that is held between two poses stays there, also with neighbours at other speeds; what swings is told of.
 #[test]
 fn held_poses_are_held() {

@@ -151,11 +151,11 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "pick_and_place",
         title: "Pick and place",
-        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through eight poses, as an animation; the path of its tip and what its fingers run over are exact.",
+        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through nine poses, as an animation; the path of its tip and what its fingers run over are exact.",
         document: example!("pick_and_place.json"),
         inputs: &[],
         formats: MOVING,
-        camera: "",
+        camera: "60,35",
     },
     Entry {
         name: "tee",

@@ -302,7 +302,18 @@ impl Builder<'_> {
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
         let Self {
-            data, seams, polyhedron, tee_blends, ball_centers, tubes, smooth, unrolled, remarks, names, gradings, ..
+            data,
+            seams,
+            polyhedron,
+            tee_blends,
+            ball_centers,
+            tubes,
+            smooth,
+            unrolled,
+            remarks,
+            names,
+            gradings,
+            ..
         } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data, places, names };
         Ok(BuiltObject {

@@ -1,8 +1,8 @@
 //! Motions of bodies, paths of their points, and what their curves run over.
 
 use cyclide::{
-    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, ShortNumber,
-    SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
+    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Point3, Pose, PoseTimes, Quat, RationalMotion,
+    ScrewMotion, ShortNumber, SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
 };
 
 use super::{Builder, NO_EFFECT};
@@ -13,8 +13,11 @@ use crate::document::spec::{
     MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
 };
 use crate::error::{Error, Result};
-use crate::input::points::read_poses;
+use crate::input::points::{SIX_DECIMALS, read_poses, whole_turns};
 use std::f64::consts::TAU;
+
+/// Matrices that are off a rotation by this much are written with three decimals: the nearest one is taken, and said.
+const FEW_DECIMALS: f64 = 2e-3;
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
 const AT_REST: f64 = 64.0 * f64::EPSILON;
@@ -41,7 +44,10 @@ impl Builder<'_> {
         if spec.start.is_some() {
             return Err(self.unfit("`start` goes with `along`: poses say how the body is turned"));
         }
-        let (poses, timed) = self.poses(source)?;
+        if spec.times.is_some() && kind == MotionKind::Cubic {
+            return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
+        }
+        let (poses, timed) = self.poses(spec, source)?;
         let motion = match kind {
             MotionKind::Spline => RationalMotion::spline(&poses).map(Motion::from),
             MotionKind::Sclerp => ScrewMotion::new(&poses).map(Motion::from),
@@ -58,6 +64,11 @@ impl Builder<'_> {
     fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
         if spec.kind.is_some() {
             return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+        }
+        if spec.times.is_some() {
+            return Err(
+                self.unfit("`times` go from pose to pose: `along` a curve there are none; a `law` goes by its way")
+            );
         }
         let contours = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let [contour] = contours else {
@@ -119,9 +130,14 @@ impl Builder<'_> {
         let tool = spec.tool.unwrap_or_default().point();
         let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
-        let made = made.map_err(|e| self.refused(&e, None))?;
-        if spec.arm.is_some_and(|arm| arm > 0.0) && spec.law == TimeLaw::AsGiven {
-            let message = "`arm` has no effect: without a `law` that goes by the way the times are those of the poses";
+        let made = made.map_err(|e| match e {
+            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(&e),
+            _ => self.refused(&e, None),
+        })?;
+        let counts = spec.law != TimeLaw::AsGiven || spec.times.is_some_and(|times| times != PoseTimes::Uniform);
+        if spec.arm.is_some_and(|arm| arm > 0.0) && !counts {
+            let message =
+                "`arm` has no effect: without a `law`, or `times`, that go by the way the times are those of the poses";
             self.remark(NO_EFFECT, None, None, self.place_of([Step::from("arm")]), message.to_owned());
         }
         for warning in made.warnings() {
@@ -142,25 +158,29 @@ impl Builder<'_> {
     }
 
     /// The poses, and whether times were given for them.
-    fn poses(&mut self, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
+    fn poses(&mut self, spec: &MotionSpec, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
         let made: Vec<(Option<f64>, Pose)> = match source {
             PoseSource::Inline(list) => {
-                let angles = list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
-                let wide =
-                    angles.flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
-                        (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
-                        _ => None,
-                    });
-                if let Some((i, k, angle)) = wide {
-                    let place = self.place_of(["poses".into(), i.into(), "rpy".into(), k.into()]);
-                    self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
-                }
+                self.remark_wide_angles(list);
                 let made = list.iter().enumerate().map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)));
-                made.collect::<Result<_>>()?
+                let made: Vec<(Option<f64>, (Pose, f64))> = made.collect::<Result<_>>()?;
+                let off = made.iter().enumerate().filter(|(_, (_, (_, off)))| *off > SIX_DECIMALS);
+                if let Some((first, (_, (_, most)))) = off.clone().max_by(|a, b| a.1.1.1.total_cmp(&b.1.1.1)) {
+                    let place = self.place_of(["poses".into(), first.into()]);
+                    self.remark_rounded_matrices(off.count(), *most, place);
+                }
+                made.into_iter().map(|(time, (pose, _))| (time, pose)).collect()
             }
             PoseSource::File(file) => {
                 let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
-                let table = read_poses(&name, &bytes).map_err(Error::Input)?;
+                let rising = matches!(spec.kind.unwrap_or_default(), MotionKind::Spline | MotionKind::Sclerp);
+                let table = read_poses(&name, &bytes, rising, FEW_DECIMALS).map_err(Error::Input)?;
+                if let Some(message) = table.taken_as_zero {
+                    self.remark("taken-as-zero", None, None, Some(name.clone()), message);
+                }
+                if let Some((count, line, off)) = table.rounded_matrices {
+                    self.remark_rounded_matrices(count, off, Some(format!("{name}:{line}")));
+                }
                 self.remark_units(&name, &table.unit_hints);
                 if let Some(message) = table.unit_not_applied {
                     self.remark("unit-not-applied", None, None, Some(name.clone()), message);
@@ -171,6 +191,8 @@ impl Builder<'_> {
                         Some(format!("{name}:{line}")),
                         "name the columns roll_deg, pitch_deg, yaw_deg",
                     );
+                } else if let Some((line, change)) = table.whole_turns {
+                    self.remark_whole_turns(change, Some(format!("{name}:{line}")));
                 }
                 table.poses.into_iter().map(|row| (row.time, row.pose)).collect()
             }
@@ -181,15 +203,70 @@ impl Builder<'_> {
             let message = "this pose has no `time`: give one to all, or to none (then they are 0, 1, 2, …)";
             return Err(Error::Input(self.diagnostic(["poses".into(), index.into()], message)));
         }
-        let poses = made.into_iter().enumerate();
-        let poses = poses.map(|(i, (time, pose))| TimedPose { time: time.unwrap_or(i as f64), pose }).collect();
+        if given > 0 && spec.times.is_some() {
+            return Err(self.unfit("`times` are for poses without a `time`: leave one of both out"));
+        }
+        let (times, only): (Vec<Option<f64>>, Vec<Pose>) = made.into_iter().unzip();
+        let mut poses = match (spec.tool.unwrap_or_default().point(), spec.arm.unwrap_or(0.0)) {
+            // Without times by the way the tool and the arm are looked at where they matter.
+            (tool, arm) if spec.times.is_some() => spec.times.unwrap_or_default().of(&only, tool, arm),
+            _ => PoseTimes::Uniform.of(&only, Point3::ORIGIN, 0.0),
+        }
+        .map_err(|e| self.pose_refused(&e))?;
+        poses.iter_mut().zip(times).for_each(|(pose, time)| pose.time = time.unwrap_or(pose.time));
         Ok((poses, given > 0))
     }
 
-    /// One pose of the document.
-    fn pose(&self, index: usize, spec: &PoseSpec) -> Result<Pose> {
+    /// Asks about angles of the document of more than a turn: whether degrees are meant, and whether turns that no pose can say.
+    fn remark_wide_angles(&mut self, list: &[PoseSpec]) {
+        let angles = || list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
+        let wide = angles().flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
+            (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
+            _ => None,
+        });
+        let place = |i: usize, k: usize| ["poses".into(), i.into(), "rpy".into(), k.into()];
+        if let Some((i, k, angle)) = wide {
+            let place = self.place_of(place(i, k));
+            return self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
+        }
+        let mut before: Option<[f64; 3]> = None;
+        for (i, pose) in list.iter().enumerate() {
+            let turned = pose.quaternion.is_some() || pose.matrix.is_some();
+            // Without a rotation it is not turned.
+            let angles = (!turned).then(|| pose.rpy.map_or([0.0; 3], |angles| angles.map(Angle::radians)));
+            if let Some((k, change)) = before.zip(angles).and_then(|(before, angles)| whole_turns(before, angles)) {
+                let place = self.place_of(place(i, k));
+                return self.remark_whole_turns(change, place);
+            }
+            before = angles;
+        }
+    }
+
+    /// Says that matrices are none of displacements but for the digits they are written with.
+    fn remark_rounded_matrices(&mut self, count: usize, off: f64, place: Option<String>) {
+        let message = format!(
+            "{count} matrices are off those of rotations, this one by {}, as with few decimals: the nearest rotations are taken (more than {} is refused)",
+            ShortNumber(off),
+            ShortNumber(FEW_DECIMALS)
+        );
+        self.remark("matrices-rounded", None, None, place, message);
+    }
+
+    /// Says that an angle differs by a turn or more from that of the pose before.
+    fn remark_whole_turns(&mut self, change: f64, place: Option<String>) {
+        let message = format!(
+            "the angle differs by {} degrees from that of the pose before: a pose says how the body is turned and not how often it came round, so it goes the shorter way; \
+             give poses in between, less than half a turn apart",
+            ShortNumber(change.to_degrees())
+        );
+        self.remark("whole-turns", None, None, place, message);
+    }
+
+    /// One pose of the document, and by how much its matrix is off.
+    fn pose(&self, index: usize, spec: &PoseSpec) -> Result<(Pose, f64)> {
         let steps = || [Step::from("poses"), Step::from(index)];
         let position = spec.position.unwrap_or_default();
+        let exact = |made: cyclide::Result<Pose>| made.map(|pose| (pose, 0.0));
         let made = match (&spec.matrix, spec.quaternion, spec.rpy) {
             (Some(rows), None, None) if spec.position.is_none() => {
                 let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -198,11 +275,22 @@ impl Builder<'_> {
                     return Err(Error::Input(self.diagnostic(steps().into_iter().chain(["matrix".into()]), &message)));
                 }
                 matrix.iter_mut().zip(rows).for_each(|(to, row)| *to = *row);
-                Pose::from_matrix(matrix)
+                let transposed = std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]));
+                match Pose::nearest_to_matrix(matrix, FEW_DECIMALS) {
+                    Err(_) if rows.len() == 4 && Pose::nearest_to_matrix(transposed, FEW_DECIMALS).is_ok() => {
+                        let message = "the matrix stands column by column: write its rows, those of the rotation with the position behind them and `0, 0, 0, 1` last";
+                        return Err(Error::Input(
+                            self.diagnostic(steps().into_iter().chain(["matrix".into()]), message),
+                        ));
+                    }
+                    made => made,
+                }
             }
-            (None, Some(quaternion), None) => Pose::new(Quat::from(quaternion), position.vector()),
-            (None, None, Some(angles)) => Pose::from_roll_pitch_yaw(position.vector(), angles.map(Angle::radians)),
-            (None, None, None) if spec.position.is_some() => Pose::new(Quat::ONE, position.vector()),
+            (None, Some(quaternion), None) => exact(Pose::new(Quat::from(quaternion), position.vector())),
+            (None, None, Some(angles)) => {
+                exact(Pose::from_roll_pitch_yaw(position.vector(), angles.map(Angle::radians)))
+            }
+            (None, None, None) if spec.position.is_some() => exact(Pose::new(Quat::ONE, position.vector())),
             _ => {
                 let message =
                     "a pose is a `position` with a `quaternion` or `rpy` (or not turned), or a `matrix` alone";
@@ -220,10 +308,20 @@ impl Builder<'_> {
     /// What the kernel refused of the poses, at the one it is about.
     fn pose_refused(&self, error: &cyclide::Error) -> Error {
         let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
-        match error.index().filter(|_| inline) {
-            Some(index) => self.refused_at(["poses".into(), index.into()], error),
-            None => self.refused_at(["poses".into()], error),
-        }
+        let steps: Vec<Step> = match error.index().filter(|_| inline) {
+            Some(index) => vec!["poses".into(), index.into()],
+            None => vec!["poses".into()],
+        };
+        let words = match error {
+            cyclide::Error::ParametersNotIncreasing { index, value, before } => {
+                format!("the times do not rise: that of pose {index} is {value}, after {before}")
+            }
+            cyclide::Error::RepeatedParameter { first, second, value } => {
+                format!("the poses {first} and {second} have one time, {value}")
+            }
+            _ => return self.refused_at(steps, error),
+        };
+        self.refused_in_words(steps, error.reason(), words)
     }
 
     /// The motion that an object is made from.

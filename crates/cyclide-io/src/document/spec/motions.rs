@@ -1,6 +1,6 @@
 //! Motions of bodies, and what is made of them, field by field.
 
-use cyclide::TimeLaw;
+use cyclide::{PoseTimes, TimeLaw};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -8,6 +8,7 @@ use super::comment::Comment;
 use super::{PolygonMeshFile, TypeWord};
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
+use crate::document::matrix::{MatrixRows, matrix_rows};
 
 /// A motion of a rigid body, through poses or along a curve: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
 /// `trajectory` and `swept-surface` are made of it.
@@ -41,6 +42,8 @@ pub struct MotionSpec {
     pub along: Option<String>,
     /// With `along`: how the body is turned at the start of the curve. Default: not turned.
     pub start: Option<StartSpec>,
+    /// How poses without a `time` follow each other. Default `uniform`.
+    pub times: Option<PoseTimes>,
     /// How the body runs along the motion.
     #[serde(default)]
     pub law: TimeLaw,
@@ -49,7 +52,7 @@ pub struct MotionSpec {
     pub duration: Option<f64>,
     /// The point of the body that is measured, and along whose way laws go. Default: its origin.
     pub tool: Option<Coordinates>,
-    /// The length by which a turn counts in laws beside the way of the tool: the distance from it at which the body should not get too fast.
+    /// The length by which a turn counts in laws, and in `times`, beside the way of the tool: the distance from it at which the body should not get too fast.
     /// Default 0.
     #[schemars(extend("minimum" = 0))]
     pub arm: Option<f64>,
@@ -111,7 +114,8 @@ pub enum PoseSource {
 }
 
 /// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
-/// `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix, row by row, which may stand for the position as well; `t` or `time`, if not left out. Names may have units: `x_mm`, `time [s]`, `yaw (deg)`.
+/// `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix, row by row, which may stand for the position as well; `t`, `time` or `timestamp`, if not left out. Names may have units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles
+/// that no column has are 0.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -141,7 +145,7 @@ pub struct PoseFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoseSpec {
-    /// When, in seconds. Default, if left out of all poses: 0, 1, 2, ….
+    /// When, in seconds. Default, if left out of all poses: as `times` says, 0, 1, 2, ….
     pub time: Option<f64>,
     /// Where the origin of the body is.
     pub position: Option<Coordinates>,
@@ -152,8 +156,10 @@ pub struct PoseSpec {
     #[serde(default, deserialize_with = "three_angles")]
     #[schemars(with = "Option<ThreeAngles>")]
     pub rpy: Option<[Angle; 3]>,
-    /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`.
-    #[schemars(length(min = 3, max = 4))]
+    /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`; or its 12 or 16
+    /// numbers, row by row.
+    #[serde(default, deserialize_with = "matrix_rows")]
+    #[schemars(with = "Option<MatrixRows>")]
     pub matrix: Option<Vec<[f64; 4]>>,
 }
 

@@ -10,11 +10,14 @@ use crate::export::error::ExportError;
 use crate::export::exported::Promise;
 use crate::export::mesh::single;
 use crate::export::moving::{reach, way};
-use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, Vec3};
+use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, TimeLaw, Vec3};
 use serde_json::{Value, json};
 
 /// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.
 const DURATIONS: [f64; 2] = [1e-20, 1e20];
+
+/// The name of the animation of several bodies.
+const ALL: &str = "all motions";
 
 /// What an animated body adds to a file.
 pub(super) struct Animated {
@@ -22,11 +25,40 @@ pub(super) struct Animated {
     pub(super) first: Value,
     pub(super) primitives: Vec<Value>,
     pub(super) materials: Vec<Look>,
-    pub(super) animation: Value,
     pub(super) promise: Promise,
 }
 
-/// The parts of a body in motion; the animation is of the node with this number.
+/// The animation of a file: viewers play one of them, so all bodies are in it, and one that has arrived waits for the others.
+#[derive(Default)]
+pub(super) struct Clip {
+    samplers: Vec<Value>,
+    channels: Vec<Value>,
+    /// The objects that move.
+    names: Vec<String>,
+}
+
+impl Clip {
+    /// Adds what moves another node.
+    pub(super) fn add(&mut self, node: usize, name: &str, [input, translation, rotation]: [usize; 3]) {
+        for (output, path) in [(translation, "translation"), (rotation, "rotation")] {
+            self.channels.push(json!({"sampler": self.samplers.len(), "target": {"node": node, "path": path}}));
+            self.samplers.push(json!({"input": input, "output": output, "interpolation": "CUBICSPLINE"}));
+        }
+        self.names.push(name.to_owned());
+    }
+
+    /// The animations of the document, if there are any.
+    pub(super) fn to_json(&self) -> Option<Value> {
+        let name = match self.names.as_slice() {
+            [] => return None,
+            [only] => only,
+            _ => ALL,
+        };
+        Some(json!([{"name": name, "samplers": self.samplers, "channels": self.channels}]))
+    }
+}
+
+/// The parts of a body in motion; what moves the node with this number is added to the clip.
 ///
 /// # Errors
 /// [`ExportError`] if it lasts longer or shorter than single precision tells, or no keys keep the tolerance.
@@ -36,7 +68,7 @@ pub(super) fn animated(
     node: usize,
     first_material: usize,
     tolerance: f64,
-    buffer: &mut Buffer,
+    (buffer, clip): (&mut Buffer, &mut Clip),
 ) -> Result<Animated, ExportError> {
     let (object, seconds) = (|| item.name.clone(), body.duration());
     let [min, max] = DURATIONS;
@@ -48,7 +80,7 @@ pub(super) fn animated(
     let schedule = body.schedule().map_err(|source| ExportError::Lowering { object: object(), contour: 0, source })?;
     let carried = carried(body, &schedule, center);
     let (track, off) = carried.track(tolerance).map_err(|TrackFault::Off { keys, off, seconds }| {
-        ExportError::Keyframes { object: object(), off, tolerance, seconds, keys }
+        ExportError::Keyframes { object: object(), off, tolerance, seconds, keys, hint: slower(body) }
     })?;
     let promise = Promise::sampled(off.max(tolerance));
     let (primitives, materials) = match body.mesh() {
@@ -58,15 +90,19 @@ pub(super) fn animated(
     let input = buffer.times(&track.times);
     let translation = buffer.free_vectors(track.translations.as_flattened());
     let rotation = buffer.free_vectors(track.rotations.as_flattened());
-    let sampler = |output: usize| json!({"input": input, "output": output, "interpolation": "CUBICSPLINE"});
-    let channel = |sampler: usize, path: &str| json!({"sampler": sampler, "target": {"node": node, "path": path}});
-    let animation = json!({
-        "name": item.name,
-        "samplers": [sampler(translation), sampler(rotation)],
-        "channels": [channel(0, "translation"), channel(1, "rotation")],
-    });
     let first = json!({"translation": track.translations[0][1], "rotation": track.rotations[0][1]});
-    Ok(Animated { center, first, primitives, materials, animation, promise })
+    clip.add(node, &item.name, [input, translation, rotation]);
+    Ok(Animated { center, first, primitives, materials, promise })
+}
+
+/// What makes a body slower that is too fast for its keys.
+fn slower(body: &MovingBody) -> &'static str {
+    match body.law() {
+        TimeLaw::AsGiven => {
+            "give other times, or a `law` that goes by the way, with an `arm` if it is its turns that are fast"
+        }
+        _ => "give an `arm`, the length by which turns count as way, or a larger one, or other poses",
+    }
 }
 
 /// What keys of a body are held against.
@@ -114,14 +150,14 @@ pub(super) fn deviations(bytes: &[u8], model: &Model) -> Result<Vec<f64>, ReadEr
         model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
     let tracks = super::reader::tracks(bytes)?;
     if tracks.len() != bodies.len() {
-        return Err(wrong("not as many animations as motions"));
+        return Err(wrong("not as many bodies move as there are motions"));
     }
     bodies
         .into_iter()
         .zip(tracks)
         .map(|((item, body), read)| {
             if read.name != item.name {
-                return Err(wrong("an animation has another name than its motion"));
+                return Err(wrong("a body that moves has another name than its motion"));
             }
             let schedule =
                 body.schedule().map_err(|source| ReadError::Geometry { place: item.name.clone(), source })?;
@@ -135,7 +171,7 @@ pub(super) fn deviations(bytes: &[u8], model: &Model) -> Result<Vec<f64>, ReadEr
         .collect()
 }
 
-/// A track read, with the name of its animation and where its body's parent stands.
+/// A track read, with the name of its body and where the body's parent stands.
 pub(super) struct ReadTrack {
     pub(super) name: String,
     pub(super) center: Point3,
@@ -157,22 +193,28 @@ pub(super) fn moved_nodes(document: &Value) -> Vec<usize> {
 }
 
 impl Read<'_> {
-    /// The track of one animation.
+    /// The tracks of an animation: of each body two samplers, of its place and its turn.
     ///
     /// # Errors
     /// [`ReadError`] for one that is not like ours.
-    pub(super) fn track(&self, animation: &Value) -> Result<ReadTrack, ReadError> {
+    pub(super) fn tracks(&self, animation: &Value) -> Result<Vec<ReadTrack>, ReadError> {
+        let channels = animation.get("channels").and_then(Value::as_array).map_or(0, Vec::len);
+        (0..channels.div_ceil(2)).map(|body| self.track(animation, 2 * body)).collect()
+    }
+
+    /// The track of the body whose samplers start at this one.
+    fn track(&self, animation: &Value, start: usize) -> Result<ReadTrack, ReadError> {
         let wrong = || ReadError::unsupported("an animation of another kind", "animations");
         let sampler = |k: usize| animation.pointer(&format!("/samplers/{k}")).ok_or_else(wrong);
-        let samplers = [sampler(0)?, sampler(1)?];
+        let samplers = [sampler(start)?, sampler(start + 1)?];
         let is_ours = |k: usize, path: &str| {
             animation.pointer(&format!("/channels/{k}/sampler")).and_then(Value::as_u64) == Some(k as u64)
                 && animation.pointer(&format!("/channels/{k}/target/path")).and_then(Value::as_str) == Some(path)
         };
         let node = |k: usize| animation.pointer(&format!("/channels/{k}/target/node")).and_then(Value::as_u64);
         let cubic = samplers.iter().all(|s| s.get("interpolation").and_then(Value::as_str) == Some("CUBICSPLINE"));
-        let same = samplers[0].get("input") == samplers[1].get("input") && node(0) == node(1);
-        if !(is_ours(0, "translation") && is_ours(1, "rotation") && cubic && same) {
+        let same = samplers[0].get("input") == samplers[1].get("input") && node(start) == node(start + 1);
+        if !(is_ours(start, "translation") && is_ours(start + 1, "rotation") && cubic && same) {
             return Err(wrong());
         }
         let times = self.floats::<1>(samplers[0].get("input"), "SCALAR")?;
@@ -188,7 +230,7 @@ impl Read<'_> {
             translations: translations.as_chunks().0.to_vec(),
             rotations: rotations.as_chunks().0.to_vec(),
         };
-        let name = animation.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
-        Ok(ReadTrack { name, center: self.parent_of(node(0))?, track })
+        let (name, center) = self.parent_of(node(start))?;
+        Ok(ReadTrack { name, center, track })
     }
 }

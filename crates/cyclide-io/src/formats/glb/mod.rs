@@ -34,6 +34,7 @@ use crate::export::parts::{BodyOf, Contour};
 use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
 use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
+use animation::Clip;
 use buffer::Buffer;
 use cyclide::{Aabb, Item, MeshCorner, MovingBody, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
@@ -126,7 +127,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             None => file.object(job, index, item, &own)?,
         }
     }
-    let File { buffer, nodes, children, animations, meshes, materials, written } = file;
+    let File { buffer, nodes, children, clip, meshes, materials, written } = file;
     // The scene's root is the last node.
     let scale = job.units().in_millimetres() / 1000.0;
     let mut nodes = nodes;
@@ -140,8 +141,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         "meshes": meshes,
         "materials": materials,
     });
-    if !animations.is_empty() {
-        document["animations"] = json!(animations);
+    if let Some(animations) = clip.to_json() {
+        document["animations"] = animations;
     }
     if unlit {
         document["extensionsUsed"] = json!([UNLIT]);
@@ -160,7 +161,7 @@ struct File {
     nodes: Vec<Value>,
     /// The nodes below the root.
     children: Vec<usize>,
-    animations: Vec<Value>,
+    clip: Clip,
     meshes: Vec<Value>,
     materials: Vec<Value>,
     written: Written,
@@ -203,7 +204,8 @@ impl File {
     fn motion(&mut self, job: &Job<'_>, item: &Item, body: &MovingBody) -> Result<(), ExportError> {
         let (parent, node) = (self.nodes.len(), self.nodes.len() + 1);
         let first_material = self.materials.len();
-        let made = animation::animated(item, body, node, first_material, job.tolerance, &mut self.buffer)?;
+        let parts = (&mut self.buffer, &mut self.clip);
+        let made = animation::animated(item, body, node, first_material, job.tolerance, parts)?;
         self.materials.extend(made.materials.iter().map(Look::to_json));
         self.children.push(parent);
         self.nodes.push(json!({"name": item.name, "translation": made.center.to_array(), "children": [node]}));
@@ -212,7 +214,6 @@ impl File {
         own["mesh"] = json!(self.meshes.len());
         self.nodes.push(own);
         self.meshes.push(json!({"name": item.name, "primitives": made.primitives}));
-        self.animations.push(made.animation);
         self.written.motions.push(made.promise);
         Ok(())
     }

@@ -90,7 +90,10 @@ pub(super) fn tracks(bytes: &[u8]) -> Result<Vec<ReadTrack>, ReadError> {
     let document = document.map_err(|e| ReadError::syntax("the JSON chunk", e.to_string()))?;
     let file = File { document: &document, binary, left: Cell::new(2 * binary.len()) };
     match document.get("animations") {
-        Some(_) => file.list("animations")?.iter().map(|animation| file.track(animation)).collect(),
+        Some(_) => {
+            let animations = file.list("animations")?.iter().map(|animation| file.tracks(animation));
+            Ok(animations.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+        }
         None => Ok(Vec::new()),
     }
 }
@@ -239,15 +242,18 @@ impl<'a> File<'a> {
         Ok(rows)
     }
 
-    /// Where the node stands that holds another one.
-    pub(super) fn parent_of(&self, node: Option<u64>) -> Result<Point3, ReadError> {
+    /// The name of the node that holds another one, and where it stands.
+    pub(super) fn parent_of(&self, node: Option<u64>) -> Result<(String, Point3), ReadError> {
         let holds = |parent: &&Value| {
             let children = parent.get("children").and_then(Value::as_array).into_iter().flatten();
             parent.get("rotation").is_none() && children.map(Value::as_u64).any(|child| child == node)
         };
         let parent = self.list("nodes")?.iter().find(holds);
         let place = parent.and_then(|parent| parent.get("translation")).and_then(triple);
-        place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a body in motion has no place"))
+        let place =
+            place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a body in motion has no place"))?;
+        let name = parent.and_then(|parent| parent.get("name")).and_then(Value::as_str).unwrap_or_default();
+        Ok((name.to_owned(), place))
     }
 
     fn vectors(&self, accessor: Option<&Value>) -> Result<Vec<[f64; 3]>, ReadError> {

@@ -25,7 +25,7 @@ use crate::text::place::{Diagnostic, Source, decode, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
 pub(crate) use merge::{Merged, merge_repeated};
-pub(crate) use poses::read_poses;
+pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};
 use table::{Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
 

@@ -12,14 +12,16 @@ pub(super) struct PoseColumns {
     /// That of the time, and the seconds of its unit.
     pub(super) time: Option<(usize, f64)>,
     pub(super) rotation: RotationColumns,
+    /// Names of coordinates and angles that no column has: they are 0.
+    pub(super) absent: Vec<&'static str>,
 }
 
 /// How a table says rotations.
 pub(super) enum RotationColumns {
     /// Columns of the quaternion.
     Quaternion([usize; 4]),
-    /// Columns of roll, pitch and yaw, and what they are multiplied by.
-    Angles([usize; 3], f64),
+    /// Columns of roll, pitch and yaw, one at least, and what they are multiplied by.
+    Angles([Option<usize>; 3], f64),
     /// Columns of the entries of a matrix: the rotation row by row, and the last row `0 0 0 1`, where it is given.
     Matrix([[usize; 3]; 3], [Option<usize>; 4]),
     /// No column: not turned.
@@ -49,12 +51,13 @@ const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
 const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
 
 /// The names, for messages.
-pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), or m11 to m34 (a matrix, row by row), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
+pub(super) const NAMES: &str = "t, time or timestamp, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), or m11 to m34 (a matrix, row by row), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
 
 /// What columns are called that say something about a pose and not where it is.
 const LABELS: [&str; 8] = ["name", "label", "id", "comment", "remark", "note", "pose", "index"];
-/// What our own tables of curves have beside points and frames.
-const MEASURES: [&str; 4] = ["station", "curvature", "signed_curvature", "torsion"];
+/// What our own tables of curves have beside points and frames, and those of motions beside poses.
+const MEASURES: [&str; 7] =
+    ["station", "curvature", "signed_curvature", "torsion", "speed", "angular_speed", "acceleration"];
 const AXES: [&str; 3] = ["tangent", "normal", "binormal"];
 /// The first axis of frames that look at a point, which have a tangent beside it.
 const LOOK: &str = "look";
@@ -104,16 +107,21 @@ impl PoseColumns {
                 "the positions are there twice, as x, y, z and as m14, m24, m34: leave the columns of one of them",
             ));
         }
-        let position = |i: usize| match by_matrix && !placed {
-            true => entry(i, 3),
-            false => needed(POSITION[i], &|m| m == Meaning::Position(i)),
+        let mut absent = Vec::new();
+        let is_coordinate = |i: usize| move |m: Meaning| m == Meaning::Position(i);
+        let coordinates = match by_matrix && !placed {
+            true => vec![entry(0, 3)?, entry(1, 3)?, entry(2, 3)?],
+            // In the plane.
+            false => {
+                let in_plane = [needed(POSITION[0], &is_coordinate(0))?, needed(POSITION[1], &is_coordinate(1))?];
+                let height = only(POSITION[2], &is_coordinate(2))?;
+                if height.is_none() {
+                    absent.push(POSITION[2]);
+                }
+                in_plane.into_iter().chain(height).collect()
+            }
         };
-        let position = Chosen {
-            coordinates: vec![position(0)?, position(1)?, position(2)?],
-            contour: None,
-            corner: None,
-            remark: None,
-        };
+        let position = Chosen { coordinates, contour: None, corner: None, remark: None };
         position.refuse_several_units(table)?;
         let time = only("the time", &|m| matches!(m, Meaning::Time(_)))?;
         let time = time.and_then(|column| match meanings[column] {
@@ -136,19 +144,18 @@ impl PoseColumns {
                 RotationColumns::Quaternion([column(0)?, column(1)?, column(2)?, column(3)?])
             }
             (false, true) => {
-                let column = |i: usize| needed(ANGLES[i], &|m| matches!(m, Meaning::Angle(own, _) if own == i));
+                let column = |i: usize| only(ANGLES[i], &|m| matches!(m, Meaning::Angle(own, _) if own == i));
                 let columns = [column(0)?, column(1)?, column(2)?];
-                let units = columns.map(|column| match meanings[column] {
-                    Some(Meaning::Angle(_, unit)) => unit,
-                    _ => 1.0,
-                });
+                absent.extend((0..3).filter(|i| columns[*i].is_none()).map(|i| ANGLES[i]));
+                let given = columns.into_iter().flatten();
+                let units: Vec<f64> = given.clone().filter_map(|column| unit_of_angle(meanings[column])).collect();
                 if units.iter().any(|unit| unit.total_cmp(&units[0]).is_ne()) {
-                    let names = table.names(columns);
+                    let names = table.names(given);
                     let message =
                         format!("the columns {names} speak of different units (without one they are radians)");
                     return Err(table.header_refused(message));
                 }
-                RotationColumns::Angles(columns, units[0])
+                RotationColumns::Angles(columns, units.first().copied().unwrap_or(1.0))
             }
             (false, false) if by_matrix => {
                 let row = |i: usize| Ok::<_, Box<Diagnostic>>([entry(i, 0)?, entry(i, 1)?, entry(i, 2)?]);
@@ -157,7 +164,27 @@ impl PoseColumns {
             }
             (false, false) => RotationColumns::None,
         };
-        Ok(Self { position, time, rotation })
+        Ok(Self { position, time, rotation, absent })
+    }
+}
+
+/// The radians of the unit of an angle.
+fn unit_of_angle(meaning: Option<Meaning>) -> Option<f64> {
+    match meaning {
+        Some(Meaning::Angle(_, unit)) => Some(unit),
+        _ => None,
+    }
+}
+
+/// The seconds of a unit of time, by the words beside a name: none is seconds.
+fn seconds_of(words: &[&str]) -> Option<f64> {
+    match words {
+        [] | ["s" | "sec" | "secs" | "second" | "seconds"] => Some(1.0),
+        ["ms" | "msec" | "millisecond" | "milliseconds"] => Some(1e-3),
+        ["us" | "usec" | "microsecond" | "microseconds" | "\u{b5}s" | "\u{3bc}s"] => Some(1e-6),
+        ["ns" | "nsec" | "nanosecond" | "nanoseconds"] => Some(1e-9),
+        ["min" | "minute" | "minutes"] => Some(60.0),
+        _ => None,
     }
 }
 
@@ -194,12 +221,8 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
         };
         return Some(Meaning::Angle(angle, unit));
     }
-    if ["t", "time"].contains(first) {
-        return match beside {
-            [] | ["s" | "sec" | "secs" | "second" | "seconds"] => Some(Meaning::Time(1.0)),
-            ["ms" | "msec" | "millisecond" | "milliseconds"] => Some(Meaning::Time(1e-3)),
-            _ => None,
-        };
+    if ["t", "time", "timestamp"].contains(first) {
+        return seconds_of(beside).map(Meaning::Time);
     }
     if words.len() == 1 && LABELS.contains(first) || MEASURES.contains(&words.join("_").as_str()) {
         return Some(Meaning::Label);
@@ -210,6 +233,10 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
         && let Some(row) = POSITION.iter().position(|name| name == letter)
     {
         return Some(Meaning::Matrix(row, column));
+    }
+    // As the tables of the TUM benchmark have it.
+    if let ["tx" | "ty" | "tz"] = words.as_slice() {
+        return POSITION.iter().position(|axis| words[0].ends_with(axis)).map(Meaning::Position);
     }
     let quaternion = match words.as_slice() {
         [only] => QUATERNION.iter().position(|name| name == only),
@@ -242,6 +269,12 @@ mod tests {
             ("t", Some(Meaning::Time(1.0))),
             ("T_ms", Some(Meaning::Time(1e-3))),
             ("time (h)", None),
+            ("timestamp", Some(Meaning::Time(1.0))),
+            ("ty", Some(Meaning::Position(1))),
+            ("time_ns", Some(Meaning::Time(1e-9))),
+            ("timestamp [us]", Some(Meaning::Time(1e-6))),
+            ("t (µs)", Some(Meaning::Time(1e-6))),
+            ("time [min]", Some(Meaning::Time(60.0))),
             ("q_w", Some(Meaning::Quaternion(0))),
             ("quat.x", Some(Meaning::Quaternion(1))),
             ("QZ", Some(Meaning::Quaternion(3))),
@@ -263,7 +296,9 @@ mod tests {
             ("A", None),
             ("x_left", None),
             ("x_deg", None),
-            ("speed", None),
+            ("speed", Some(Meaning::Label)),
+            ("angular_speed", Some(Meaning::Label)),
+            ("force", None),
             ("", None),
         ] {
             assert_eq!(meaning_of(name), expected, "{name}");

@@ -1,12 +1,15 @@
 //! Tables of poses: columns by their names.
 
 use cyclide::{Pose, Quat, Units, Vec3};
+use std::f64::consts::{PI, TAU};
 
 use super::decimals::Decimals;
 use super::pose_columns::{NAMES, PoseColumns, RotationColumns};
 use super::table::Table;
 use crate::text::place::{Diagnostic, Source, decode};
 
+/// Matrices may be off those of rotations by this much without a word: six decimals.
+pub(crate) const SIX_DECIMALS: f64 = 1e-5;
 /// Most poses that are read.
 const MOST_POSES: usize = 1_000_000;
 
@@ -21,17 +24,32 @@ pub(crate) struct PoseTable {
     pub(crate) poses: Vec<TablePose>,
     /// The first angle in radians of more than a turn, with its line: degrees may be meant.
     pub(crate) more_than_a_turn: Option<(usize, f64)>,
+    /// The first angle that differs by a turn or more from that of the pose before, with its line and the difference.
+    pub(crate) whole_turns: Option<(usize, f64)>,
+    /// How many matrices are off a rotation by more than six decimals leave, with the line of the worst and how much that is.
+    pub(crate) rounded_matrices: Option<(usize, usize, f64)>,
+    /// The sentence about columns that are not there.
+    pub(crate) taken_as_zero: Option<String>,
     /// Units that the names of the coordinates speak of.
     pub(crate) unit_hints: Vec<(String, Units)>,
     /// The sentence about names that speak of a unit which no model has.
     pub(crate) unit_not_applied: Option<String>,
 }
 
+/// Which of three angles, in radians, differs by a turn or more from that of the pose before, and by how much: turns that no pose can say. Angles within half
+/// a turn of 0 that do so come round there, as headings do.
+pub(crate) fn whole_turns(before: [f64; 3], angles: [f64; 3]) -> Option<(usize, f64)> {
+    let rounded = 1.0 - 1e-9;
+    let differs = |k: &usize| angles[*k].abs() > PI / rounded && (angles[*k] - before[*k]).abs() >= TAU * rounded;
+    (0..3).find(differs).map(|k| (k, angles[k] - before[k]))
+}
+
 /// Reads a table of poses.
 ///
 /// # Errors
-/// A message with file, line and column: no header, a missing column, a field that is no finite number, a rotation of zero.
-pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diagnostic>> {
+/// A message with file, line and column: no header, a missing column, a field that is no finite number, a rotation of zero, a matrix that is off by more than a
+/// limit, times that do not rise where they have to.
+pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> Result<PoseTable, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
     let table = Table::parse(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()])?;
     if table.header.is_empty() {
@@ -39,28 +57,48 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
             table.refused(format!("a table of poses needs a header line with the names of its columns: {NAMES}"))
         );
     }
-    let PoseColumns { position, time, rotation } = PoseColumns::new(source, &table)?;
+    let PoseColumns { position, time, rotation, absent } = PoseColumns::new(source, &table)?;
     let mut decimals = Decimals::default();
     let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
-    let [x, y, z] = [0, 1, 2].map(|axis| position.coordinates[axis]);
+    let (mut turned, mut turns): (Option<[f64; 3]>, Option<(usize, f64)>) = (None, None);
+    let mut rounded: Option<(usize, usize, f64)> = None;
+    let [x, y] = [0, 1].map(|axis| position.coordinates[axis]);
+    let z = position.coordinates.get(2).copied();
+    let exact = |made: cyclide::Result<Pose>| made.map(|pose| (pose, 0.0));
     table.for_each_row(|row| {
         if poses.len() == MOST_POSES {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POSES} poses")));
         }
         let mut value = |column: usize| decimals.read(source, &row.field(source, column, "number")?);
-        let translation = Vec3::new(value(x)?, value(y)?, value(z)?);
+        let translation = Vec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), &mut value)?);
+        let at = time;
         let time = time.map(|(column, seconds)| value(column).map(|time| time * seconds)).transpose()?;
+        let before = poses.last().and_then(|pose: &TablePose| pose.time);
+        if let (Some(time), Some(before), Some((column, _)), true) = (time, before, at, rising)
+            && time <= before
+        {
+            let message = format!("the times do not rise: {time} seconds, after {before}");
+            return Err(row.fields[column].refused(source, message).with_reason("parameters-not-increasing"));
+        }
+        // Lines are counted where they are told.
+        let line = || source.line_of(row.fields[0].start);
         let made = match &rotation {
             RotationColumns::Quaternion([w, x, y, z]) => {
-                Pose::new(Quat::new(value(*w)?, value(*x)?, value(*y)?, value(*z)?), translation)
+                exact(Pose::new(Quat::new(value(*w)?, value(*x)?, value(*y)?, value(*z)?), translation))
             }
             RotationColumns::Angles([roll, pitch, yaw], unit) => {
-                let angles = [value(*roll)?, value(*pitch)?, value(*yaw)?];
-                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > std::f64::consts::TAU);
+                let mut angle = |column: Option<usize>| column.map_or(Ok(0.0), &mut value);
+                let angles = [angle(*roll)?, angle(*pitch)?, angle(*yaw)?];
+                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > TAU);
                 if let (Some(angle), None) = (wide, more_than_a_turn) {
-                    more_than_a_turn = Some((source.line_of(row.fields[0].start), angle));
+                    more_than_a_turn = Some((line(), angle));
                 }
-                Pose::from_roll_pitch_yaw(translation, angles.map(|angle| angle * unit))
+                let angles = angles.map(|angle| angle * unit);
+                if let (Some((_, change)), None) = (turned.and_then(|before| whole_turns(before, angles)), turns) {
+                    turns = Some((line(), change));
+                }
+                turned = Some(angles);
+                exact(Pose::from_roll_pitch_yaw(translation, angles))
             }
             RotationColumns::Matrix(rows, last) => {
                 let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -72,14 +110,29 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
                         *to = value(*column)?;
                     }
                 }
-                Pose::from_matrix(matrix)
+                Pose::nearest_to_matrix(matrix, limit)
             }
-            RotationColumns::None => Pose::new(Quat::ONE, translation),
+            RotationColumns::None => exact(Pose::new(Quat::ONE, translation)),
         };
-        let pose = made.map_err(|e| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
+        let (pose, off) = made.map_err(|e| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
+        if off > SIX_DECIMALS {
+            let (count, start, most) = rounded.unwrap_or((0, row.fields[0].start, off));
+            let worst = if off > most { (row.fields[0].start, off) } else { (start, most) };
+            rounded = Some((count + 1, worst.0, worst.1));
+        }
         poses.push(TablePose { time, pose });
         Ok(())
     })?;
     let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
-    Ok(PoseTable { poses, more_than_a_turn, unit_hints, unit_not_applied })
+    let taken_as_zero = (!absent.is_empty()).then(|| format!("no column is named {}: taken as 0", absent.join(", ")));
+    let rounded_matrices = rounded.map(|(count, start, off)| (count, source.line_of(start), off));
+    Ok(PoseTable {
+        poses,
+        more_than_a_turn,
+        whole_turns: turns,
+        rounded_matrices,
+        taken_as_zero,
+        unit_hints,
+        unit_not_applied,
+    })
 }

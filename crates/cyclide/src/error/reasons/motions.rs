@@ -119,3 +119,15 @@
 //! assert!(Timing::new(&turn, TimeLaw::ConstantSpeed, Point3::ORIGIN, 1.0).is_ok()); // by the turn
 //! # Ok::<(), cyclide::Error>(())
 //! ```
+//!
+//! # `span-without-way`
+//! A body goes on, turns on the spot, and goes on again, at a constant speed of its origin: the turn would take no time.
+//! ```
+//! use cyclide::{Motion, Point3, Pose, Quat, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3};
+//! let at = |time: f64, x: f64, turned: f64| TimedPose { time, pose: Pose::new(Quat::new(1.0, 0.0, 0.0, turned), Vec3::X * x).unwrap() };
+//! let motion = Motion::from(ScrewMotion::new(&[at(0.0, 0.0, 0.0), at(1.0, 5.0, 0.0), at(2.0, 5.0, 1.0), at(3.0, 9.0, 1.0)])?);
+//! let error = Timing::new(&motion, TimeLaw::ConstantSpeed, Point3::ORIGIN, 0.0).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("span-without-way", Some(1)));
+//! assert!(Timing::new(&motion, TimeLaw::ConstantSpeed, Point3::ORIGIN, 0.1).is_ok()); // with the turn
+//! # Ok::<(), cyclide::Error>(())
+//! ```
