@@ -126,4 +126,9 @@ def _fair_spline(spec, points, corners):
 
 def reported_area(objects):
     """Area of objects of a report. A thick shell has one for each of its skins and rims, and none for all."""
-    return sum(part["area"] for entry in objects for part in entry.get("parts", [entry]))
+    # Of a block the parts are a number: those of its exact form with positive weights.
+    def parts(entry):
+        given = entry.get("parts")
+        return given if isinstance(given, list) else [entry]
+
+    return sum(part["area"] for entry in objects for part in parts(entry))
