@@ -1120,7 +1120,7 @@ pub enum Error {
     NoTwoTypeSolution {
         /// Which segment, from 0.
         segment: usize,
-        /// The number whose arc cosine the middle needs; within 1 where no solution runs in the directions given.
+        /// The number whose arc cosine the middle needs; within 1, or infinite, where no solution runs in the directions given.
         cosine: f64,
     },
     /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.

@@ -726,10 +726,14 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
-            Self::NoTwoTypeSolution { segment, cosine } => write!(
+            Self::NoTwoTypeSolution { segment, cosine } if cosine.abs() > 1.0 && cosine.is_finite() => write!(
                 f,
-                "no two pieces of these types join the ends of segment {segment}: the cosine of their middle would be {}, at most 1 is one, and the ways must run in the directions given",
+                "no two pieces of these types join the ends of segment {segment}: the cosine of their middle would be {}, at most 1 is one",
                 ShortNumber(*cosine)
+            ),
+            Self::NoTwoTypeSolution { segment, .. } => write!(
+                f,
+                "no two pieces of these types join the ends of segment {segment} in the directions given: on the way each coordinate of a type runs in one direction, that of its speeds at both ends"
             ),
             Self::NotCoprime { turns: [p, q], divisor } => write!(
                 f,
