@@ -7,6 +7,7 @@ use cyclide::{
     Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw, Torus, TorusSpline, Tube, Vec3,
     surface_joints,
 };
+use cyclide_testkit::attack::Random;
 use std::f64::consts::{PI, TAU};
 
 fn ball([x, y, z, r]: [f64; 4]) -> Ball {
@@ -29,26 +30,28 @@ fn run() -> ArcPath {
     ArcPath::rounded_polyline(&points, false, &[0.0, 6.0, 8.0, 0.0]).unwrap()
 }
 
+/// Balls at even fractions of the length of a spine, with the radii of a law.
+fn balls_of_law(spine: &ArcPath, law: &RadiusLaw, count: usize) -> Vec<Ball> {
+    let (length, arcs) = (spine.length(), spine.arcs());
+    let ball = |k: usize| {
+        let at = k as f64 / count as f64;
+        let mut left = at * length;
+        let mut point = arcs[arcs.len() - 1].end();
+        for arc in arcs {
+            if left <= arc.length() {
+                point = arc.point_at_length(left / arc.length());
+                break;
+            }
+            left -= arc.length();
+        }
+        Ball::new(point, law.radius(at))
+    };
+    (0..=count).map(ball).collect()
+}
+
 /// How far the points of all faces are from the envelope: on the ball of the chain nearest to them, within it of no other.
 fn off_law(body: &Body, spine: &ArcPath, law: &RadiusLaw) -> f64 {
-    let length = spine.length();
-    let count = 20_000;
-    let balls: Vec<Ball> = (0..=count)
-        .map(|k| {
-            let at = k as f64 / count as f64;
-            let mut left = at * length;
-            let arcs = spine.arcs();
-            let mut point = arcs[arcs.len() - 1].end();
-            for arc in arcs {
-                if left <= arc.length() {
-                    point = arc.point_at_length(left / arc.length());
-                    break;
-                }
-                left -= arc.length();
-            }
-            Ball::new(point, law.radius(at))
-        })
-        .collect();
+    let balls = balls_of_law(spine, law, 20_000);
     let mut worst = 0.0_f64;
     for face in body.outer.faces() {
         for (s, t) in [(0.2, 0.3), (0.7, 0.5), (0.5, 0.9), (0.9, 0.1)] {
@@ -288,6 +291,92 @@ fn flat_ends_reach_as_far_as_their_disks() {
         Tube::along(&spine, &RadiusLaw::constant(4.0).unwrap(), 1e-3).unwrap().body()
     };
     assert!(ring(0.5).unwrap().is_solid());
+}
+
+/// However thin a tube is, that it crosses itself is seen: its parts are proved apart or halved down to its balls. Without the crossing it is made.
+#[test]
+fn long_thin_tubes_that_cross_themselves_are_refused() {
+    let way = |up: f64| {
+        let points = [[0.0, 0.0, 0.0], [100.0, 0.0, 0.0], [100.0, 50.3, 0.0], [51.7, 50.3, up], [51.7, -50.0, up]];
+        ArcPath::rounded_polyline(&points.map(Point3::from), false, &[0.0, 5.0, 5.0, 5.0, 0.0]).unwrap()
+    };
+    let body = |radius: f64, up: f64| {
+        Tube::along(&way(up), &RadiusLaw::constant(radius).unwrap(), 1e-3 * radius).unwrap().body()
+    };
+    for radius in [0.5, 0.01, 2e-3, 1e-5] {
+        assert_eq!(body(radius, 0.0).unwrap_err().reason(), "pipe-meets-itself", "{radius}");
+        assert_eq!(body(radius, 1.9 * radius).unwrap_err().reason(), "pipe-meets-itself", "{radius}");
+        assert!(body(radius, 3.0 * radius).unwrap().is_solid(), "{radius}");
+    }
+    // The same of two.
+    let rod = |up: f64, turned: bool| {
+        let points = [[-90.0, 0.0, up], [70.0, 0.0, up]];
+        let points = points.map(|[x, y, z]| if turned { [y, x, z] } else { [x, y, z] });
+        Tube::through(&points.map(|[x, y, z]| ball([x, y, z, 1e-5])), false).unwrap()
+    };
+    assert!(Tube::first_meeting(&[rod(0.0, false), rod(1.99e-5, true)]).is_some());
+    assert!(Tube::first_meeting(&[rod(0.0, false), rod(2.01e-5, true)]).is_none());
+}
+
+/// Neighbours are told by the radii between: a thin end that comes back to a thick one is none, and balls of a steep cone, which overlap, are.
+#[test]
+fn thin_parts_that_run_into_thick_ones_are_refused() {
+    let balls = |y: f64| {
+        let back = [[25.5, 1.5], [24.0, 3.0], [20.0, y]].map(|[x, y]| [x, y, 0.0, 0.8]);
+        let way = [[-20.0, 10.0], [0.0, 10.0], [10.0, 10.0], [21.0, 0.8], [24.0, 0.8]].map(|[x, r]| [x, 0.0, 0.0, r]);
+        way.into_iter().chain(back).map(ball).collect::<Vec<_>>()
+    };
+    let error = Tube::through(&balls(3.0), false).unwrap().body().unwrap_err();
+    assert_eq!(error.reason(), "pipe-meets-itself", "{error}");
+    assert!(Tube::through(&balls(12.0), false).unwrap().body().is_ok());
+    let cone = Tube::through(&[ball([0.0, 0.0, 0.0, 10.0]), ball([9.9, 0.0, 0.0, 0.2])], false).unwrap();
+    assert!(cone.body().is_ok() && cone.with_ends(PipeEnds::Round).body().is_ok());
+}
+
+/// Random tubes with round ends against pairs of 500 balls: those that overlap meet if the integral of the length over the radius between them, the length measured with
+/// the change of the radius, is more than half a turn.
+#[test]
+fn random_tubes_are_refused_where_their_balls_meet() {
+    let mut r = Random::new(12, 1);
+    let mut seen = [0; 2];
+    for case in 0..60 {
+        let points: Vec<Point3> =
+            (0..6).map(|_| Point3::new(r.between(0.0, 12.0), r.between(0.0, 12.0), r.between(0.0, 6.0))).collect();
+        let Ok(spine) = ArcPath::rounded_polyline(&points, false, &[0.0, 1.0, 1.0, 1.0, 1.0, 0.0]) else { continue };
+        let size = r.pick(&[0.15, 0.4, 0.8]);
+        let radii = [0.0, 0.3, 0.6, 1.0].map(|at| [at, size * r.between(0.3, 1.0)]);
+        let law = RadiusLaw::new(&radii).unwrap();
+        let Ok(tube) = Tube::along(&spine, &law, 1e-3 * size) else { continue };
+        let balls = balls_of_law(&spine, &law, 500);
+        let mut before = vec![0.0];
+        for pair in balls.windows(2) {
+            let (way, change) = (pair[0].center.distance(pair[1].center), pair[1].radius - pair[0].radius);
+            let step = (way * way - change * change).sqrt() * 2.0 / (pair[0].radius + pair[1].radius);
+            before.push(before[before.len() - 1] + step);
+        }
+        // How deep balls are in each other that are this far apart along the tube, as part of their radii.
+        let deepest = |apart: f64| {
+            let mut deepest = f64::NEG_INFINITY;
+            for i in 0..balls.len() {
+                for j in (0..i).filter(|j| before[i] - before[*j] > apart) {
+                    let sum = balls[i].radius + balls[j].radius;
+                    deepest = deepest.max(1.0 - balls[i].center.distance(balls[j].center) / sum);
+                }
+            }
+            deepest
+        };
+        match tube.with_ends(PipeEnds::Round).body() {
+            Ok(_) => assert!(deepest(1.03 * PI) < 2e-3, "{case}: {}", deepest(1.03 * PI)),
+            Err(error) if error.reason() == "pipe-meets-itself" => {
+                assert!(deepest(0.97 * PI) > -0.05, "{case}: {}", deepest(0.97 * PI));
+                seen[0] += 1;
+                continue;
+            }
+            Err(error) => assert_eq!(error.reason(), "tube-folds", "{case}: {error}"),
+        }
+        seen[1] += 1;
+    }
+    assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
 }
 
 /// Bends that leave a tube no width are refused as such, however little they miss.

@@ -34,7 +34,8 @@ pub struct TorusReport {
     pub major_radius: f64,
     /// Radius of the tube.
     pub minor_radius: f64,
-    /// Turns round the axis and round the tube of each closed contour; `null` for an open one.
+    /// Turns round the axis and round the tube of each closed contour; `null` for an open one, and left out where all are open.
+    #[serde(skip_serializing_if = "all_open")]
     pub winding: Vec<Option<[i64; 2]>>,
     /// Largest distance from the torus of the rational curves that files hold: rounding.
     pub off: f64,
@@ -109,6 +110,10 @@ pub struct UnrolledReport {
     pub length_in_plane: f64,
     /// Distance within which arcs stand for the curve in the plane.
     pub tolerance: f64,
+}
+
+fn all_open(winding: &[Option<[i64; 2]>]) -> bool {
+    winding.iter().all(Option::is_none)
 }
 
 impl TorusReport {

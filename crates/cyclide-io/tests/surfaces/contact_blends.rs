@@ -151,3 +151,20 @@ fn blends_that_are_none_are_refused_in_their_place() {
         assert!(error.contains(place) && error.contains(reason), "{reason}: {error}");
     }
 }
+
+/// Arcs of a millionth beside a plate of 600 do not meet for being near each other, and a ring that is out of reach is told so.
+#[test]
+fn balls_far_smaller_than_their_plate_are_told_apart() {
+    for ball in ["1e-6", "1e-3"] {
+        let made = blend(&format!(
+            r#""ring": {{"radius": 30, "tube": 8, "height": 5}}, "plate": {{"radius": 600}}, "blend": {ball}"#
+        ));
+        assert!(made.is_ok(), "{ball}: {made:?}");
+    }
+    let error =
+        blend(r#""ring": {"radius": 30, "tube": 8, "height": 20}, "plate": {"radius": 60}, "blend": 3"#).unwrap_err();
+    assert!(
+        error.contains("[contact-loop-open]") && error.contains("the ring") && !error.contains("turn it"),
+        "{error}"
+    );
+}

@@ -138,3 +138,33 @@ fn inside_is_what_both_pipes_have_in_common() {
     let less = std::f64::consts::PI * 225.0 * 130.0 - notched.volume.unwrap();
     assert!(notched.closed && (less / both - 1.0).abs() < 1e-4, "{less} {both}");
 }
+
+/// Caps of a thin lens are smooth at the point in their middle: what rounding of the axis, 100 away, left of the side there had normals of its own.
+#[test]
+fn caps_of_thin_lenses_are_smooth() {
+    for fields in [
+        r#""pipes": [{"radius": 1, "ends": [-2000, 2000]}, {"radius": 100, "ends": [-2000, 2000]}], "distance": 100.5, "blend": 0.05"#,
+        r#""pipes": [{"radius": 1, "ends": [-1100, 1100]}, {"radius": 55, "ends": [-1100, 1100]}], "distance": 55.5, "blend": {"values": [{"angle": 0.26, "radius": 0.025}, {"angle": 3.2, "radius": 0.05}]}"#,
+    ] {
+        let lens = surface(&crossing(&format!(r#"{fields}, "side": "inside""#)).unwrap());
+        assert!(lens.closed && lens.joints.creases == 0 && lens.joints.count > 600, "{:?}", lens.joints);
+    }
+}
+
+/// What is refused names what was given: the angle of axes that are nearly parallel, no wall of solid pipes, and no finer tolerance where the blend that is asked for folds.
+#[test]
+fn refusals_of_crossings_name_what_helps() {
+    let both = r#"[{"radius": 20, "ends": [-2e6, 2e6]}, {"radius": 20, "ends": [-2e6, 2e6]}]"#;
+    for angle in ["1e-9", "1e-6", "3.1415926"] {
+        let fields = format!(r#""pipes": {both}, "distance": 32, "blend": 8, "angle": {angle}"#);
+        let error = crossing(&fields).unwrap_err();
+        assert!(error.contains("c.angle") && error.contains("[angle-out-of-range]"), "{angle}: {error}");
+    }
+    let fields = format!(r#""pipes": {both}, "distance": 32, "blend": 1, "angle": 1e-4"#);
+    let error = crossing(&fields).unwrap_err();
+    assert!(error.contains("[crossing-folds]") && error.contains("er ball, or move"), "{error}");
+    for (wall, said) in [("", "take a smaller ball, or move the axes"), (r#", "wall": 0.5"#, "a thinner wall")] {
+        let error = crossing(&pipes([2.0, 2.0], &format!(r#""distance": 3, "blend": 9{wall}"#))).unwrap_err();
+        assert!(error.contains("[crossing-folds]") && error.contains(said), "{error}");
+    }
+}

@@ -411,3 +411,38 @@ fn what_is_refused_is_shown_at_its_place() {
         assert!(error.contains(place) && error.contains(reason), "{object}: {error}");
     }
 }
+
+/// Knots so uneven that a part of the curve has no parameter of its own are refused where they stand, not when a file is written; even ones, and a torus that is none any more, likewise.
+#[test]
+fn splines_without_a_rational_form_are_refused() {
+    let fields = |knots: &str| {
+        format!(
+            r#""angles": [[0, 0], [0.1, 0.1], [2, 1], [2.1, 1.2], [3, 2]], "rates": [[1, 1], [1, 1], [1, 1], [1, 1], [1, 1]], "knots": {knots}"#
+        )
+    };
+    let error = spline(&fields("[0, 1e-10, 1, 1.0000000001, 2]")).unwrap_err();
+    assert!(error.contains("objects.s.knots[") && error.contains("[empty-interval]"), "{error}");
+    assert!(spline(&fields("[0, 0.01, 1, 1.1, 2]")).is_ok());
+    let near = fields("[0, 1, 2, 3, 4]");
+    let horn = r#""torus": {"major_radius": 40, "minor_radius": 39.9999999999999}"#;
+    let error = build(&format!(r#""s": {{"type": "torus-spline", {horn}, {near}}}"#)).unwrap_err();
+    assert!(error.contains("objects.s.torus"), "{error}");
+}
+
+/// What is said of a ratio is said of what was typed, and open curves have no turns.
+#[test]
+fn facts_are_those_of_what_was_given() {
+    for (ratio, typed) in [("33", "ratio = 33"), ("0", "ratio = 0 ")] {
+        let families = r#"["meridian", "mirror-villarceau"]"#;
+        let text = format!(r#""q": {{"type": "torus-quartic", {HERE}, "families": {families}, "ratio": {ratio}}}"#);
+        let error = build(&text).unwrap_err();
+        assert!(error.contains(typed), "{error}");
+    }
+    let open = spline(r#""angles": [[0, 0], [1, 1]]"#).unwrap();
+    let closed = spline(r#""angles": [[0, 0], [1, 1], [2, 0]], "closed": true"#).unwrap();
+    let text = |built: &BuiltObject| {
+        let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(built), None);
+        serde_json::to_string(&report).unwrap()
+    };
+    assert!(!text(&open).contains("winding") && text(&closed).contains("\"winding\":[["));
+}

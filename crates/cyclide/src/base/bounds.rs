@@ -59,6 +59,20 @@ impl Aabb {
         self.union(o) == self
     }
 
+    /// True if the boxes share a point.
+    pub(crate) fn meets(self, o: Self) -> bool {
+        let meets = |min: f64, max: f64, other_min: f64, other_max: f64| min <= other_max && other_min <= max;
+        meets(self.min.x, self.max.x, o.min.x, o.max.x)
+            && meets(self.min.y, self.max.y, o.min.y, o.max.y)
+            && meets(self.min.z, self.max.z, o.min.z, o.max.z)
+    }
+
+    /// The box with this much more on all sides.
+    pub(crate) fn grown(self, by: f64) -> Self {
+        let out = Vec3::new(by, by, by);
+        Self { min: self.min + -out, max: self.max + out }
+    }
+
     /// Distance from a point to the box, 0 inside.
     #[must_use]
     #[inline]

@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 pub(crate) mod bernstein_roots;
 pub(crate) mod bounds;
+pub(crate) mod box_tree;
 pub(crate) mod complex;
 pub(crate) mod cut;
 pub(crate) mod elimination;

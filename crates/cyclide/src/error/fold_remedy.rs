@@ -24,11 +24,13 @@ pub enum FoldRemedy {
 
 impl FoldRemedy {
     /// The advice in words.
-    pub(super) fn advice(self) -> &'static str {
-        match self {
-            Self::LargerBall => "take a larger ball, a thinner wall, or move the axes",
-            Self::SmallerBall => "take a smaller ball, a thinner wall, or move the axes",
-            Self::FinerTolerance => "the blend itself does not: take a finer tolerance",
+    pub(super) fn advice(self, walled: bool) -> &'static str {
+        match (self, walled) {
+            (Self::LargerBall, true) => "take a larger ball, a thinner wall, or move the axes",
+            (Self::SmallerBall, true) => "take a smaller ball, a thinner wall, or move the axes",
+            (Self::LargerBall, false) => "take a larger ball, or move the axes",
+            (Self::SmallerBall, false) => "take a smaller ball, or move the axes",
+            (Self::FinerTolerance, _) => "the blend itself does not: take a finer tolerance",
         }
     }
 }

@@ -809,9 +809,13 @@ pub enum Error {
         left: f64,
         /// What helps.
         remedy: FoldRemedy,
+        /// Whether it is that of an inner skin, below a wall.
+        walled: bool,
     },
-    /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with.
+    /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with; of a ring, all round.
     ContactLoopOpen {
+        /// Whether it is a ring.
+        ring: bool,
         /// The angle round the tube.
         angle: f64,
         /// What must be positive there: the rise of the tube's line over the plane, the square of half the distance between both such balls on it, or, inside, how far from the axis the centre of the ball is on the side of the contact.
@@ -1131,7 +1135,7 @@ pub enum Error {
     NoTwoTypeSolution {
         /// Which segment, from 0.
         segment: usize,
-        /// The number whose arc cosine the middle needs; within 1 where no solution runs in the directions given.
+        /// The number whose arc cosine the middle needs; within 1, or infinite, where no solution runs in the directions given.
         cosine: f64,
     },
     /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.

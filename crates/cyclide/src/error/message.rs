@@ -231,14 +231,19 @@ impl std::fmt::Display for Error {
                 "the border of the hole in pipe {pipe} turns back at {} along it; take a smaller ball, move the axes apart, or turn them nearer to a right angle",
                 ShortNumber(*along)
             ),
-            Self::CrossingFolds { angle, left, remedy } => write!(
+            Self::CrossingFolds { angle, left, remedy, walled } => write!(
                 f,
                 "the blend runs through itself where its ball is at {} radians from the first axis: its width there is {} of that on a straight way, which must be positive; {}",
                 ShortNumber(*angle),
                 ShortNumber(*left),
-                remedy.advice()
+                remedy.advice(*walled)
             ),
-            Self::ContactLoopOpen { angle, measured } => write!(
+            Self::ContactLoopOpen { ring: true, measured, .. } => write!(
+                f,
+                "no ball of this radius touches both the ring and what it stands on: what must be positive is {}; the ring is too far from it, or within it: change its height, its radius or the ball",
+                ShortNumber(*measured)
+            ),
+            Self::ContactLoopOpen { angle, measured, .. } => write!(
                 f,
                 "no ball of this radius touches both at {} radians round the tube: what must be positive there is {}; the tube has to meet the plane or the sphere all round, with room for the ball: move its axis nearer to the centre of the sphere, turn it nearer to the normal of the plane, or take a thinner tube",
                 ShortNumber(*angle),
@@ -738,10 +743,14 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
-            Self::NoTwoTypeSolution { segment, cosine } => write!(
+            Self::NoTwoTypeSolution { segment, cosine } if cosine.abs() > 1.0 && cosine.is_finite() => write!(
                 f,
-                "no two pieces of these types join the ends of segment {segment}: the cosine of their middle would be {}, at most 1 is one, and the ways must run in the directions given",
+                "no two pieces of these types join the ends of segment {segment}: the cosine of their middle would be {}, at most 1 is one",
                 ShortNumber(*cosine)
+            ),
+            Self::NoTwoTypeSolution { segment, .. } => write!(
+                f,
+                "no two pieces of these types join the ends of segment {segment} in the directions given: on the way each coordinate of a type runs in one direction, that of its speeds at both ends"
             ),
             Self::NotCoprime { turns: [p, q], divisor } => write!(
                 f,

@@ -220,6 +220,16 @@ impl RationalBezierSurface {
         self
     }
 
+    /// The surface with a side `t = 1` that is a point, known better than its rows.
+    pub(crate) fn with_end_point(mut self, p: Point3) -> Self {
+        let q = self.degrees[1];
+        for row in self.rows.iter_mut().skip(q).step_by(q + 1) {
+            let w = row[3];
+            *row = [p.x * w, p.y * w, p.z * w, w];
+        }
+        self
+    }
+
     /// The s-line at `t`, with the same parameter s.
     #[must_use]
     pub fn s_line(&self, t: f64) -> RationalBezier {

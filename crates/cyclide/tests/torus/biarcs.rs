@@ -174,3 +174,29 @@ fn four_point_loops_close() {
         }
     }
 }
+
+/// Small loops are C1 to rounding as large ones are.
+#[test]
+fn small_loops_keep_their_directions() {
+    let torus = tori()[0];
+    for size in [1.0, 1e-2, 1e-4, 1e-7, 1e-12] {
+        let places = [[0.0, 0.4], [0.4, 0.0], [0.0, -0.4], [-0.4, 0.0]].map(|[a, b]| Point2::new(size * a, size * b));
+        let rates = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.0, 1.0]];
+        let rates = rates.map(|[a, b]| Vec2::new(0.4 * size * a, 0.4 * size * b));
+        let ring = TorusSpline::two_type_loop(&torus, &places, &rates).unwrap();
+        let pieces = ring.pieces();
+        for (i, piece) in pieces.iter().enumerate() {
+            let (rate, next) = (piece.rate(1.0), pieces[(i + 1) % pieces.len()].rate(0.0));
+            assert!((rate - next).length() < 1e-13 * rate.length(), "{size}: {rate:?} {next:?}");
+        }
+    }
+    // Directions that no quarter has are told as such, without a number that is none.
+    let places = [[0.0, 0.4], [0.4, 0.0], [0.0, -0.4], [-0.4, 0.0]].map(Point2::from);
+    for rate in [[-1.0, 0.0], [0.0, 1.0], [-1.0, -1.0], [1e-300, 0.0]] {
+        let rates = [Vec2::new(rate[0], rate[1]), Vec2::new(0.0, -1.0), Vec2::new(-1.0, 0.0), Vec2::new(0.0, 1.0)];
+        let Err(error) = TorusSpline::two_type_loop(&torus, &places, &rates) else { continue };
+        let text = error.to_string();
+        assert!(error.reason() == "no-two-type-solution" && !text.contains("not a number"), "{text}");
+        assert!(!text.contains("infinite"), "{text}");
+    }
+}

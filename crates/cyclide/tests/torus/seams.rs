@@ -50,8 +50,9 @@ fn high_and_thin_seams_meet_others_where_they_do() {
     let apart = parallels[0].point(0.0).distance(parallels[1].point(0.0)) * 13.0 / 15.0;
     assert!(meets(0.97 * apart).is_none());
     let (seams, place) = meets(1.03 * apart).unwrap();
-    let deep = torus.frame().origin().distance(place);
-    assert!(seams == [0, 1] && (deep - 53.0).abs() < 0.05, "{deep}");
+    // They share what is below the place where they are the width apart, at 1.03 of this distance from the middle of the tube.
+    let deep = torus.frame().origin().distance(place) - 40.0;
+    assert!(seams == [0, 1] && deep > 12.99 && deep < 1.03 * 13.01, "{deep}");
 }
 
 /// The corners of a seam are half its width and its heights away from the curve, along the torus and its normal.
@@ -161,4 +162,30 @@ fn seams_that_run_through_themselves_are_refused() {
     let eight = TorusSpline::through_places(&torus, &places, &options).unwrap();
     let error = TorusSeam::new(0.5, [0.0, 0.2]).unwrap().body(&eight, 1e-3).unwrap_err();
     assert_eq!(error.reason(), "seam-meets-itself");
+}
+
+/// However thin a seam is, that it crosses itself is seen, and one that does not is made: its parts are proved apart whatever their width.
+#[test]
+fn thin_seams_that_cross_themselves_are_refused() {
+    let torus = Torus::new(Frame::WORLD, 40.0, 15.0).unwrap();
+    let places = [[0.0, 0.5], [1.0, -0.5], [1.5, 0.0], [1.0, 0.5], [0.0, -0.5]].map(Point2::from);
+    let eight = TorusSpline::through_places(&torus, &places, &TorusSplineOptions::default()).unwrap();
+    let knot = TorusSpline::knot(&torus, [2, 3], Point2::default()).unwrap();
+    for (width, heights, tolerance) in [
+        (1e-3, [-1e-3, 1e-3], 1e-5),
+        (1e-4, [-1e-4, 1e-4], 1.1e-6),
+        (0.01, [-1.0, 1.0], 1e-4),
+        (2.0, [0.0, 1e-6], 1e-2),
+        (1e-6, [-0.5, 0.5], 1e-5),
+    ] {
+        let seam = TorusSeam::new(width, heights).unwrap();
+        let error = seam.body(&eight, tolerance).unwrap_err();
+        let Error::SeamMeetsItself { point, distance, .. } = error else { panic!("{width}: {error}") };
+        // Places of the curve are 0.1 apart.
+        let nearest = (0..4000).map(|k| eight.point(f64::from(k) / 4000.0).distance(point.into()));
+        assert!(nearest.fold(f64::INFINITY, f64::min) < width.hypot(heights[1]) + 0.1, "{width}");
+        // The middles of both parts are that of the curve to the tolerance.
+        assert!(distance <= 2.0 * (width + tolerance), "{width}: {distance}");
+        assert!(seam.body(&knot, tolerance).unwrap().outer.is_closed(), "{width}");
+    }
 }

@@ -1,9 +1,9 @@
 //! Curves on a torus: splines, knots, circles, and curves laid flat.
 
 use cyclide::{
-    ArcPath, Body, Circle, CircleFamily, CurveObject, Error as E, ErrorItem as I, Point2, QuarticType, ShortNumber,
-    SurfaceObject, Torus, TorusMap, TorusSeam, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding,
-    UnrollOptions,
+    ArcPath, Body, Circle, CircleFamily, CurveObject, Error as E, ErrorItem as I, Lower as _, Point2, QuarticType,
+    ShortNumber, SurfaceObject, Torus, TorusMap, TorusSeam, TorusSpline, TorusSplineOptions, TorusTangent,
+    TorusWinding, UnrollOptions,
 };
 
 use super::Builder;
@@ -160,7 +160,13 @@ impl Builder<'_> {
         // The type has its families in their order: the ratio is that of the second one given.
         let ratio = if kind.families() == [one, other] { spec.ratio } else { 1.0 / spec.ratio };
         let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
-        TorusSpline::closed_quartic(&torus, kind, start, ratio).map_err(|e| self.refused(&e, None))
+        TorusSpline::closed_quartic(&torus, kind, start, ratio).map_err(|e| match e {
+            // The range is that of its reciprocal too: said of what was typed.
+            E::ParameterOutOfRange { name: I::Ratio, min, max, .. } => {
+                self.refused(&E::ParameterOutOfRange { name: I::Ratio, value: spec.ratio, min, max }, None)
+            }
+            other => self.refused(&other, None),
+        })
     }
 
     /// The place that a circle runs through, and how far its point was moved.
@@ -350,6 +356,8 @@ fn spline(spec: &TorusSplineSpec, torus: &Torus, at: &Contour<'_>) -> Made {
         let options = TorusSplineOptions { closed: spec.closed, tangents, knots, winding, loops: spec.loops };
         TorusSpline::through_places(torus, &places, &options)?
     };
+    // What has no rational form would be in no file.
+    made.lower_to_chain(NEAR * torus.major_radius())?;
     Ok((CurveObject::TorusSpline(made), facts, Vec::new()))
 }
 
@@ -414,7 +422,11 @@ pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::CountDiffers { what: I::Tangent, .. } => Blame::Field(directions),
         E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
         E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
-        E::EmptyInterval { index, .. } => Blame::Entry("knots", index + 1),
+        E::EmptyInterval { index, .. } => match spec {
+            ObjectSpec::TorusSpline(s) if s.knots.is_some() => Blame::Entry("knots", index + 1),
+            _ => Blame::Field(directions),
+        },
+        E::Disconnected { .. } | E::WeightNotPositive { .. } => Blame::Field("torus"),
         E::NotCoprime { .. } if matches!(spec, ObjectSpec::TorusQuartic(_)) => Blame::Field("ratio"),
         E::NotCoprime { .. } => Blame::Field("turns"),
         E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),

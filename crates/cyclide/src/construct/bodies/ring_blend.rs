@@ -158,7 +158,7 @@ impl RingBlend {
             }
         };
         if !(square > 0.0) {
-            return Err(Error::ContactLoopOpen { angle: 0.0, measured: square });
+            return Err(Error::ContactLoopOpen { ring: true, angle: 0.0, measured: square });
         }
         let half = square.sqrt();
         let balls = [-half, half].map(|t| [foot[0] + t * way[0], foot[1] + t * way[1]]);

@@ -6,7 +6,7 @@ use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::curve::{Correspondence, CurvePlace, ParamCurve, PieceHull, Span};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
 impl TorusSpline {
@@ -14,7 +14,8 @@ impl TorusSpline {
     /// brought to `[0, 1]`. Degree 4, or 2 if all pieces are arcs of circles. Points at knots are those of the spline, to the bit.
     ///
     /// # Errors
-    /// `weight-not-positive`, `not-a-spline` (a piece so short or so uneven that its numbers have lost their digits).
+    /// `empty-interval` (a span so short in the parameter that its knots are one number, with the segment: knots or speeds that differ too much), `weight-not-positive`,
+    /// `not-a-spline`, `disconnected` (a piece so uneven, or a torus whose radii are so nearly equal, that numbers have lost their digits).
     pub fn to_nurbs(&self) -> Result<NurbsCurve> {
         self.to_nurbs_parts(Spans::Positive).map(|(curve, _)| curve)
     }
@@ -43,6 +44,7 @@ impl TorusSpline {
             }
             parts.spans.push(Span { pieces: curves.len() - before, end: CurvePlace::after(i) });
         }
+        self.check_intervals(&intervals, &parts)?;
         let degree = curves.iter().map(RationalBezier::degree).max().unwrap_or(0);
         for curve in curves.iter_mut().filter(|c| c.degree() < degree) {
             let ends = [0.0, 1.0].map(|s| curve.point(s));
@@ -58,6 +60,21 @@ impl TorusSpline {
         }
         let curve = NurbsCurve::new(degree, curve.knots().to_vec(), points, curve.weights().to_vec())?;
         Ok((curve, parts))
+    }
+
+    /// Refuses spans whose knots are one number.
+    fn check_intervals(&self, intervals: &[f64], parts: &Correspondence) -> Result<()> {
+        let whole: f64 = intervals.iter().sum();
+        let mut spans = intervals.iter();
+        for (piece, part) in parts.spans.iter().enumerate() {
+            let shortest = spans.by_ref().take(part.pieces).fold(f64::INFINITY, |least, h| least.min(*h));
+            let limit = 2.0 * f64::EPSILON * whole;
+            if !(shortest > limit) {
+                let index = self.segments.iter().position(|segment| segment.pieces.contains(&piece)).unwrap_or(0);
+                return Err(Error::EmptyInterval { index, length: shortest, limit });
+            }
+        }
+        Ok(())
     }
 
     /// The parts of a piece with positive weights, and the parameters between which each runs; the ends of the piece are its joints.

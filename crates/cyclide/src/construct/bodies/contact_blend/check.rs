@@ -51,7 +51,7 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             if setup.sigma < 0.0 && !(measured > 0.0) {
                 return Err(match setup.ball_on_axis().filter(|limit| *limit > 0.0 && *limit <= setup.ball) {
                     Some(limit) => Error::BallDoesNotFit { radius: setup.ball, limit },
-                    None => Error::ContactLoopOpen { angle: piece.angle_at(s).rem_euclid(TAU), measured },
+                    None => Error::ContactLoopOpen { ring: false, angle: piece.angle_at(s).rem_euclid(TAU), measured },
                 });
             }
         }

@@ -95,7 +95,7 @@ impl Setup {
 
     /// The same on lines that go on beyond the apex.
     fn height_on_lines(&self, angle: f64) -> Result<[f64; 2]> {
-        let ((s, c), open) = (angle.sin_cos(), |measured| Error::ContactLoopOpen { angle, measured });
+        let ((s, c), open) = (angle.sin_cos(), |measured| Error::ContactLoopOpen { ring: false, angle, measured });
         let (from_axis, down) = (self.center_at_origin(), self.ball * self.sigma * self.sin);
         match self.base {
             Base::Plane([n0, n1]) => {

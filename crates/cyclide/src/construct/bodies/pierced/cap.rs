@@ -65,7 +65,9 @@ impl Skin<'_> {
             let point = Border { half: middle.half.map(|x| &even * x), along: &piece.weight * middle.along };
             let vertices = [hole.contacts[k], hole.contacts[next], centre, centre];
             let surface = mantle.between(&piece.weight, &border, &point)?;
-            let surface = surface.with_corners(vertices.map(|v| self.sewing.vertices[v]));
+            let corners = vertices.map(|v| self.sewing.vertices[v]);
+            // Rounding of the axis, far beyond a small hole, would leave a side of some length there, and normals of its directions.
+            let surface = surface.with_corners(corners).with_end_point(corners[2]);
             let outwards: Vec3 = mantle.off_axis(surface.point(0.5, 0.5)) * if away != self.inner { 1.0 } else { -1.0 };
             let sides = [(hole.edges[k], vertices[0]), (spokes[k], vertices[0]), (spokes[next], vertices[1])];
             self.plane_face(surface, [Some(sides[0]), None, Some(sides[1]), Some(sides[2])], outwards);

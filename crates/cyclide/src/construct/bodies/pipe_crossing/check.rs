@@ -33,7 +33,7 @@ pub(super) fn check_folds(asked: &Balls<'_>, balls: &BallLoop, depth: f64) -> Re
         Ok(tightest)
     } else {
         let remedy = LawFold::remedy(asked.fold.as_ref(), asked, depth);
-        Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left, remedy })
+        Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left, remedy, walled: depth > 0.0 })
     }
 }
 

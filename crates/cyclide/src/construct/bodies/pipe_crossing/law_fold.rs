@@ -10,7 +10,8 @@ use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::FoldRemedy;
 use std::f64::consts::TAU;
 
-/// Step by the angle for second differences: truncation and rounding are below 1e-6 of them.
+/// Step by the angle for second differences of axes at right angles: truncation and rounding are below 1e-6 of them. Of axes that are nearly parallel the blend is long, and
+/// all that happens at its ends happens within as small an angle as they are apart.
 const STEP: f64 = 1e-4;
 /// Parts of a turn over which the law's least width is looked for.
 const PARTS: u32 = 24;
@@ -84,9 +85,13 @@ impl LawFold {
 
 /// The least width once round, of radii this many times as large; without end below zero where there is no ball.
 fn least(balls: &Balls<'_>, scale: f64, depth: f64) -> f64 {
-    let part = TAU / f64::from(PARTS);
+    let (part, half) = (TAU / f64::from(PARTS), 0.5 * balls.axes_angle());
     let all = (0..PARTS).fold(TightPlace::NONE, |least, k| {
-        let angle = |s: f64| part * (f64::from(k) + s);
+        // Even parts seen along the axes as if these were at right angles.
+        let angle = |s: f64| {
+            let (sin, cos) = (part * (f64::from(k) + s)).sin_cos();
+            half + (half.tan() * sin).atan2(cos)
+        };
         least.or_of_piece(|s| width(balls, scale, depth, angle(s)).unwrap_or(f64::NEG_INFINITY), angle)
     });
     all.left
@@ -94,12 +99,13 @@ fn least(balls: &Balls<'_>, scale: f64, depth: f64) -> f64 {
 
 /// The least Jacobian of the canal over the characteristic arc of the ball at an angle: `1 - (R'² + R R'' - R n·m'')/|m'|²` with the normals n from contact to contact.
 fn width(balls: &Balls<'_>, scale: f64, depth: f64, angle: f64) -> Option<f64> {
-    let [before, at, behind] = [-STEP, 0.0, STEP].map(|step| balls.law_ball(scale, angle + step));
+    let step = STEP * balls.axes_angle().sin();
+    let [before, at, behind] = [-step, 0.0, step].map(|step| balls.law_ball(scale, angle + step));
     let (before, at, behind) = (before?, at?, behind?);
     let (motion, slope) =
-        ((behind.center - before.center) / (2.0 * STEP), (behind.radius - before.radius) / (2.0 * STEP));
-    let second = |a: f64, b: f64, c: f64| ((c - b) - (b - a)) / (STEP * STEP);
-    let bend = ((behind.center - at.center) - (at.center - before.center)) / (STEP * STEP);
+        ((behind.center - before.center) / (2.0 * step), (behind.radius - before.radius) / (2.0 * step));
+    let second = |a: f64, b: f64, c: f64| ((c - b) - (b - a)) / (step * step);
+    let bend = ((behind.center - at.center) - (at.center - before.center)) / (step * step);
     let (square, radius) = (motion.length_squared(), at.radius + depth);
     let along = motion.unit()?;
     // The normals from the first on, about the way of the centre: the way round to the second is the shorter one.
@@ -117,6 +123,12 @@ fn width(balls: &Balls<'_>, scale: f64, depth: f64, angle: f64) -> Option<f64> {
 }
 
 impl Balls<'_> {
+    /// From the first axis to the second.
+    fn axes_angle(&self) -> f64 {
+        let [first, second] = self.mantles.map(|mantle| mantle.along);
+        first.cross(second).length().atan2(first.dot(second))
+    }
+
     /// The ball at an angle.
     fn law_ball(&self, scale: f64, angle: f64) -> Option<LawBall> {
         let [asked, slope] = self.law.at(angle).map(|x| scale * x);

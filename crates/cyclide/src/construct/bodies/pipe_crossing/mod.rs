@@ -25,7 +25,11 @@ use crate::topology::{Body, Sewing};
 use ball_loop::{BallLoop, Balls};
 use law_fold::LawFold;
 use mixed::MixedPair;
+use std::f64::consts::PI;
 use torus_pair::TorusPair;
+
+/// Axes nearer to parallel than this, radians, are refused: the places of the blend, so much longer than wide, have lost their digits.
+const LEAST_ANGLE: f64 = 1e-5;
 
 /// A pipe that passes another, a cylinder or a cone.
 ///
@@ -213,9 +217,14 @@ impl PipeCrossing {
     /// The same with the second pipe along `(cos angle, sin angle, 0)`, radians.
     ///
     /// # Errors
-    /// As [`SkewCylinders::with_angle`].
+    /// `angle-out-of-range` (less than 1e-5 from parallel: the blend is longer than wide by so much that its places have lost their digits); as [`SkewCylinders::with_angle`].
     pub fn with_angle(self, angle: f64) -> Result<Self> {
-        Ok(Self { axes: self.axes.with_angle(angle)?, ..self })
+        let axes = self.axes.with_angle(angle)?;
+        let [min, max] = [LEAST_ANGLE, PI - LEAST_ANGLE];
+        if !(angle.abs() >= min && angle.abs() <= max) {
+            return Err(Error::AngleOutOfRange { angle, min, max });
+        }
+        Ok(Self { axes, ..self })
     }
 
     /// The same with another tolerance of the radius, a thousandth of it by default.

@@ -294,6 +294,9 @@ fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
 
 /// True if Newton's method leads from two places to a place on both curves, over their chords.
 fn meet_near(turn: &Revolution, chords: [&Chord<'_>; 2], mut at: [f64; 2], size: f64) -> bool {
+    // Of arcs far smaller than the whole places are told apart by their own size.
+    let shortest = chords.iter().map(|chord| distance(chord.ends[0], chord.ends[1])).fold(f64::INFINITY, f64::min);
+    let one = (1e3 * ONE_PLACE * size).min(1e-3 * shortest).max(ONE_PLACE * size);
     let over = |k: usize, x: f64| chords[k].part[0] - PLACE <= x && x <= chords[k].part[1] + PLACE;
     for _ in 0..STEPS {
         let jets = [0, 1].map(|k: usize| chords[k].curve.piece_jet(0, at[k]));
@@ -303,7 +306,7 @@ fn meet_near(turn: &Revolution, chords: [&Chord<'_>; 2], mut at: [f64; 2], size:
             [way.dot(jet.d1) / way.length(), jet.d1.dot(turn.axis)]
         });
         let off = minus(q, p);
-        if off[0].hypot(off[1]) <= 1e3 * ONE_PLACE * size {
+        if off[0].hypot(off[1]) <= one {
             return over(0, at[0]) && over(1, at[1]);
         }
         let determinant = cross_product(slopes[0], slopes[1]);

@@ -9,9 +9,9 @@
 //! faces are ruled between neighbours: their sections are the rectangles. A corner runs backwards where `w/2` is above the radius of
 //! geodesic curvature, and such a width is refused (`docs/math/torus-splines.md#seams`).
 
+mod cell;
 mod meeting;
 mod moving;
-mod runs;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
@@ -19,6 +19,7 @@ use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::surface::TorusSpline;
 use crate::topology::{Body, FaceEdge, Sewing};
+use meeting::Strip;
 use moving::Moving;
 
 /// Most halvings of a piece.
@@ -46,6 +47,35 @@ const SAFETY: f64 = 0.95;
 pub struct TorusSeam {
     width: f64,
     heights: [f64; 2],
+}
+
+/// A part of a seam over a part of a piece of the curve: the cubics of its corners, round the section.
+struct Span {
+    piece: usize,
+    cubics: [[Point3; 4]; 4],
+}
+
+/// Parts of a span, and rounds of dividing two of them again, in which the place nearest to a point is looked for.
+const NEAR: u32 = 16;
+const ROUNDS: u32 = 12;
+
+impl Span {
+    /// The point of the curve in this span that is nearest to a point; the curve is at this part of the height.
+    fn curve_near(&self, p: Point3, low: f64) -> Point3 {
+        let at = |s: f64| {
+            let [a, b, c, d] = self.cubics.map(|cubic| on_cubic(&cubic, s));
+            a.midpoint(b).lerp(d.midpoint(c), low)
+        };
+        let (mut from, mut to) = (0.0, 1.0);
+        for _ in 0..ROUNDS {
+            let step = (to - from) / f64::from(NEAR);
+            let distance = |k: u32| at(from + step * f64::from(k)).distance(p);
+            let nearest = (0..=NEAR).min_by(|j, k| distance(*j).total_cmp(&distance(*k))).unwrap_or(0);
+            let place = from + step * f64::from(nearest);
+            (from, to) = ((place - step).max(0.0), (place + step).min(1.0));
+        }
+        at(0.5 * (from + to))
+    }
 }
 
 /// The rectangle at a place: its corners round it, and their derivatives.
@@ -79,7 +109,7 @@ impl TorusSeam {
     /// # Errors
     /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds; a width with which the
     /// seam folds, with the largest that does not); `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
-    /// tolerance, with the place: looked for at sections an eighth of the width apart); `too-many-pieces`, `zero-tangent` (a stop of the
+    /// tolerance, with the place: all others are proved apart); `too-many-pieces`, `zero-tangent` (a stop of the
     /// curve); as [`Shell::new`](crate::Shell::new).
     pub fn body(&self, spline: &TorusSpline, tolerance: f64) -> Result<Body> {
         check_tolerance(tolerance)?;
@@ -90,16 +120,21 @@ impl TorusSeam {
             }
         }
         self.check_width(spline)?;
+        let spans = self.spans(spline, tolerance)?;
+        meeting::check(self, &spans, spline.is_closed(), tolerance)?;
+        sewn(&spans, spline.is_closed())
+    }
+
+    fn spans(&self, spline: &TorusSpline, tolerance: f64) -> Result<Vec<Span>> {
         let mut spans = Vec::new();
         for piece in 0..spline.piece_count() {
             self.append_spans(spline, piece, SAFETY * tolerance, &mut spans)?;
         }
-        meeting::check(self, spline, tolerance)?;
-        sewn(&spans, spline.is_closed())
+        Ok(spans)
     }
 
     /// The first two of the seams along several splines, by their numbers, that share space by more than the tolerance, with a point that
-    /// they share: looked for at sections an eighth of the width apart.
+    /// they share; where there is none, all are proved to be apart but for the tolerance.
     ///
     /// ```
     /// use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
@@ -112,27 +147,27 @@ impl TorusSeam {
     /// ```
     ///
     /// # Errors
-    /// `zero-tangent`.
+    /// As [`body`](Self::body) of each.
     pub fn first_meeting(&self, splines: &[TorusSpline], tolerance: f64) -> Result<Option<([usize; 2], Point3)>> {
-        let splines: Vec<&TorusSpline> = splines.iter().collect();
-        let found = meeting::first(self, &splines, tolerance, true)?;
-        Ok(found.map(|meeting| (meeting.splines, meeting.point)))
+        check_tolerance(tolerance)?;
+        let spans = splines.iter().map(|spline| self.spans(spline, tolerance)).collect::<Result<Vec<_>>>()?;
+        let strips: Vec<Strip<'_>> = spans.iter().map(|spans| Strip::new(self, spans, tolerance)).collect();
+        Ok(strips.iter().enumerate().find_map(|(second, strip)| {
+            let meeting = |(first, other): (usize, &Strip<'_>)| {
+                other.first_meeting(strip).map(|meeting| ([first, second], meeting.point))
+            };
+            strips[..second].iter().enumerate().find_map(meeting)
+        }))
     }
 
     /// Appends the cubics of the corners over a piece, span by span.
-    fn append_spans(
-        &self,
-        spline: &TorusSpline,
-        piece: usize,
-        limit: f64,
-        spans: &mut Vec<[[Point3; 4]; 4]>,
-    ) -> Result<()> {
+    fn append_spans(&self, spline: &TorusSpline, piece: usize, limit: f64, spans: &mut Vec<Span>) -> Result<()> {
         let mut ahead = vec![([0.0, 1.0], HALVINGS)];
         while let Some(([from, to], halvings)) = ahead.pop() {
             let ends = [self.section(spline, piece, from)?, self.section(spline, piece, to)?];
             let span: [[Point3; 4]; 4] = std::array::from_fn(|corner| cubic(&ends, corner, to - from));
             if self.is_within(spline, piece, [from, to], &span, limit)? {
-                spans.push(span);
+                spans.push(Span { piece, cubics: span });
                 continue;
             }
             let Some(halvings) = halvings.checked_sub(1) else {
@@ -226,11 +261,11 @@ fn row(p: Point3) -> [f64; 4] {
 }
 
 /// The body of the spans: four bands of faces ruled from corner to corner, and two plane ends if they do not close.
-fn sewn(spans: &[[[Point3; 4]; 4]], closed: bool) -> Result<Body> {
+fn sewn(spans: &[Span], closed: bool) -> Result<Body> {
     let mut sewing = Sewing::default();
     let last = spans.last().filter(|_| !closed);
-    let starts = spans.iter().map(|span| span.map(|cubic| cubic[0]));
-    let rings = starts.chain(last.map(|span| span.map(|cubic| cubic[3])));
+    let starts = spans.iter().map(|span| span.cubics.map(|cubic| cubic[0]));
+    let rings = starts.chain(last.map(|span| span.cubics.map(|cubic| cubic[3])));
     let vertices: Vec<[usize; 4]> = rings.map(|corners| corners.map(|p| sewing.vertex(p))).collect();
     let across = vertices.iter().map(|ring| {
         let segments: [Result<usize>; 4] = std::array::from_fn(|k| sewing.segment(ring[k], ring[(k + 1) % 4]));
@@ -242,7 +277,7 @@ fn sewn(spans: &[[[Point3; 4]; 4]], closed: bool) -> Result<Body> {
         let next = (i + 1) % vertices.len();
         // Where a closed seam comes back its end is its start to the bit.
         let cubics: [[Point3; 4]; 4] = std::array::from_fn(|k| {
-            let [_, b, c, _] = span[k];
+            let [_, b, c, _] = span.cubics[k];
             [sewing.vertices[vertices[i][k]], b, c, sewing.vertices[vertices[next][k]]]
         });
         let along = cubics.map(|cubic| RationalBezier::new(cubic.map(row).to_vec()));

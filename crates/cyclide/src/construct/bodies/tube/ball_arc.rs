@@ -94,6 +94,24 @@ impl BallArc {
         Station { ball: self.ball(s), tangent }
     }
 
+    /// The conformal length between two parameters, in order: that of the balls as points of the Lorentzian sphere, the integral of the length over the radius. The length grows by
+    /// `2 w d/q` over a parameter, with the denominator `q`, and the radius is `(a, b, c)/q`, so that it is elementary.
+    pub(super) fn conformal_length(&self, [s, t]: [f64; 2]) -> f64 {
+        let ([first, middle, last], [_, w, _]) = self.control();
+        let [a, b, c] = [first.radius, middle.radius * w, last.radius];
+        let form = a * (1.0 - s) * (1.0 - t) + b * (s * (1.0 - t) + t * (1.0 - s)) + c * s * t;
+        let (step, square) = (t - s, b * b - a * c);
+        let root = square.abs().sqrt();
+        let quotient = if square * step * step < -1e-12 * form * form {
+            (root * step).atan2(form) / root
+        } else if square * step * step > 1e-12 * form * form {
+            (root * step / form).atanh() / root
+        } else {
+            step / form
+        };
+        2.0 * w * self.reach * quotient
+    }
+
     /// No ball between two parameters is farther than this from those of the same part of the straight way.
     pub(super) fn sagitta(&self, [s, t]: [f64; 2]) -> f64 {
         let ([a, b], (middle, weight)) = ([s, t].map(|v| self.polar([v, v])), self.polar([s, t]));

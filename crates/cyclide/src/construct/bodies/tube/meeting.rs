@@ -1,15 +1,19 @@
-//! Whether a tube runs into itself: balls along it, looked up by cubes as wide as the balls of a size are, so that time is linear in
-//! their number (`docs/math/tubes.md#meeting`).
+//! Whether a tube runs into itself: pairs of parts of its arcs, halved until they are apart, are neighbours, or are so short that their balls are compared
+//! (`docs/math/tubes.md#meeting`).
 
-use super::ball::Ball;
+use super::ball::{Ball, Way};
 use super::ball_arc::{BallArc, Station};
+use crate::base::bounds::Aabb;
+use crate::base::box_tree::BoxTree;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
-use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::ops::Range;
 
-/// Balls along a tube, at most.
-const MOST_BALLS: f64 = 2e5;
+/// Pairs of parts that are looked at before a tube is given up as too near itself to tell.
+const MOST_PAIRS: usize = 20_000_000;
+/// Parts no longer than this many of their radii are not halved: balls of them are compared.
+const SHORT: f64 = 0.5;
 /// Tubes may touch: distances that are short of the sum of radii by less than this part do.
 const TOUCHING: f64 = 1e-6;
 
@@ -21,12 +25,12 @@ pub(super) struct Course<'a> {
     pub(super) round: bool,
 }
 
-/// A ball on a tube, with the way of the centre before it.
+/// A ball on a tube.
 #[derive(Clone, Copy)]
 struct Place {
     ball: Ball,
-    way: f64,
-    tube: usize,
+    /// Conformal length before it.
+    conformal: f64,
     source: usize,
     section: Section,
     /// So near to an end that is not round that the tube has the section only, not the whole ball.
@@ -81,111 +85,261 @@ pub(super) struct Meeting {
     limit: f64,
 }
 
-/// Refuses a tube of which parts that are half a turn of their radius or more apart along it run into each other, at balls half their radius apart.
+/// Refuses a tube of which parts that are a conformal half turn or more apart along it run into each other.
 ///
 /// # Errors
 /// `pipe-meets-itself`.
 pub(super) fn check(course: Course<'_>) -> Result<()> {
-    match first(&[course], false) {
-        None => Ok(()),
-        Some(Meeting { sources: [first, second], distance, limit, .. }) => {
-            Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
-        }
+    let tube = Tracked::new(0, course);
+    let skip = |a: &Range<usize>, b: &Range<usize>| tube.conformal[b.end] - tube.conformal[a.start] <= PI;
+    let mut left = MOST_PAIRS;
+    let found = tube.tree.find_within(skip, |i, j| meeting([&tube, &tube], [i, j], &mut left));
+    found.map_or(Ok(()), |Meeting { sources: [first, second], distance, limit, .. }| {
+        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
+    })
+}
+
+/// The first balls of different tubes that meet.
+pub(super) fn first(tubes: Vec<Course<'_>>) -> Option<Meeting> {
+    let tubes: Vec<Tracked<'_>> = tubes.into_iter().enumerate().map(|(k, course)| Tracked::new(k, course)).collect();
+    let mut left = MOST_PAIRS;
+    tubes.iter().enumerate().find_map(|(k, second)| {
+        tubes[..k]
+            .iter()
+            .find_map(|first| first.tree.find_between(&second.tree, |i, j| meeting([first, second], [i, j], &mut left)))
+    })
+}
+
+/// A tube with the lengths before its arcs and the boxes of their balls.
+struct Tracked<'a> {
+    number: usize,
+    course: Course<'a>,
+    conformal: Vec<f64>,
+    ways: Vec<f64>,
+    tree: BoxTree,
+}
+
+/// A part of an arc.
+#[derive(Clone, Copy)]
+struct Part {
+    arc: usize,
+    range: [f64; 2],
+    ends: [Ball; 2],
+    tangents: [Way; 2],
+    /// No ball is farther than this from those of the straight way.
+    off: f64,
+    conformal: [f64; 2],
+}
+
+impl Part {
+    fn chord(&self) -> f64 {
+        self.ends[0].center.distance(self.ends[1].center)
+    }
+
+    /// Its length in its own radii, the smaller one.
+    fn steps(&self) -> f64 {
+        self.chord() / self.ends[0].radius.min(self.ends[1].radius)
+    }
+
+    fn most(&self) -> f64 {
+        self.ends[0].radius.max(self.ends[1].radius) + self.off
+    }
+
+    /// True if they are so far apart along the way of their chords that no balls meet, with the nearest places of the chords.
+    fn nearest(&self, other: &Self) -> (bool, [f64; 2]) {
+        let chords = [self, other].map(|part| part.ends.map(|ball| ball.center));
+        let (distance, at) = nearest_of_segments(chords);
+        let off = self.off + other.off;
+        (distance - off >= (self.most() + other.most()) * (1.0 - TOUCHING), at)
+    }
+
+    /// The largest radial part of its unit tangents, by those at its ends, of which those between are sums with weights of less than 1/cos of half the turn in all.
+    fn steepest(&self) -> f64 {
+        let half = (0.5 * (1.0 + self.tangents[0].dot(self.tangents[1]))).sqrt();
+        self.tangents[0].r.abs().max(self.tangents[1].r.abs()) / half.min(1.0)
     }
 }
 
-/// The first balls that meet, of one tube or of different ones.
-pub(super) fn first(tubes: &[Course<'_>], different: bool) -> Option<Meeting> {
-    let mut places = Vec::new();
-    let mut round = Vec::new();
-    for (tube, course) in tubes.iter().enumerate() {
-        let start = places.len();
-        let length = add_places(course.arcs, tube, &mut places);
-        round.push(course.closed.then_some(length));
-        if !(course.closed || course.round) {
-            for place in &mut places[start..] {
-                place.cut = place.way.min(length - place.way) < place.ball.radius;
+/// True if parts that follow each other run on in one direction so steadily that balls of theirs that meet are less than a conformal half turn apart: directions
+/// of centres are within an angle with the cosine `c` of one, radii change by less than `m` of the length, and with `u = m/c`
+/// ```text
+/// 2/(c u) log(1/(1 - u)) <= pi
+/// ```
+fn runs_on(parts: &[&Part]) -> bool {
+    let directions = || parts.iter().flat_map(|part| part.tangents).filter_map(|tangent| tangent.v.unit());
+    let Some(axis) = directions().fold(Vec3::ZERO, |sum, v| sum + v).unit() else { return false };
+    let cosine = directions().map(|v| v.dot(axis)).fold(1.0, f64::min);
+    let steepest = parts.iter().map(|part| part.steepest()).fold(0.0, f64::max);
+    let slope = steepest / 1_f64.hypot(steepest) / cosine;
+    if !(cosine > 0.0 && slope < 1.0) {
+        return false;
+    }
+    let grown = if slope > 1e-9 { -(-slope).ln_1p() / slope } else { 1.0 };
+    2.0 * grown / cosine <= PI
+}
+
+/// The first meeting of balls of two arcs, of one tube or of different ones.
+fn meeting([first, second]: [&Tracked<'_>; 2], [i, j]: [usize; 2], left: &mut usize) -> Option<Meeting> {
+    let same = first.number == second.number;
+    let mut waiting = vec![(first.part(i, [0.0, 1.0]), second.part(j, [0.0, 1.0]))];
+    while let Some((a, b)) = waiting.pop() {
+        *left = left.saturating_sub(1);
+        if same && first.are_neighbours(a.conformal, b.conformal) {
+            continue;
+        }
+        if same && a.arc == b.arc && a.range.map(f64::to_bits) == b.range.map(f64::to_bits) {
+            if *left > 0 && !runs_on(&[&a]) {
+                let [one, other] = first.halves(&a);
+                waiting.extend([(other, other), (one, other), (one, one)]);
+            }
+            continue;
+        }
+        let mut at = [0.5; 2];
+        if same && (first.follows(&a, &b) || first.follows(&b, &a)) {
+            if runs_on(&[&a, &b]) {
+                continue;
+            }
+        } else {
+            let apart;
+            (apart, at) = a.nearest(&b);
+            if apart {
+                continue;
             }
         }
+        if a.steps().max(b.steps()) <= SHORT || *left == 0 {
+            let found = compared([first, second], [&a, &b], at, *left == 0);
+            if found.is_some() {
+                return found;
+            }
+        } else if a.steps() > b.steps() {
+            waiting.extend(first.halves(&a).map(|half| (half, b)));
+        } else {
+            waiting.extend(second.halves(&b).map(|half| (a, half)));
+        }
     }
-    let octave = |radius: f64| radius.log2().ceil() as i32;
-    let mut octaves: Vec<i32> = places.iter().map(|place| octave(place.ball.radius)).collect();
-    octaves.sort_unstable();
-    octaves.dedup();
-    let mut cubes: HashMap<(i32, [i64; 3]), Vec<usize>> = HashMap::new();
-    for (k, place) in places.iter().enumerate() {
-        let own = octave(place.ball.radius);
-        cubes.entry((own, cube(place.ball.center, own))).or_default().push(k);
-    }
-    for place in &places {
-        // Each pair is found from its smaller ball.
-        for &size in octaves.iter().filter(|size| **size >= octave(place.ball.radius)) {
-            let [x, y, z] = cube(place.ball.center, size);
-            let near = (0..27).map(|k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1]);
-            let others = near.filter_map(|at| cubes.get(&(size, at))).flatten().map(|&k| &places[k]);
-            let others = others.filter(|other| (other.tube != place.tube) == different);
-            if let Some(found) = others.filter_map(|other| meeting(place, other, round[place.tube])).next() {
-                return Some(found);
+    None
+}
+
+/// Compares balls of two short parts: in their middles, where their chords are nearest, and at ends of tubes.
+fn compared(tubes: [&Tracked<'_>; 2], parts: [&Part; 2], nearest: [f64; 2], given_up: bool) -> Option<Meeting> {
+    let places = [0, 1].map(|k| {
+        let (tube, [from, to]) = (tubes[k], parts[k].range);
+        let ends = [(0, 0.0), (tube.course.arcs.len() - 1, 1.0)].into_iter();
+        let ends = ends.filter(|(arc, s)| !tube.course.closed && parts[k].arc == *arc && parts[k].range.contains(s));
+        let inside = [0.5, nearest[k]].map(|x| from + (to - from) * x);
+        let all = inside.into_iter().chain(ends.map(|(_, s)| s));
+        all.map(|s| tube.place(parts[k].arc, s)).collect::<Vec<_>>()
+    });
+    let same = tubes[0].number == tubes[1].number;
+    for a in &places[0] {
+        for b in &places[1] {
+            let apart = same && tubes[0].are_neighbours([a.conformal; 2], [b.conformal; 2]);
+            if !apart && (given_up || share(a, b)) {
+                let mut pair = [(tubes[0].number, a), (tubes[1].number, b)];
+                pair.sort_by_key(|(number, place)| (*number, place.source));
+                return Some(Meeting {
+                    tubes: pair.map(|(number, _)| number),
+                    sources: pair.map(|(_, place)| place.source),
+                    distance: a.ball.center.distance(b.ball.center),
+                    limit: a.ball.radius + b.ball.radius,
+                });
             }
         }
     }
     None
 }
 
-fn meeting(a: &Place, b: &Place, round: Option<f64>) -> Option<Meeting> {
-    let (distance, limit) = (a.ball.center.distance(b.ball.center), a.ball.radius + b.ball.radius);
+/// True if what the tubes have of two balls shares space.
+fn share(a: &Place, b: &Place) -> bool {
     let apart = match (a.cut, b.cut) {
-        (false, false) => distance >= limit * (1.0 - TOUCHING),
+        (false, false) => a.ball.center.distance(b.ball.center) >= (a.ball.radius + b.ball.radius) * (1.0 - TOUCHING),
         (true, false) => a.section.distance(b.ball.center) >= b.ball.radius * (1.0 - TOUCHING),
         (false, true) => b.section.distance(a.ball.center) >= a.ball.radius * (1.0 - TOUCHING),
         (true, true) => !a.section.meets(b.section),
     };
-    if apart {
-        return None;
-    }
-    let straight = (a.way - b.way).abs();
-    let way = round.map_or(straight, |length| straight.min(length - straight));
-    if a.tube == b.tube && way < PI * a.ball.radius.max(b.ball.radius) {
-        return None;
-    }
-    let mut pair = [a, b];
-    pair.sort_by_key(|place| (place.tube, place.source));
-    Some(Meeting { tubes: pair.map(|place| place.tube), sources: pair.map(|place| place.source), distance, limit })
+    !apart
 }
 
-/// The cube of the balls of an octave that a point lies in: twice as wide as they are.
-fn cube(p: Point3, octave: i32) -> [i64; 3] {
-    let width = 2.0 * f64::from(octave).exp2();
-    p.to_array().map(|v| (v / width).floor() as i64)
-}
-
-/// Adds balls half a radius apart, or farther where they would be too many, and tells the length of the way.
-fn add_places(arcs: &[BallArc], tube: usize, places: &mut Vec<Place>) -> f64 {
-    let chord = |arc: &BallArc| {
-        arc.centers()[0].distance(arc.ball(0.5).center) + arc.ball(0.5).center.distance(arc.centers()[1])
-    };
-    // Where a radius is none, the body is refused before.
-    let steps = |arc: &BallArc| 2.0 * chord(arc) / arc.radii()[0].max(1e-3 * chord(arc));
-    let coarser = (arcs.iter().map(steps).sum::<f64>() / MOST_BALLS).max(1.0);
-    let mut way = 0.0;
-    // The ends themselves: a disk there reaches farther than those before it.
-    let end = |arc: &BallArc, s: f64, way: f64| {
-        let station = arc.station(s);
-        Place { ball: station.ball, way, tube, source: arc.source, section: Section::of(station), cut: false }
-    };
-    places.extend(arcs.first().map(|arc| end(arc, 0.0, 0.0)));
-    for arc in arcs {
-        let count = (steps(arc) / coarser).ceil().max(1.0);
-        let mut last = arc.ball(0.0);
-        for k in 1..=count as usize {
-            let station = arc.station((k as f64 - 0.5) / count);
-            let (ball, section) = (station.ball, Section::of(station));
-            way += last.center.distance(ball.center);
-            places.push(Place { ball, way, tube, source: arc.source, section, cut: false });
-            last = ball;
+impl<'a> Tracked<'a> {
+    fn new(number: usize, course: Course<'a>) -> Self {
+        let (mut conformal, mut ways) = (vec![0.0], vec![0.0]);
+        let (mut length, mut way) = (0.0, 0.0);
+        let mut boxes = Vec::with_capacity(course.arcs.len());
+        for arc in course.arcs {
+            let [a, b] = arc.centers();
+            let middle = arc.ball(0.5).center;
+            length += arc.conformal_length([0.0, 1.0]);
+            way += a.distance(middle) + middle.distance(b);
+            conformal.push(length);
+            ways.push(way);
+            boxes.push(Aabb::of_point(a).including(b).grown(arc.radii()[1] + arc.sagitta([0.0, 1.0])));
         }
-        way += last.center.distance(arc.centers()[1]);
+        Self { number, course, conformal, ways, tree: BoxTree::new(&boxes) }
     }
-    places.extend(arcs.last().map(|arc| end(arc, 1.0, way)));
-    way
+
+    fn part(&self, arc: usize, range: [f64; 2]) -> Part {
+        let own = &self.course.arcs[arc];
+        let [from, to] = range.map(|s| own.station(s));
+        let conformal = range.map(|s| self.conformal_length(arc, s));
+        let (ends, tangents) = ([from.ball, to.ball], [from.tangent, to.tangent]);
+        Part { arc, range, ends, tangents, off: own.sagitta(range), conformal }
+    }
+
+    fn halves(&self, part: &Part) -> [Part; 2] {
+        let [from, to] = part.range;
+        let middle = 0.5 * (from + to);
+        [[from, middle], [middle, to]].map(|range| self.part(part.arc, range))
+    }
+
+    fn conformal_length(&self, arc: usize, s: f64) -> f64 {
+        if s >= 1.0 {
+            self.conformal[arc + 1]
+        } else {
+            self.conformal[arc] + self.course.arcs[arc].conformal_length([0.0, s])
+        }
+    }
+
+    fn place(&self, arc: usize, s: f64) -> Place {
+        let own = &self.course.arcs[arc];
+        let station = own.station(s);
+        let ball = station.ball;
+        let [start, end] = own.centers();
+        let before = self.ways[arc] + start.distance(ball.center);
+        let behind = self.ways[self.ways.len() - 1] - self.ways[arc + 1] + end.distance(ball.center);
+        let cut = !self.course.closed && !self.course.round && before.min(behind) < ball.radius;
+        let conformal = self.conformal_length(arc, s);
+        Place { ball, conformal, source: own.source, section: Section::of(station), cut }
+    }
+
+    /// True if all places of a part are less than a conformal half turn before those of one behind it, or, round the other way, behind them.
+    fn are_neighbours(&self, [from, end]: [f64; 2], [start, to]: [f64; 2]) -> bool {
+        let round = self.conformal[self.conformal.len() - 1] - (start - end).max(0.0);
+        to - from <= PI || (self.course.closed && round <= PI)
+    }
+
+    /// True if a part starts where another one ends.
+    fn follows(&self, part: &Part, next: &Part) -> bool {
+        let last = self.course.arcs.len() - 1;
+        let ([_, end], [start, _]) = (part.range, next.range);
+        if end < 1.0 {
+            return part.arc == next.arc && end.to_bits() == start.to_bits();
+        }
+        let behind = if part.arc < last { Some(part.arc + 1) } else { self.course.closed.then_some(0) };
+        start == 0.0 && behind == Some(next.arc)
+    }
+}
+
+/// The distance of two segments, and where on each it is.
+fn nearest_of_segments([[a, b], [c, d]]: [[Point3; 2]; 2]) -> (f64, [f64; 2]) {
+    let (u, v, w) = (b - a, d - c, a - c);
+    let (uu, uv, vv, uw, vw) = (u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w));
+    let inside = |x: f64| if x.is_finite() { x.clamp(0.0, 1.0) } else { 0.0 };
+    let to_second = |s: f64| inside((uv * s + vw) / vv);
+    let to_first = |t: f64| inside((uv * t - uw) / uu);
+    // The least is inside both or at an end of one.
+    let starts = [inside((uv * vw - vv * uw) / (uu * vv - uv * uv)), 0.0, 1.0];
+    let starts = starts.map(|s| [to_first(to_second(s)), to_second(s)]);
+    let ends = [0.0, 1.0].map(|t| [to_first(t), t]);
+    let all = starts.into_iter().chain(ends).map(|[s, t]| ((a + u * s).distance(c + v * t), [s, t]));
+    all.min_by(|x, y| x.0.total_cmp(&y.0)).unwrap_or((0.0, [0.0; 2]))
 }

@@ -176,8 +176,8 @@ impl Tube {
         self.closed
     }
 
-    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two balls that do: looked for at balls
-    /// half their radius apart.
+    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two balls that do: looked for as by
+    /// [`body`](Self::body).
     ///
     /// ```
     /// use cyclide::{Ball, Point3, Tube};
@@ -188,14 +188,15 @@ impl Tube {
     /// ```
     #[must_use]
     pub fn first_meeting(tubes: &[Self]) -> Option<([usize; 2], f64)> {
-        let found = meeting::first(&tubes.iter().map(Self::course).collect::<Vec<_>>(), true)?;
+        let found = meeting::first(tubes.iter().map(Self::course).collect())?;
         Some((found.tubes, found.distance))
     }
 
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
-    /// `radius-not-positive` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself`, as
+    /// `radius-not-positive` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
+    /// proved apart, but where they are as near as their hulls: there balls are compared in the middle of parts half their radius long and where the chords of these are nearest), as
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
         self.check_arcs()?;

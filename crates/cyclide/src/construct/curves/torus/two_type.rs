@@ -4,9 +4,10 @@
 //! The shared coordinate `f` runs by its biarc. With `p` the other coordinate of the first type, `q = e p + g f` that of the second,
 //! all counted from the start, single pieces need `p_m' = sin² p_m/(h0² p0')` and `q_m' = sin²(q1 - q_m)/(h1² q1')`, hence
 //! ```text
-//! al = 1/(h1² q1'),  be = e/(h0² p0'),  K = -al exp(2ie (g f_m - q1)) + be,  r = 2 g f_m' - al + be
-//! p_m = (-arg K ± arccos(r/|K|))/2  modulo pi
+//! al = 1/(h1² q1'),  be = e/(h0² p0'),  c = g f_m',  P = e (q1 - g f_m):   al sin²(p_m - P) = be sin² p_m + c
+//! (al cos² P - be - c) tan² p_m - 2 al sin P cos P tan p_m + (al sin² P - c) = 0
 //! ```
+//! a quadratic whose discriminant is `al be sin² P + c (al - be - c)`: of small angles nothing is near 1 that has to be subtracted.
 
 use super::projective_biarc::ProjectiveBiarc;
 use crate::base::complex::Complex;
@@ -118,13 +119,23 @@ impl Shared {
         let slopes = [first[i], self.sign * last[j]];
         let f = ProjectiveBiarc::of_coordinate(i, 0.0, kinds[0].local(step)[i], slopes, lengths)?;
         let (p_rate, q_rate, q1) = (first[1 - i], last[1 - j], kinds[1].local(step)[1 - j]);
-        let (al, be) = (1.0 / (h1 * h1 * q_rate), self.e / (h0 * h0 * p_rate));
-        let turned = Complex::at_angle(2.0 * self.e * (self.g * f.mid_offset() - q1)) * -al;
-        let k = Complex::new(turned.re + be, turned.im);
-        let cosine = (2.0 * self.g * f.mid_slope() - al + be) / k.norm();
-        let half = 0.5 * cosine.acos();
-        let steps =
-            [half, -half].map(|half| self.candidate(half - 0.5 * k.arg(), f.mid_offset(), p_rate, [q1, q_rate]));
+        let (al, be, c) = (1.0 / (h1 * h1 * q_rate), self.e / (h0 * h0 * p_rate), self.g * f.mid_slope());
+        if !(al.is_finite() && be.is_finite()) {
+            return Err(Error::NoTwoTypeSolution { segment: 0, cosine: f64::INFINITY });
+        }
+        let (sin, cos) = (self.e * (q1 - self.g * f.mid_offset())).sin_cos();
+        let root_squared = al * be * sin * sin + c * (al - be - c);
+        let r = 2.0 * c - al + be;
+        let cosine = r / (r * r + 4.0 * root_squared).max(0.0).sqrt();
+        if !(root_squared >= 0.0) {
+            return Err(Error::NoTwoTypeSolution { segment: 0, cosine });
+        }
+        let middle = al * sin * cos;
+        let sum = middle + root_squared.sqrt().copysign(middle);
+        let tangents = [[sum, al * cos * cos - be - c], [al * sin * sin - c, sum]];
+        // Between a quarter turn back and one ahead: tiny steps keep their digits.
+        let angles = tangents.map(|[y, x]| (y * 1_f64.copysign(x)).atan2(x.abs()));
+        let steps = angles.map(|p| self.candidate(p, f.mid_offset(), p_rate, [q1, q_rate]));
         let found: Vec<TwoTypeBiarc> = steps
             .into_iter()
             .flatten()

@@ -65,7 +65,7 @@ fn quarter(start: Point2, step: Vec2, rates: [Vec2; 2], segment: usize) -> Resul
         let [Some(first), Some(second)] = kinds else { continue };
         let found = match TwoTypeBiarc::all([first, second], start, step, rates, [0.5; 2]) {
             Ok(found) => found,
-            Err(Error::NoTwoTypeSolution { cosine, .. }) if best.is_err() => {
+            Err(Error::NoTwoTypeSolution { cosine, .. }) if best.is_err() && cosine.is_finite() => {
                 best = Err(Error::NoTwoTypeSolution { segment, cosine });
                 continue;
             }
