@@ -20,9 +20,9 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 /// use cyclide_io::{Document, MotionSamples, SamplePlaces};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
-/// let samples = MotionSamples::new(&document.build()?[0], SamplePlaces::Step(0.3)).expect("it is a motion");
+/// let samples = MotionSamples::new(&document.build()?[0], SamplePlaces::Step(0.375)).expect("it is a motion");
 /// let times: Vec<f64> = samples.samples.iter().map(|sample| sample.time).collect();
-/// assert_eq!(times, [0.0, 0.3, 0.6, 0.9, 1.0]);
+/// assert_eq!(times, [0.0, 0.375, 0.75, 1.0]);
 /// assert!(samples.samples[1].speed.is_some_and(|speed| (speed - 30.0).abs() < 1e-9));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -82,3 +82,21 @@ fn animations_that_are_too_fast_say_what_helps() {
         }
     }
 }
+
+/// What is advised against a spike helps there: a spline for a motion of least degree, an arm under a law by the way of a tool that hardly moves.
+#[test]
+fn spikes_are_told_with_what_helps() {
+    let spike = r#""kind": "conic", "poses": [{"position": [-5.8, 1.4, -1.3], "quaternion": [0.4, -0.3, -0.9, -0.6]},
+        {"position": [-6.4, 4.2, 3.4], "quaternion": [0.1, -0.4, 0.5, -0.1]}, {"position": [-0.1, -5.5, 8.9], "quaternion": [-0.1, -0.1, -0.6, -0.1]}]"#;
+    let advice = |fields: &str| {
+        let told = build(&motion(fields)).unwrap().remarks.into_iter().find(|remark| remark.reason == "speed-spike");
+        told.map(|remark| remark.message)
+    };
+    let message = advice(spike).unwrap();
+    assert!(message.contains("turns 103.13 times") && message.contains("take a spline"), "{message}");
+    assert_eq!(advice(&spike.replace("conic", "spline")), None);
+    if let Some(message) = advice(&format!(r#"{spike}, "law": "constant-speed""#)) {
+        assert!(message.contains("give an `arm`"), "{message}");
+    }
+    assert_eq!(advice(&format!(r#"{spike}, "law": "constant-speed", "arm": 50"#)), None);
+}

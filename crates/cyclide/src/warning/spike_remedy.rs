@@ -4,9 +4,13 @@
 ///
 /// ```
 /// use cyclide::{MovingBody, Pose, Quat, RationalMotion, SpikeRemedy, TimedPose, Vec3, Warning};
-/// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
-/// // 99 of the way of 100 in a hundredth of a second.
-/// let motion = RationalMotion::quartic(&[at(0.0, 0.0), at(1.0, 0.5), at(1.01, 99.5), at(1.02, 99.6), at(60.0, 100.0)])?;
+/// let at = |time: f64, rotation: [f64; 4], place: [f64; 3]| TimedPose { time, pose: Pose::new(Quat::from(rotation), Vec3::from(place)).unwrap() };
+/// // The body turns over in a moment, a hundred times as fast as on average.
+/// let motion = RationalMotion::conic(&[
+///     at(0.0, [0.4, -0.3, -0.9, -0.6], [-5.8, 1.4, -1.3]),
+///     at(1.0, [0.1, -0.4, 0.5, -0.1], [-6.4, 4.2, 3.4]),
+///     at(2.0, [-0.1, -0.1, -0.6, -0.1], [-0.1, -5.5, 8.9]),
+/// ])?;
 /// let warnings = MovingBody::new(motion.into()).warnings();
 /// assert!(warnings.iter().any(|w| matches!(w, Warning::SpeedSpike { remedy: SpikeRemedy::Spline, .. })));
 /// # Ok::<(), cyclide::Error>(())
