@@ -15,6 +15,8 @@ const MOST_PASSES: usize = 16;
 /// Faces of a cut shell at most, or so many times those given: they take two kilobytes each with what belongs to them.
 const MOST_FACES: usize = 500_000;
 const MOST_GROWTH: usize = 8;
+/// So many faces are few, whatever they were cut from.
+const FEW_FACES: usize = 512;
 /// Shortest edge that other programs tell from a point, relative to the box of the vertices.
 const SHORTEST_EDGE: f64 = 1e-13;
 
@@ -116,8 +118,31 @@ impl CutShell {
     /// # Errors
     /// `parameter-out-of-range` beyond the range of the kernel's numbers; `too-many-pieces` beyond half a million faces and
     /// eight times those given; `short-edge` where a part of a face would be a point.
-    pub fn halved(mut self, wide: impl Fn(&Shell, &ShellFace) -> [bool; 2], most: usize) -> Result<Self> {
+    pub fn halved(self, wide: impl Fn(&Shell, &ShellFace) -> [bool; 2], most: usize) -> Result<Self> {
         let cap = self.most_faces();
+        self.halved_below(wide, most, (cap, false))
+    }
+
+    /// As [`halved`](Self::halved), but left as it is so far where the next halving would make more than this many faces of one: where halving does not help.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`, `short-edge`.
+    pub fn halved_while_few(
+        self,
+        wide: impl Fn(&Shell, &ShellFace) -> [bool; 2],
+        most: usize,
+        of_one: usize,
+    ) -> Result<Self> {
+        let cap = self.most_faces().min(of_one.saturating_mul(self.shell.faces.len()).max(FEW_FACES));
+        self.halved_below(wide, most, (cap, true))
+    }
+
+    fn halved_below(
+        mut self,
+        wide: impl Fn(&Shell, &ShellFace) -> [bool; 2],
+        most: usize,
+        (cap, stops_there): (usize, bool),
+    ) -> Result<Self> {
         for _ in 0..most {
             let shell = &self.shell;
             let mut found: Vec<(usize, usize, WidestSide)> = Vec::new();
@@ -137,7 +162,10 @@ impl CutShell {
             for (face, direction, side) in found {
                 shell.mark(&along, &mut cuts, face, direction, side.middle);
             }
-            self = self.cut(&cuts, cap)?;
+            match self.cut(&cuts, cap) {
+                Err(Error::TooManyPieces { .. }) if stops_there => break,
+                cut => self = cut?,
+            }
         }
         Ok(self)
     }

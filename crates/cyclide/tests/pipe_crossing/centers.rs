@@ -5,7 +5,7 @@ use cyclide::{
     CrossingPipe, CrossingSide, MadeCrossing, NaturalQuadric, NurbsCurve, PipeCrossing, Point2, Point3, QuadricPair,
     SkewCylinders, Vec3,
 };
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The parameter of an angle between two others on an arc with the weights of a patch of centres.
 fn parameter(angle: f64, [from, to]: [f64; 2]) -> f64 {
@@ -20,7 +20,7 @@ fn patches_have_the_centres_of_places() {
     let grid = || (0..=6).flat_map(|i| (0..=6).map(move |j| [f64::from(i), f64::from(j)].map(|k| k / 6.0)));
     let places = || grid().map(|[i, j]| [u0 + i * (u1 - u0), v0 + j * (v1 - v0)]);
     for radii in [[1.0, 1.5], [2.0, 2.0], [1.0, -0.4]] {
-        for angle in [1.5707963267948966, 0.5, 2.2] {
+        for angle in [FRAC_PI_2, 0.5, 2.2] {
             let pair = SkewCylinders::new(radii, 1.2).and_then(|pair| pair.with_angle(angle)).expect("a pair");
             let patch = pair.center_surface([u0, u1], [v0, v1]).expect("between 0 and pi");
             assert!(patch.has_positive_weights());

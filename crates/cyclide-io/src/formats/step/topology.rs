@@ -79,6 +79,8 @@ fn entity(data: &mut Data, name: &str, solid: bool, shells: &[usize]) -> Entity 
 
 /// Strips are halved this often at most for the sake of integration, which sharpens the rule more than enough.
 const MOST_HALVINGS: usize = 8;
+/// Faces that are made of one for that on the average, at most: where a surface all but folds, its area element all but has a corner, and no part is integrated.
+const MOST_PARTS: usize = 3;
 
 /// The faces as they are written: regular inside, with positive weights; rational ones such that readers integrate them.
 /// `size` is the model's diagonal.
@@ -87,7 +89,7 @@ fn cut(shell: &Shell, size: f64, edges: StepEdges) -> Result<CutShell> {
     let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
     let integration = Integration::default();
     let is_bad = |shell: &Shell, face: &ShellFace| !integration.is_good(&face.surface) && is_rational(shell, face);
-    good.halved(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS)
+    good.halved_while_few(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS, MOST_PARTS)
 }
 
 /// Weights of a face are far from each other beyond this factor.

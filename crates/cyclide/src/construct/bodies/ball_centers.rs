@@ -32,7 +32,7 @@ pub struct BallCenters {
 }
 
 /// The balls that touch two pipes, where they are those of a torus, and how far the path goes on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct CenterTorus {
     pub(super) pair: CenterPair,
     /// The least and the largest `B - A` and `B + A` of its places.
@@ -42,10 +42,10 @@ pub(super) struct CenterTorus {
 }
 
 /// Two cylinders, or cones, one at least.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum CenterPair {
     Cylinders(SkewCylinders),
-    Cones(MovedCylinders),
+    Cones(Box<MovedCylinders>),
 }
 
 impl BallCenters {

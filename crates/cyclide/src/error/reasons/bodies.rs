@@ -300,7 +300,7 @@
 //! Only pipes that pass each other, with balls outside both or inside both, have a surface of centres.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
-//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
 //! assert_eq!(made.centers.surface(0.25).unwrap_err().reason(), "no-center-surface");
 //! # Ok::<(), cyclide::Error>(())

@@ -37,7 +37,7 @@ pub enum SegmentMethod {
 /// ```
 /// use cyclide::{Frame, Torus, TorusSpline};
 /// let trefoil = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
-/// assert!(trefoil.segments().iter().all(|segment| segment.pieces.len() == 1 && segment.quality > 0.3));
+/// assert!(trefoil.segments().iter().all(|segment| segment.pieces.len() == 1 && segment.quality > 0.25));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

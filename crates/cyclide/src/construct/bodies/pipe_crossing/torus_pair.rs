@@ -38,7 +38,7 @@ impl TorusPair {
     pub(super) fn of_centers(&self) -> CenterPair {
         match self {
             Self::Cylinders(pair) => CenterPair::Cylinders(*pair),
-            Self::Cones(pair) => CenterPair::Cones(*pair.moved()),
+            Self::Cones(pair) => CenterPair::Cones(Box::new(*pair.moved())),
         }
     }
 
