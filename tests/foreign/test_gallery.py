@@ -1,5 +1,6 @@
-"""The gallery: its page, and every file of it in the hands of a foreign reader."""
+"""The gallery: its page, and every file of it in the hands of a foreign reader. How models are turned in a browser is tried by `tests/browser`."""
 
+import base64
 import json
 import re
 from html.parser import HTMLParser
@@ -30,7 +31,7 @@ class Page(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.links, self.pictures, self.open = [], [], []
+        self.links, self.pictures, self.scripts, self.open = [], [], [], []
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
@@ -40,6 +41,8 @@ class Page(HTMLParser):
         if tag == "img":
             self.pictures.append(attributes["src"])
             assert attributes["alt"], "pictures are described"
+        if tag == "script":
+            self.scripts.append(attributes["src"])
         if tag not in VOID:
             self.open.append(tag)
 
@@ -68,8 +71,11 @@ def test_the_page_leads_to_every_file(gallery):
     page = Page(text)
     assert not page.open
     assert not re.search(r"https?://", text), "the page needs nothing from elsewhere"
+    # What turns the models, and hands them over.
+    scripts = {"viewer.js"} | {f"{p.name}.js" for p in gallery.glob("*.glb")}
+    assert page.scripts == ["viewer.js"]
     files = {p.name for p in gallery.iterdir()} - {"index.html"}
-    assert set(page.links) | set(page.pictures) == files
+    assert set(page.links) | set(page.pictures) | scripts == files
     assert {Path(f).stem for f in files if f.endswith(".json")} == set(EXAMPLES)
     # Each skin of the roof has an area of its own.
     assert "<dt>area</dt><dd>outer skin 1703.4 m², inner skin 1661.8 m²</dd>" in text
@@ -103,6 +109,18 @@ def test_meshes_are_those_of_the_report(gallery, program):
         area = reported_area([o for o in objects if "area" in o or "parts" in o])
         # Faces within 1e-4 of the model's size miss the square of their angle to the surface, parts of a thousand.
         assert scene.area == pytest.approx(area, rel=5e-3), path.name
+
+
+def test_models_that_are_turned_in_the_page_are_the_files(gallery):
+    text = (gallery / "index.html").read_text()
+    turned = re.findall(r'data-model="(\w+)" data-eye="([^"]+)"', text)
+    assert {name for name, _ in turned} == {p.stem for p in gallery.glob("*.glb")}
+    for name, eye in turned:
+        handed, bytes_of = re.fullmatch(r'cyclideModel\("(\w+)", "([^"]+)"\);\n', (gallery / f"{name}.glb.js").read_text()).groups()
+        assert handed == name
+        assert base64.b64decode(bytes_of, validate=True) == (gallery / f"{name}.glb").read_bytes()
+        # The viewer reads two numbers.
+        assert len([float(degrees) for degrees in eye.split(",")]) == 2
 
 
 def test_the_documents_beside_the_files_are_the_examples(gallery, program, tmp_path):

@@ -599,6 +599,17 @@ pub enum Error {
         /// Twice the radius.
         limit: f64,
     },
+    /// A seam along a curve of a torus is wider than a bend of the curve allows.
+    SeamTooWide {
+        /// Which piece of the curve, from 0.
+        piece: usize,
+        /// The place on it.
+        point: [f64; 3],
+        /// Width of the seam.
+        width: f64,
+        /// The largest that fits everywhere.
+        limit: f64,
+    },
     /// Parts of a seam along a curve of a torus that are no neighbours share space.
     SeamMeetsItself {
         /// Which piece of the curve, from 0.
@@ -655,6 +666,13 @@ pub enum Error {
     TubeTurnsBack {
         /// Which ball, from 0.
         ball: usize,
+    },
+    /// Between two balls with positive radii that of a tube is none.
+    TubeRadiusVanishes {
+        /// Which piece, or ball from which it goes, from 0.
+        piece: usize,
+        /// The least radius.
+        radius: f64,
     },
     /// A tube is wider than the bends of its way, or than the swings of its radius, allow.
     TubeFolds {
@@ -727,6 +745,8 @@ pub enum Error {
         angle: f64,
         /// Its width there as part of what it would be on a straight way: not positive.
         left: f64,
+        /// Of a wall without which it would not: its balls on the inner side are larger by that.
+        wall: Option<f64>,
     },
     /// The contact of a blend with the main pipe of a tee turns back and forth.
     TeeHoleFolds {
@@ -852,6 +872,19 @@ pub enum Error {
         needed: f64,
         /// If they are, the angle round the main pipe from one to the other, below 0 if they overlap there too.
         round: f64,
+    },
+    /// Two branches as wide as the main pipe of a tee stand beside each other, but not opposite.
+    TeeEqualBranchesNotOpposite {
+        /// The first branch, from 0.
+        first: usize,
+        /// The second.
+        second: usize,
+        /// By how much they are off opposite directions, radians.
+        angle: f64,
+        /// How far their places are apart along the main pipe.
+        along: f64,
+        /// How far they have to be to stand one behind the other.
+        needed: f64,
     },
     /// Two branches of a tee stand so that no lines along the main pipe part what is beside them.
     TeeNoFreeLine {

@@ -4,7 +4,7 @@ use super::motion_message::of_motion;
 use super::volume_message::of_volume;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
-    speed_ratio, through_infinity, zero_axis,
+    speed_ratio, through_infinity, turn, zero_axis,
 };
 use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
@@ -146,6 +146,11 @@ impl std::fmt::Display for Error {
                 f,
                 "no smooth tube goes on at ball {ball}: its neighbours lie on one side, or the radii change too fast for the turn; put balls between"
             ),
+            Self::TubeRadiusVanishes { piece, radius } => write!(
+                f,
+                "between ball {piece} and the next one the radius of the tube falls to {}, though both have a positive one: put a ball between them, or let the radii change less",
+                ShortNumber(*radius)
+            ),
             Self::TubeFolds { piece, at, left } => write!(
                 f,
                 "the tube folds in piece {piece} at {}, where it bends or its radius swings faster than its width allows: {} of the width is left, it must be above 0; take smaller radii, wider bends or a slower change of the radius",
@@ -164,16 +169,26 @@ impl std::fmt::Display for Error {
                 ShortNumber(*first),
                 ShortNumber(*last)
             ),
-            Self::TeeBlendFolds { branch, angle, left } => write!(
-                f,
-                "the blend of branch {branch} runs through itself at {} radians round the branch: its width there is {} of that on a straight way, which must be positive; take a smaller radius there, or one that changes less",
-                ShortNumber(*angle),
-                ShortNumber(*left)
-            ),
+            Self::TeeBlendFolds { branch, angle, left, wall } => {
+                let (side, remedy) = match wall {
+                    None => (String::new(), "take a smaller radius there, or one that changes less"),
+                    Some(wall) => {
+                        let inside =
+                            format!(" inside its wall of {}, where its balls are larger by that,", ShortNumber(*wall));
+                        (inside, "take a thinner wall, or a smaller radius there")
+                    }
+                };
+                write!(
+                    f,
+                    "the blend of branch {branch}{side} runs through itself at {} round the branch: its width there is {} of that on a straight way, which must be positive; {remedy}",
+                    turn(*angle),
+                    ShortNumber(*left)
+                )
+            }
             Self::TeeHoleFolds { branch, angle } => write!(
                 f,
-                "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
-                ShortNumber(*angle)
+                "the blend of branch {branch} meets the main pipe in a line that turns back at {} round the branch: let the radius change less there",
+                turn(*angle)
             ),
             Self::PipeEndsReversed { pipe, start, end } => write!(
                 f,
@@ -274,6 +289,14 @@ impl std::fmt::Display for Error {
                 if *round < 0.0 { "by" } else { "are only" },
                 ShortNumber(round.abs()),
                 if *round < 0.0 { "" } else { " apart" },
+                ShortNumber(*needed)
+            ),
+            Self::TeeEqualBranchesNotOpposite { first, second, angle, along, needed } => write!(
+                f,
+                "branches {first} and {second} are as wide as the main pipe: two such stand exactly opposite each other at one place along it, and these are off that by {} \
+                 degrees{}; turn one (`azimuth`, 180 degrees from the other), or move them {} apart along the pipe (`at`)",
+                ShortNumber(angle.to_degrees()),
+                if *along > 0.0 { format!(" and by {} along it", ShortNumber(*along)) } else { String::new() },
                 ShortNumber(*needed)
             ),
             Self::TeeNoFreeLine { first, second } => write!(
@@ -483,6 +506,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*radius),
                 ShortNumber(*limit)
             ),
+            Self::CornerNotMitred { joint, turn, smooth, limit } if limit <= smooth => write!(
+                f,
+                "the tube's curve has a corner of {} rad before piece {joint}: tubes follow curves whose joints are smooth, up to {} rad; round it (polyline with radius), take a smooth curve, or a pipe, which has mitres",
+                ShortNumber(*turn),
+                ShortNumber(*smooth)
+            ),
             Self::CornerNotMitred { joint, turn, smooth, limit } => write!(
                 f,
                 "the pipe's curve has a corner of {} rad before piece {joint}: only corners between segments are mitred, up to {} rad, and joints are smooth up to {} rad; round it (polyline with radius), or take a smooth curve",
@@ -500,6 +529,15 @@ impl std::fmt::Display for Error {
                 f,
                 "the pipe meets itself: pieces {first} and {second} of its curve come as near as {}, twice the radius is {}; take a thinner pipe or move the curve apart",
                 ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::SeamTooWide { piece, point: [x, y, z], width, limit } => write!(
+                f,
+                "the seam is {} wide, and folds on the inner side of the bend of its curve at {}, {}, {}, in piece {piece}: it may be {} wide; take a narrower seam, or a curve that bends less along the torus",
+                ShortNumber(*width),
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z),
                 ShortNumber(*limit)
             ),
             Self::SeamMeetsItself { first, second, point: [x, y, z], distance, width } => write!(

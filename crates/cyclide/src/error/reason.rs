@@ -39,6 +39,7 @@ impl Error {
             Self::TeePipeTooShort { .. } => "tee-pipe-too-short",
             Self::BallsNested { .. } => "balls-nested",
             Self::TubeTurnsBack { .. } => "tube-turns-back",
+            Self::TubeRadiusVanishes { .. } => "tube-radius-vanishes",
             Self::TubeFolds { .. } => "tube-folds",
             Self::RadiusGrowsTooFast { .. } => "radius-grows-too-fast",
             Self::RadiusNotClosed { .. } => "radius-not-closed",
@@ -59,6 +60,7 @@ impl Error {
             Self::ContactBlendFolds { .. } => "contact-blend-folds",
             Self::ContactTubeTooShort { .. } => "contact-tube-too-short",
             Self::TeeBranchesMeet { .. } => "tee-branches-meet",
+            Self::TeeEqualBranchesNotOpposite { .. } => "tee-equal-branches-not-opposite",
             Self::TeeNoFreeLine { .. } => "tee-no-free-line",
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
@@ -98,6 +100,7 @@ impl Error {
             Self::CornerNotMitred { .. } => "corner-not-mitred",
             Self::MitreDoesNotFit { .. } => "mitre-does-not-fit",
             Self::PipeMeetsItself { .. } => "pipe-meets-itself",
+            Self::SeamTooWide { .. } => "seam-too-wide",
             Self::SeamMeetsItself { .. } => "seam-meets-itself",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
@@ -207,6 +210,7 @@ impl Error {
             | Self::ArcsCross { piece, .. }
             | Self::PipeTooWide { piece, .. }
             | Self::MitreDoesNotFit { piece, .. }
+            | Self::TubeRadiusVanishes { piece, .. }
             | Self::TubeFolds { piece, .. }
             | Self::RadiusGrowsTooFast { piece, .. }
             | Self::FoldedProfile { piece, .. } => Some(piece),

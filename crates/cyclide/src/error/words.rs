@@ -34,6 +34,12 @@ pub(super) fn clockwise(reflex: usize, edges: usize) -> &'static str {
     if reflex == edges { "; are the faces clockwise, seen from outside?" } else { "" }
 }
 
+/// A place round something, as degrees of one turn: noise below a millionth of one is none.
+pub(super) fn turn(angle: f64) -> String {
+    let degrees = 1e-4 * (1e4 * angle.to_degrees()).round();
+    format!("{} degrees", ShortNumber(degrees.rem_euclid(360.0)))
+}
+
 /// A size next to its place; where all its points round to the same numbers nothing is left of it.
 pub(super) fn size_in_place(size: f64) -> String {
     if size > 0.0 { format!("{} large", ShortNumber(size)) } else { "one single point".to_owned() }

@@ -318,6 +318,27 @@ fn scale_and_place_change_nothing_else() {
     }
 }
 
+/// Balls of the inner skin are larger by the wall: what that folds is not the ball's fault.
+#[test]
+fn a_wall_that_folds_the_blend_is_named() {
+    let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-90.0, 90.0] };
+    let tee = |radius: f64, wall: f64| {
+        let branch = TeeBranch::upright(radius, 85.0, 6.0);
+        made(main, vec![branch], Some(wall), TeeEnds::Flat)
+    };
+    for (radius, wall) in [(18.0, 17.0), (30.0, 29.0)] {
+        let error = tee(radius, wall).expect_err("its inner side folds");
+        assert!(matches!(error, Error::TeeBlendFolds { wall: Some(_), .. }), "{error}");
+        assert!(error.to_string().contains("take a thinner wall"), "{error}");
+    }
+    assert!(tee(18.0, 12.0).is_ok());
+    // In the sharp crotch it is the ball.
+    let leaning = TeeBranch { angle: 0.4, ..TeeBranch::upright(15.0, 400.0, 10.0) };
+    let long = TeeMain { ends: [-400.0, 400.0], ..main };
+    let error = made(long, vec![leaning], Some(1.0), TeeEnds::Flat).expect_err("folds");
+    assert!(matches!(error, Error::TeeBlendFolds { wall: None, .. }), "{error}");
+}
+
 #[test]
 fn a_manifold_is_one_solid_that_adds_up() {
     let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-20.0, 20.0] };

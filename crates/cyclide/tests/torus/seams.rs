@@ -98,12 +98,14 @@ fn what_folds_or_leaves_the_tube_is_refused() {
     let options = TorusSplineOptions { closed: true, ..Default::default() };
     let ring = TorusSpline::through_places(torus, &places, &options).unwrap();
     let body = |width: f64, heights: [f64; 2]| TorusSeam::new(width, heights).and_then(|seam| seam.body(&ring, 1e-3));
-    let Err(Error::ParameterOutOfRange { name: ErrorItem::Width, max, .. }) = body(2.0, [-0.1, 0.1]) else {
+    let Err(Error::SeamTooWide { point, limit, piece, .. }) = body(2.0, [-0.1, 0.1]) else {
         unreachable!("wider than the ring")
     };
-    // The width named is right at that place, where the seam folded first.
-    assert!(max > 0.1 && max < 2.0, "{max}");
-    assert!(body(0.5 * max, [-0.1, 0.1]).is_ok());
+    // The width named is right at that place, where the seam folded first, and a little less will do.
+    assert!(limit > 0.1 && limit < 2.0, "{limit}");
+    assert!(body(0.999 * limit, [-0.1, 0.1]).is_ok());
+    let off = (0..=128).map(|k| ring.piece_point(piece, f64::from(k) / 128.0).distance(Point3::from(point)));
+    assert!(off.fold(f64::INFINITY, f64::min) < 1e-12 * torus.major_radius(), "the place is on the curve");
     let height = |width: f64, heights: [f64; 2]| match body(width, heights) {
         Err(Error::ParameterOutOfRange { name, .. }) => name,
         other => unreachable!("{other:?}"),

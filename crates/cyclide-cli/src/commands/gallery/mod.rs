@@ -44,6 +44,7 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
         shown.iter_mut().flat_map(|shown| std::mem::take(&mut shown.files)).collect();
     drop(progress);
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
+    files.push(("viewer.js".to_owned(), page::VIEWER.as_bytes().to_vec()));
     std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
     let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
     let page = plan.folder.join("index.html");
@@ -101,6 +102,9 @@ fn make(entry: &'static Entry, progress: &Progress) -> Result<Shown, Failure> {
         let exported = exporter.export(*format, &options).map_err(|error| fault(error.to_string()))?;
         let checked = exporter.check(Path::new(&name), *format, &exported);
         report.files.push(checked.map_err(|error| fault(error.to_string()))?);
+        if *format == Format::Glb {
+            files.push((format!("{name}.js"), page::handed_over(entry.name, &exported.bytes).into_bytes()));
+        }
         files.push((name, exported.bytes));
         progress.done();
     }

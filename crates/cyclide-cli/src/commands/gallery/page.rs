@@ -2,10 +2,23 @@
 
 use std::fmt::Write as _;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use cyclide::ShortNumber;
 use cyclide_io::{Format, GeometryReport, Report, SurfaceReport};
 
 use super::Shown;
+
+/// What turns the models in the page.
+pub const VIEWER: &str = include_str!("viewer.js");
+
+/// From where a picture without a camera of its own is looked at, mostly: azimuth and elevation in degrees.
+const EYE: &str = "32,28";
+
+/// The script beside the page that hands a GLB's bytes over: of a page that is opened as a file, browsers read scripts only.
+pub fn handed_over(name: &str, glb: &[u8]) -> String {
+    format!("cyclideModel(\"{name}\", \"{}\");\n", STANDARD.encode(glb))
+}
 
 /// The page with a card per model.
 pub fn html(shown: &[Shown]) -> String {
@@ -23,12 +36,13 @@ pub fn html(shown: &[Shown]) -> String {
 <body>
 <header>
 <h1>cyclide</h1>
-<p>Curves and surfaces made of circles. Every picture is a model that you can open in CAD or turn in a viewer, and a
+<p>Curves and surfaces made of circles. Every picture is a model that you can turn here or open in CAD, and a
 document that you can change and build again. Measures are those of the models; deviations those of the files, read back.</p>
 </header>
 <main>
 {cards}</main>
 <footer>Made by <code>cyclide gallery</code> {version}.</footer>
+<script src="viewer.js"></script>
 </body>
 </html>
 "#
@@ -46,8 +60,19 @@ h1 { margin: 0; font-size: 2.25rem; font-weight: 650; letter-spacing: -0.02em; }
 header p { max-width: 46rem; margin: 0.5rem 0 0; color: var(--soft); }
 main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(32rem, 100%), 1fr)); gap: 1.5rem; }
 article { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow: hidden; }
-article > a { display: block; background: #fbfbf9; border-bottom: 1px solid var(--line); }
+article:target { border-color: var(--accent); }
+.stage { position: relative; background: #fbfbf9; border-bottom: 1px solid var(--line); }
 img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: contain; }
+canvas { position: absolute; inset: 0; width: 100%; height: 100%; cursor: grab; touch-action: none; }
+canvas:active { cursor: grabbing; }
+canvas:focus-visible { outline: 2px solid #0b66a8; outline-offset: -2px; }
+[data-state=loading] img { opacity: 0.5; }
+[data-state=turning] img { visibility: hidden; }
+.buttons { position: absolute; z-index: 1; right: 0.75rem; top: 0.75rem; display: flex; gap: 0.4rem; }
+.stage button { display: none; padding: 0.2rem 0.7rem; border: 1px solid #cdd4da; border-radius: 6px; background: #ffffffd9; color: #0b66a8; font: inherit; font-size: 0.875rem; cursor: pointer; }
+.stage button:hover, .stage button:focus-visible { border-color: #0b66a8; }
+[data-state=picture] .turn, [data-state=turning] .back, [data-state=turning] .whole, [data-state=turning] .play:not([hidden]) { display: block; }
+.note { position: absolute; left: 0.75rem; bottom: 0.6rem; margin: 0; color: #8a2b17; font-size: 0.875rem; }
 .text { display: flex; flex-direction: column; flex: 1; gap: 0.75rem; padding: 1.1rem 1.25rem 1.25rem; }
 h2 { margin: 0; font-size: 1.15rem; font-weight: 620; }
 .text p { margin: 0; color: var(--soft); }
@@ -73,9 +98,19 @@ fn card(shown: &Shown) -> String {
     }
     let figures: String =
         figures(report).iter().map(|(label, value)| format!("<dt>{label}</dt><dd>{}</dd>\n", escaped(value))).collect();
+    let title = escaped(entry.title);
+    let turns = if entry.formats.contains(&Format::Glb) {
+        let eye = if entry.camera.is_empty() { EYE } else { entry.camera };
+        format!(" data-model=\"{name}\" data-eye=\"{eye}\" data-title=\"{title}\"")
+    } else {
+        String::new()
+    };
+    let buttons = if turns.is_empty() { "" } else { BUTTONS };
     format!(
-        r#"<article>
-<a href="{name}.png"><img src="{name}.png" alt="{title}" loading="lazy"></a>
+        r#"<article id="{name}">
+<div class="stage"{turns}>
+<a href="{name}.png"><img src="{name}.png" alt="{title}" loading="lazy"></a>{buttons}
+</div>
 <div class="text">
 <h2>{title}</h2>
 <p>{text}</p>
@@ -85,10 +120,17 @@ fn card(shown: &Shown) -> String {
 </div>
 </article>
 "#,
-        title = escaped(entry.title),
         text = escaped(entry.text),
     )
 }
+
+/// Shown once the viewer runs.
+const BUTTONS: &str = r#"
+<div class="buttons">
+<button type="button" class="play" hidden>Play</button><button type="button" class="whole">Whole</button>
+<button type="button" class="back">Picture</button><button type="button" class="turn">Turn</button>
+</div>
+<p class="note" role="status"></p>"#;
 
 /// What is said about a model: what it is made of, its measures, and how well its files keep it.
 fn figures(report: &Report) -> Vec<(&'static str, String)> {

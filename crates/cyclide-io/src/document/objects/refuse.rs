@@ -300,7 +300,9 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         | E::ConeReachesApex { .. }
         | E::ParameterOutOfRange { name: I::Taper, .. }
         | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
-        E::TeeBranchesMeet { second, .. } | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
+        E::TeeBranchesMeet { second, .. }
+        | E::TeeEqualBranchesNotOpposite { second, .. }
+        | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
         E::NotFinite { index, .. } => Blame::Entry("branches", *index),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
@@ -372,7 +374,7 @@ fn blame_tube(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
     match error {
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. } => Blame::Field(name.word()),
         E::CornerNotMitred { .. } | E::ArcThroughInfinity { .. } => Blame::Field("of"),
-        E::TubeFolds { piece, .. } if through => Blame::Entry("balls", *piece),
+        E::TubeRadiusVanishes { piece, .. } | E::TubeFolds { piece, .. } if through => Blame::Entry("balls", *piece),
         E::NotFinite { index, .. } if through => Blame::Entry("balls", *index),
         _ if through => error.index().map_or(Blame::Field("balls"), |index| Blame::Entry("balls", index)),
         _ => Blame::Field("radius"),

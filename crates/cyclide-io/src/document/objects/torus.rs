@@ -430,7 +430,7 @@ pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::NotCoprime { .. } if matches!(spec, ObjectSpec::TorusQuartic(_)) => Blame::Field("ratio"),
         E::NotCoprime { .. } => Blame::Field("turns"),
         E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),
-        E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } => Blame::Field("width"),
+        E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } | E::SeamTooWide { .. } => Blame::Field("width"),
         _ if matches!(spec, ObjectSpec::TorusSeam(_))
             && !matches!(error, E::ToleranceNotPositive { .. } | E::TooManyPieces { .. }) =>
         {

@@ -92,6 +92,17 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `seam-too-wide`
+//! A seam along a curve of a torus is wider than a bend of the curve allows.
+//! ```
+//! use cyclide::{Frame, Point2, Torus, TorusSeam, TorusSpline, TorusSplineOptions};
+//! let places = [[0.3, 0.1], [0.36, 0.0], [0.3, -0.1], [0.24, 0.0]].map(Point2::from);
+//! let options = TorusSplineOptions { closed: true, ..Default::default() };
+//! let ring = TorusSpline::through_places(&Torus::new(Frame::WORLD, 40.0, 15.0)?, &places, &options)?;
+//! assert_eq!(TorusSeam::new(2.0, [-0.5, 0.5])?.body(&ring, 0.05).unwrap_err().reason(), "seam-too-wide");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `seam-meets-itself`
 //! Parts of a seam along a curve of a torus that are no neighbours share space.
 //! ```
@@ -116,6 +127,15 @@
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [0.0, 3.0, 1.0].map(|x| Ball::new(Point3::new(x, 0.0, 0.0), 0.5));
 //! assert_eq!(Tube::through(&balls, false).unwrap_err().reason(), "tube-turns-back");
+//! ```
+//!
+//! # `tube-radius-vanishes`
+//! A tube through balls swings between two of them to a radius below zero.
+//! ```
+//! use cyclide::{Ball, Point3, Tube};
+//! let balls = [[-3.0, 3.0, 0.2], [-1.0, 3.0, 2.0], [4.0, 3.0, 0.1], [3.0, -6.0, 2.0]].map(|[x, y, r]| Ball::new(Point3::new(x, y, 0.0), r));
+//! assert_eq!(Tube::through(&balls, false)?.body().unwrap_err().reason(), "tube-radius-vanishes");
+//! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `tube-folds`
@@ -393,6 +413,16 @@
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! let branch = |at| TeeBranch { at, ..TeeBranch::upright(2.0, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![branch(-2.0), branch(2.0)])?.made().unwrap_err().reason(), "tee-branches-meet");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-equal-branches-not-opposite`
+//! Two branches as wide as the main pipe of a tee are beside each other, but not exactly opposite, or not at one place.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
+//! let branch = |azimuth| TeeBranch { azimuth, ..TeeBranch::upright(3.0, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![branch(0.0), branch(3.14)])?.made().unwrap_err().reason(), "tee-equal-branches-not-opposite");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

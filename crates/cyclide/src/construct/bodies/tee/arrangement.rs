@@ -77,7 +77,7 @@ pub(super) fn are_halves(a: &Placed, b: &Placed) -> bool {
 /// The groups of branches in the order of their places, for a least rest of the main pipe between them.
 ///
 /// # Errors
-/// `tee-branches-meet`, `tee-no-free-line`.
+/// `tee-branches-meet`, `tee-equal-branches-not-opposite`, `tee-no-free-line`.
 pub(super) fn groups(placed: &[Placed], rest: f64) -> Result<Vec<Group>> {
     let needed = 3.0 * rest;
     let mut members: Vec<(Vec<usize>, [f64; 2])> = Vec::new();
@@ -125,6 +125,17 @@ fn stand(placed: &[Placed], group: &[usize], needed: f64) -> Result<Stand> {
             return Err(none_free(if along(a, other) > needed { b } else { a }, other));
         }
         let [first, second] = numbers(a, b);
+        if of(a).crossing.equal && of(b).crossing.equal {
+            let [a, b] = [&of(a).crossing, &of(b).crossing];
+            let (angle, along) = (a.up.angle(-b.up), (a.at - b.at).abs());
+            return Err(Error::TeeEqualBranchesNotOpposite {
+                first,
+                second,
+                angle,
+                along,
+                needed: along + needed - distance,
+            });
+        }
         return Err(Error::TeeBranchesMeet { first, second, distance, needed, round });
     }
     let mut rows = parted(&breadths, needed_round);

@@ -20,7 +20,18 @@ pub(super) const LEAST_REST: f64 = 1e-3;
 /// # Errors
 /// `tee-blend-folds`.
 pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64) -> Result<TightPlace> {
-    let tightest = pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
+    let tightest = tightest(crossing, pieces, depth);
+    if tightest.left > 0.0 {
+        return Ok(tightest);
+    }
+    let is_of_wall = depth > 0.0 && self::tightest(crossing, pieces, 0.0).left > 0.0;
+    let wall = is_of_wall.then_some(depth);
+    Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left, wall })
+}
+
+/// Where the blend comes nearest to a fold, of the skin so deep.
+fn tightest(crossing: &Crossing, pieces: &[LoopPiece], depth: f64) -> TightPlace {
+    pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         // The larger balls of the inner skin fold first.
         let canal = Canal::new(crossing, piece, depth);
         let (centres, radii) = (canal.centres(), canal.radii());
@@ -32,11 +43,7 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
             canal.least_jacobian(s) * square / (square - growth * growth)
         };
         tightest.or_of_piece(left, |s| crossing.true_angle(piece.angle(s)))
-    });
-    if tightest.left > 0.0 {
-        return Ok(tightest);
-    }
-    Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
+    })
 }
 
 /// The places along the main pipe and the angles round it between which the contact of the blend is, from places of its pieces close together.

@@ -37,6 +37,9 @@ use crate::surface::CanalPatch;
 use crate::topology::Body;
 use partition::Partition;
 
+/// Radii of branch and main pipe are one if they differ by no more than this part.
+const ROUNDING_OF_RADII: f64 = 1e-12;
+
 /// The main pipe of a tee, about the x axis.
 ///
 /// ```
@@ -278,14 +281,14 @@ impl PipeTee {
     ///
     /// # Errors
     /// `parameter-out-of-range` and `radius-not-positive` (a main pipe that is no cone, or comes to an end before its own), `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
-    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`, `tee-no-free-line`.
+    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`, `tee-equal-branches-not-opposite`, `tee-no-free-line`.
     pub fn made(&self) -> Result<MadeTee> {
         self.check_main()?;
         let mut placed = self
             .branches
             .iter()
             .enumerate()
-            .map(|(index, branch)| self.placed(index, branch))
+            .map(|(index, branch)| self.placed(index, &self.as_wide_as_main(branch)))
             .collect::<Result<Vec<_>>>()?;
         let blends = placed.iter().map(|branch| branch.facts).collect();
         let paths = placed.iter().map(Placed::path).collect::<Result<Vec<_>>>()?;
@@ -294,6 +297,16 @@ impl PipeTee {
         placed.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
         let groups = self.groups(&placed)?;
         Ok(MadeTee { body: self.sewn(&placed, &groups)?, blends, centers })
+    }
+
+    /// A branch, of one radius with the main pipe where both are so but for rounding, as those of a conversion of units are: its blend is another one then.
+    fn as_wide_as_main(&self, branch: &TeeBranch) -> TeeBranch {
+        let off = (branch.radius - self.main.radius).abs();
+        let are_cylinders = branch.taper == 0.0 && self.main.taper == 0.0;
+        if are_cylinders && branch.offset == 0.0 && off <= ROUNDING_OF_RADII * self.main.radius {
+            return TeeBranch { radius: self.main.radius, ..branch.clone() };
+        }
+        branch.clone()
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {

@@ -107,8 +107,8 @@ impl TorusSeam {
     /// The solid along a spline, closed round if the spline is; the ends of an open one are plane.
     ///
     /// # Errors
-    /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds; a width with which the
-    /// seam folds, with the largest that does not); `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
+    /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds); `seam-too-wide` (it folds in a bend, with the place and the largest width that does not);
+    /// `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
     /// tolerance, with the place: all others are proved apart); `too-many-pieces`, `zero-tangent` (a stop of the
     /// curve); as [`Shell::new`](crate::Shell::new).
     pub fn body(&self, spline: &TorusSpline, tolerance: f64) -> Result<Body> {
@@ -202,11 +202,14 @@ impl TorusSeam {
     /// Refuses a height or a width with which the seam folds at one of many places of the curve, with the limits within which it folds at none.
     fn check_width(&self, spline: &TorusSpline) -> Result<()> {
         let (a, b) = (spline.torus().major_radius(), spline.torus().minor_radius());
-        let (mut widest, mut range) = (f64::INFINITY, [-b, a - b]);
+        let (mut narrowest, mut range): (Option<(f64, usize, Point3)>, _) = (None, [-b, a - b]);
         for piece in 0..spline.piece_count() {
             for k in 0..=2 * PLACES {
                 let moving = Moving::at(spline, piece, f64::from(k) / f64::from(2 * PLACES))?;
-                widest = widest.min(moving.widest(self.heights));
+                let limit = moving.widest(self.heights);
+                if narrowest.is_none_or(|(least, ..)| limit < least) {
+                    narrowest = Some((limit, piece, moving.point));
+                }
                 let [low, high] = moving.heights();
                 range = [range[0].max(low), range[1].min(high)];
             }
@@ -214,18 +217,25 @@ impl TorusSeam {
         if let Some(height) = self.heights.into_iter().find(|height| !(*height > range[0] && *height < range[1])) {
             return Err(out_of_range(ErrorItem::Height, height, range));
         }
-        if self.width <= widest { Ok(()) } else { Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest])) }
+        match narrowest {
+            Some((limit, piece, point)) if !(self.width <= limit) => Err(self.too_wide(piece, point, limit)),
+            _ => Ok(()),
+        }
+    }
+
+    fn too_wide(&self, piece: usize, point: Point3, limit: f64) -> Error {
+        Error::SeamTooWide { piece, point: point.to_array(), width: self.width, limit }
     }
 
     /// The rectangle at a place of the curve.
     ///
     /// # Errors
-    /// `zero-tangent`, `parameter-out-of-range` (the seam folds).
+    /// `zero-tangent`, `seam-too-wide`.
     fn section(&self, spline: &TorusSpline, piece: usize, s: f64) -> Result<Section> {
         let moving = Moving::at(spline, piece, s)?;
         let widest = moving.widest(self.heights);
         if self.width > widest {
-            return Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest]));
+            return Err(self.too_wide(piece, moving.point, widest));
         }
         let [low, high] = self.heights;
         let half = 0.5 * self.width;

@@ -195,7 +195,7 @@ impl Tube {
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
-    /// `radius-not-positive` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
+    /// `tube-radius-vanishes` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
     /// proved apart, but where they are as near as their hulls: there balls are compared in the middle of parts half their radius long and where the chords of these are nearest), as
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
@@ -265,7 +265,7 @@ impl Tube {
         for arc in &self.arcs {
             let [radius, _] = arc.radii();
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(Error::TubeRadiusVanishes { piece: arc.source, radius });
             }
             let (left, at) = arc.left();
             if !(left > LEAST_LEFT) {
