@@ -13,17 +13,25 @@ use serde_json::Value;
 
 const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
 
-#[test]
-fn every_warning_is_explained() {
-    // The words as the kernel has them.
-    let source = include_str!("../../cyclide/src/warning/reason.rs");
-    let page = include_str!("../../../docs/report.md");
+/// The words of reasons as a file of sources has them.
+fn words(source: &str) -> Vec<&str> {
     let (_, body) = source.split_once("pub fn reason(&self)").expect("the function of the words");
     let (body, _) = body.split_once("\n    }\n").expect("its end");
-    let words: Vec<&str> = body.split('"').skip(1).step_by(2).collect();
-    assert!(words.len() > 30, "{words:?}");
-    for word in words {
+    body.split('"').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn every_warning_and_every_refusal_is_explained() {
+    let page = include_str!("../../../docs/report.md");
+    let warnings = words(include_str!("../../cyclide/src/warning/reason.rs"));
+    let refusals = words(include_str!("../../cyclide/src/error/reason.rs"));
+    assert!(warnings.len() > 30 && refusals.len() > 150, "{warnings:?} {refusals:?}");
+    for word in warnings {
         assert!(page.contains(&format!("`{word}`")), "{word}");
+    }
+    let (_, rows) = page.split_once("\n## Refusals\n").expect("the tables of refusals");
+    for word in refusals {
+        assert!(rows.contains(&format!("\n| `{word}` | ")), "{word} has no row");
     }
 }
 

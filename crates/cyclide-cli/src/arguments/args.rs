@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, StepEdges, StepProducts, StraightWord,
+    VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -330,6 +331,17 @@ pub struct CurveArgs {
     /// Circle spline: how circles are blended [default: rational].
     #[arg(long, value_parser = word::<BlendVariant>())]
     pub variant: Option<BlendVariant>,
+    /// Möbius spline: what is continuous at the points besides the curve [default: c1].
+    #[arg(long, value_parser = word::<MoebiusContinuity>())]
+    pub continuity: Option<MoebiusContinuity>,
+    /// Möbius spline of c1: the parameters at which it passes its points: auto, chord, centripetal, uniform, or a list A,B,… that increases, with one number
+    /// more for a closed curve [default: auto].
+    #[arg(long, value_name = "KNOTS", value_parser = parameters, allow_hyphen_values = true)]
+    pub knots: Option<ParametersSpec>,
+    /// QB interpolation: the parameters at which it meets its points: auto, chord, centripetal, uniform, or a list A,B,… of numbers from 0 to 1
+    /// [default: auto].
+    #[arg(long, value_name = "PARAMETERS", value_parser = parameters, allow_hyphen_values = true)]
+    pub parameters: Option<ParametersSpec>,
     /// Arc spline: how the joint between two points is chosen [default: equal-d].
     #[arg(long, value_parser = word::<BiarcRule>())]
     pub rule: Option<BiarcRule>,
@@ -462,6 +474,16 @@ pub fn up_to_half_a_turn(text: &str) -> Result<f64, String> {
     match positive(text) {
         Ok(value) if value > 180.0 => Err("it must be at most 180 degrees".to_owned()),
         other => other,
+    }
+}
+
+/// Parameters by a rule or one by one, as documents have them.
+fn parameters(text: &str) -> Result<ParametersSpec, String> {
+    let list: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse::<f64>()).collect();
+    match list {
+        Ok(list) => Ok(ParametersSpec::Each(list)),
+        Err(_) => serde_json::from_value(serde_json::Value::String(text.to_owned()))
+            .map_err(|_| "it is auto, chord, centripetal, uniform, or numbers with commas between them".to_owned()),
     }
 }
 

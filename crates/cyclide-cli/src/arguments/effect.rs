@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 
 use cyclide::{CurveObject, Model};
-use cyclide_io::{Format, GeometryReport, NO_EFFECT, Report, StepEdges, StepProducts};
+use cyclide_io::{Format, GeometryReport, MoebiusContinuity, NO_EFFECT, Report, StepEdges, StepProducts};
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
 use crate::arguments::plan::MakePlan;
@@ -55,6 +55,9 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         ("--straight", args.straight.is_some(), &[Kind::FairSpline]),
         ("--order", args.order.is_some(), &[Kind::CircleSpline]),
         ("--variant", args.variant.is_some(), &[Kind::CircleSpline]),
+        ("--continuity", args.continuity.is_some(), &[Kind::MoebiusSpline]),
+        ("--knots", args.knots.is_some(), &[Kind::MoebiusSpline]),
+        ("--parameters", args.parameters.is_some(), &[Kind::QbInterpolation]),
         ("--rule", args.rule.is_some(), &[Kind::ArcSpline]),
         ("--target", args.target.is_some(), &[Kind::ArcFit]),
         ("--effort", args.effort.is_some(), &[Kind::ArcFit]),
@@ -78,7 +81,9 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         return Err(Failure::Usage(message));
     }
     let no_fits = args.max_fits == Some(0);
+    let by_directions = args.continuity == Some(MoebiusContinuity::G1);
     let idle = [
+        ("--knots", args.knots.is_some() && by_directions, "with --continuity g1 the curve has no knots"),
         ("--ends", args.ends.is_some() && args.closed, "a curve that is --closed has no ends"),
         ("--fix-ends", args.fix_ends && args.closed, "a curve that is --closed has no ends"),
         ("--nodes", args.nodes.is_some() && no_fits, "--max-fits 0 takes no nodes out"),

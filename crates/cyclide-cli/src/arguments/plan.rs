@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec,
-    PointColumns, PointFile, PointSource, QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions,
-    leads_to_standard_input, same_file,
+    FairFitSpec, FairSplineSpec, Format, MoebiusSplineSpec, ObjectSpec, PointColumns, PointFile, PointSource,
+    QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions, leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
@@ -258,8 +257,8 @@ impl CurveArgs {
                 construction: false,
                 points,
                 closed,
-                continuity: MoebiusContinuity::default(),
-                knots: ParametersSpec::default(),
+                continuity: self.continuity.unwrap_or_default(),
+                knots: self.knots.clone().unwrap_or_default(),
                 tangents: None,
                 corner_angle,
             }),
@@ -268,7 +267,7 @@ impl CurveArgs {
                 comment: Comment,
                 construction: false,
                 points,
-                parameters: ParametersSpec::default(),
+                parameters: self.parameters.clone().unwrap_or_default(),
                 derivatives: None,
             }),
             Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {

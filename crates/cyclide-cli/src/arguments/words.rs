@@ -25,7 +25,9 @@ fn possible_value(variant: &Value) -> Option<PossibleValue> {
 mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
-    use cyclide_io::{DxfVersion, FairEndWord, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding};
+    use cyclide_io::{
+        DxfVersion, FairEndWord, MoebiusContinuity, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding,
+    };
 
     /// The words of an enum, each read back and explained.
     fn words<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static>() -> Vec<String> {
@@ -39,6 +41,7 @@ mod tests {
     fn options_have_the_words_of_documents() {
         assert_eq!(words::<Units>(), ["mm", "cm", "m", "in", "ft"]);
         assert_eq!(words::<BlendVariant>(), ["rational", "trigonometric"]);
+        assert_eq!(words::<MoebiusContinuity>(), ["c1", "g1"]);
         assert_eq!(words::<BiarcRule>(), ["equal-d", "equal-chord", "auto"]);
         assert_eq!(words::<FitTarget>(), ["points", "polyline"]);
         assert_eq!(words::<Effort>(), ["fast", "default", "best"]);

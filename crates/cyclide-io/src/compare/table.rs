@@ -2,7 +2,7 @@
 
 use cyclide::ShortNumber;
 
-use super::Comparison;
+use super::{ComparedKind, Comparison};
 use crate::text::number::push_plain;
 
 /// The columns, as they are called in JSON too.
@@ -51,16 +51,15 @@ pub(super) fn csv(comparison: &Comparison) -> String {
     out
 }
 
-/// The most telling columns, aligned; what could not be made has none.
+/// The most telling columns, aligned; of what could not be made the reason.
 pub(super) fn text(comparison: &Comparison) -> String {
     let units = comparison.units;
     let heads =
         ["", "length", "bending", "variation", "changes of side", "largest curvature", "jumps", "overshoot", "pieces"];
-    let mut rows = vec![heads.map(str::to_owned)];
-    for kind in &comparison.kinds {
-        let Some(m) = &kind.measures else { continue };
+    let measured = comparison.kinds.iter().map(|kind| {
+        let m = kind.measures.as_ref()?;
         let variation = m.variation.map_or("none".to_owned(), short);
-        rows.push([
+        Some([
             kind.kind.clone(),
             format!("{} {units}", short(m.length)),
             format!("{} 1/{units}", short(m.bending_energy)),
@@ -71,17 +70,31 @@ pub(super) fn text(comparison: &Comparison) -> String {
             m.jumps.to_string(),
             format!("{} {units}", short(m.overshoot)),
             m.pieces.to_string(),
-        ]);
-    }
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..heads.len()).map(width).collect();
+        ])
+    });
+    let rows: Vec<Option<[String; 9]>> = measured.collect();
+    let heads = heads.map(str::to_owned);
+    let shown = || rows.iter().flatten().chain([&heads]);
+    let width = |column: usize| {
+        let refused = comparison.kinds.iter().map(|kind| &kind.kind).filter(|_| column == 0);
+        let cells = shown().map(|row| &row[column]).chain(refused);
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: [usize; 9] = std::array::from_fn(width);
     let line = |row: &[String; 9]| {
         let cells = row.iter().zip(&widths).enumerate();
         let cells =
             cells.map(|(i, (cell, &width))| if i == 0 { format!("{cell:width$}") } else { format!("{cell:>width$}") });
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
-    rows.iter().map(line).collect()
+    let of_kind = |(kind, row): (&ComparedKind, &Option<[String; 9]>)| match row {
+        Some(row) => line(row),
+        None => {
+            let why = kind.refused.as_deref().unwrap_or_default().replace(['\n', '\r'], " ");
+            format!("{:width$}  refused: {why}\n", kind.kind, width = widths[0])
+        }
+    };
+    line(&heads) + &comparison.kinds.iter().zip(&rows).map(of_kind).collect::<String>()
 }
 
 fn short(value: f64) -> String {

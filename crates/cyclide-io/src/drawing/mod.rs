@@ -104,7 +104,7 @@ fn even_parameters(curve: &dyn ParamCurve, piece: usize, count: usize) -> Vec<f6
     (0..=count).map(parameter).collect()
 }
 
-/// Where the smooth pieces of the curves meet, and the ends of open curves.
+/// Where the smooth pieces of the curves meet, the ends of open curves, and the points in between that they were laid through.
 pub(crate) fn joints(job: &Job<'_>) -> Vec<Point3> {
     let mut joints = Vec::new();
     for contour in job.contours() {
@@ -118,6 +118,7 @@ pub(crate) fn joints(job: &Job<'_>) -> Vec<Point3> {
             joints.push(curve.piece_point(n - 1, 1.0));
         }
     }
+    joints.extend(job.provenances.nodes());
     joints
 }
 

@@ -2,6 +2,7 @@
 
 use crate::export::error::ExportError;
 use crate::export::lowered::LoweredCurves;
+use crate::export::moving::MovingRoom;
 use crate::export::options::{DEFAULT_MOST_PIECES, ExportOptions, PIECES_OF_EACH};
 use crate::export::parts::{BodyOf, Contour, contours};
 use crate::export::pieces::Pieces;
@@ -30,12 +31,14 @@ pub(crate) struct Job<'a> {
     pub(crate) bounds: Aabb,
     /// The bodies of all surfaces, in the model's order.
     pub(crate) bodies: &'a [BodyOf<'a>],
+    /// The rooms of the motions, in the model's order.
+    pub(crate) moving: &'a [MovingRoom],
     lowered: &'a LoweredCurves,
 }
 
 impl<'a> Job<'a> {
     pub(crate) fn new(ready: &'a ReadyModel<'a>, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let ReadyModel { model, provenances, ref bodies, bounds, ref lowered, .. } = *ready;
+        let ReadyModel { model, provenances, ref bodies, bounds, ref moving, ref lowered, .. } = *ready;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
         let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));
@@ -43,7 +46,7 @@ impl<'a> Job<'a> {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
         let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, bodies)));
-        Ok(Self { model, provenances, options, tolerance, mesh_tolerance, pieces, bounds, bodies, lowered })
+        Ok(Self { model, provenances, options, tolerance, mesh_tolerance, pieces, bounds, bodies, moving, lowered })
     }
 
     pub(crate) fn units(&self) -> Units {

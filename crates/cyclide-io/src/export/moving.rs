@@ -4,8 +4,25 @@ use cyclide::{Aabb, MovingBody, Point3};
 
 /// The axes of a body without a shape are this part of the box of its way; of one that turns in place 1.
 const AXES: f64 = 0.1;
+
+/// The room that a body in motion takes, measured once for all files.
+#[derive(Clone, Copy)]
+pub(crate) struct MovingRoom {
+    /// The box of the way of its origin.
+    pub(crate) way: Aabb,
+    /// How far its points are from its origin: of a body without a shape the length of its axes.
+    pub(crate) reach: f64,
+}
+
+impl MovingRoom {
+    pub(crate) fn of(body: &MovingBody) -> Self {
+        let way = way(body);
+        Self { way, reach: reach(body, way) }
+    }
+}
+
 /// The box of the way of the origin of a body.
-pub(crate) fn way(body: &MovingBody) -> Aabb {
+fn way(body: &MovingBody) -> Aabb {
     let motion = body.motion();
     let times = motion.times();
     let places =
@@ -18,11 +35,10 @@ pub(crate) fn way(body: &MovingBody) -> Aabb {
     points.fold(Aabb::of_point(Point3::ORIGIN + motion.pose(times[0]).translation()), Aabb::including)
 }
 
-/// How far points of the body are from its origin, and the length of its axes if it has no shape.
-pub(crate) fn reach(body: &MovingBody) -> f64 {
+fn reach(body: &MovingBody, way: Aabb) -> f64 {
     match body.mesh() {
         Some(mesh) => mesh.points().iter().map(|p| p.to_vec().length()).fold(0.0, f64::max),
-        None => match AXES * way(body).diagonal() {
+        None => match AXES * way.diagonal() {
             axes if axes > 0.0 => axes,
             _ => 1.0,
         },

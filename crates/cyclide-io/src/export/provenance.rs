@@ -21,6 +21,8 @@ pub struct Provenance {
     pub kind: &'static str,
     /// The points that a fit was made near; empty for what passes through its points.
     pub data: Vec<Point3>,
+    /// Points that a curve was laid through where none of its pieces ends, as all those of a `qb-interpolation`: pictures show them as they show joints.
+    pub nodes: Vec<Point3>,
     /// The parameters along s, t and u at which the cells end that blocks are divided into, if they are: of a
     /// [`StructuredGrid`](cyclide::StructuredGrid).
     pub places: Option<[Vec<f64>; 3]>,
@@ -58,6 +60,11 @@ impl<'a> Provenances<'a> {
     /// The name of one of an object's surfaces, if it has one.
     pub(crate) fn name_of_surface(&self, item: usize, surface: usize) -> Option<&'a str> {
         self.given.get(item)?.names.get(surface).map(String::as_str)
+    }
+
+    /// The points that the objects were laid through besides their joints.
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = Point3> + use<'a> {
+        self.given.iter().flat_map(|given| given.nodes.iter().copied())
     }
 
     /// The points that the objects were made near.

@@ -3,7 +3,7 @@
 
 use crate::export::error::ExportError;
 use crate::export::lowered::LoweredCurves;
-use crate::export::moving::{reach, way};
+use crate::export::moving::MovingRoom;
 use crate::export::parts::{BodyOf, bodies, boxes, contours};
 use crate::export::provenance::{Provenance, Provenances};
 use cyclide::{Aabb, Model, Vec3};
@@ -25,6 +25,8 @@ pub(crate) struct ReadyModel<'a> {
     /// The smallest box around all curves, surfaces and motions.
     pub(crate) bounds: Aabb,
     pub(crate) extents: Extents,
+    /// The rooms of the motions, in the model's order.
+    pub(crate) moving: Vec<MovingRoom>,
     /// The forms of its curves that files share.
     pub(crate) lowered: LoweredCurves,
 }
@@ -61,8 +63,11 @@ impl<'a> ReadyModel<'a> {
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }
+        let mut moving = Vec::new();
         for item in &model.items {
-            let Some(own) = item.motion().map(|body| grown(way(body), reach(body))) else { continue };
+            let Some(room) = item.motion().map(MovingRoom::of) else { continue };
+            moving.push(room);
+            let own = grown(room.way, room.reach);
             if !(own.max_abs() <= LARGEST_COORDINATE) {
                 let object = item.name.clone();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
@@ -73,7 +78,7 @@ impl<'a> ReadyModel<'a> {
         let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
         let bounds = total.ok_or(ExportError::Empty)?;
-        Ok(Self { model, provenances, bodies, bounds, extents, lowered: LoweredCurves::default() })
+        Ok(Self { model, provenances, bodies, bounds, extents, moving, lowered: LoweredCurves::default() })
     }
 
     /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.

@@ -4,6 +4,7 @@ use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::rational_motion::RationalMotion;
 use super::screw_motion::ScrewMotion;
+use super::span_of;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::warning::Warning;
@@ -67,12 +68,25 @@ impl Motion {
         }
     }
 
+    /// As [`jet`](Self::jet), on a span that the time is in or at an end of.
+    pub(super) fn jet_in_span(&self, span: usize, time: f64, point: Point3) -> MotionJet {
+        match self {
+            Self::Rational(motion) => motion.jet_in_span(span, time, point),
+            Self::Screw(motion) => motion.jet_in_span(span, time, point),
+        }
+    }
+
     /// Velocity of a point of the body, and the angular velocity, at a time.
     pub(super) fn velocities(&self, time: f64, point: Point3) -> [Vec3; 2] {
+        self.velocities_in_span(span_of(self.times(), time), time, point)
+    }
+
+    /// The same on a span that the time is in or at an end of.
+    pub(super) fn velocities_in_span(&self, span: usize, time: f64, point: Point3) -> [Vec3; 2] {
         match self {
-            Self::Rational(motion) => motion.velocities(time, point),
+            Self::Rational(motion) => motion.velocities_in_span(span, time, point),
             Self::Screw(motion) => {
-                let jet = motion.jet(time, point);
+                let jet = motion.jet_in_span(span, time, point);
                 [jet.point.d1, jet.angular_velocity]
             }
         }

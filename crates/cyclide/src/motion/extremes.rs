@@ -130,8 +130,8 @@ impl Schedule<'_> {
     pub fn extremes(&self) -> MotionExtremes {
         let mut brackets: [Vec<Bracket>; 6] = Default::default();
         let mut best = [Best::NONE; 6];
-        let spans: Vec<SpanCells> = self.span_cells();
-        for cells in &spans {
+        let spans = self.span_cells();
+        for cells in spans {
             let places = in_parts(&self.breaks_of(cells), PARTS);
             let values: Vec<[f64; 6]> = places.iter().map(|x| self.figures(cells.span, *x)).collect();
             for (k, (found, best)) in brackets.iter_mut().zip(&mut best).enumerate() {
@@ -172,7 +172,7 @@ impl Schedule<'_> {
             acceleration_at: place(Figure::Acceleration),
             jerk: value(Figure::Jerk),
             jerk_at: place(Figure::Jerk),
-            peak: self.speed_peak(&spans),
+            peak: self.speed_peak(spans),
         }
     }
 

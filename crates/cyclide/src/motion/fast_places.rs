@@ -60,10 +60,10 @@ impl Schedule<'_> {
         let mut found: Vec<FastPlace> = Vec::new();
         for cells in self.span_cells() {
             let value = |x: f64| self.figures(cells.span, x)[figure as usize];
-            let places = in_parts(&self.breaks_of(&cells), PARTS);
+            let places = in_parts(&self.breaks_of(cells), PARTS);
             let values: Vec<f64> = places.iter().map(|x| value(*x)).collect();
             // A peak between two places may be above the limit, and they below.
-            let peaks = raised(&cells, &places, &values).filter(|bracket| bracket.may_be > limit);
+            let peaks = raised(cells, &places, &values).filter(|bracket| bracket.may_be > limit);
             let mut all: Vec<(f64, f64)> = peaks.map(|bracket| self.highest(figure, bracket)).collect();
             all.extend(places.into_iter().zip(values));
             all.sort_by(|a, b| a.0.total_cmp(&b.0));

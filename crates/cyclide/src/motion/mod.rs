@@ -43,5 +43,12 @@ pub use timing::{TimeLaw, Timing};
 
 /// The span of rising times that a time is in: at a joint the one that starts there, outside the first or last.
 fn span_of(times: &[f64], time: f64) -> usize {
+    let last = times.len() - 1;
+    // Most poses are evenly apart: then the time tells its span, and nothing is searched.
+    let guess = (time - times[0]) / (times[last] - times[0]) * last as f64;
+    let guess = (guess.max(0.0) as usize).min(last - 1);
+    if times[guess] <= time && time < times[guess + 1] {
+        return guess;
+    }
     times.partition_point(|t| *t <= time).clamp(1, times.len() - 1) - 1
 }

@@ -4,6 +4,7 @@ use super::any_motion::Motion;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::reversals::MotionReversal;
+use super::span_cells::KnownCells;
 use super::speed_peak::{FastTurn, SpeedPeak};
 use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
@@ -36,6 +37,7 @@ pub struct MovingBody {
     law: TimeLaw,
     duration: f64,
     mesh: Option<BodyMesh>,
+    cells: KnownCells,
 }
 
 /// The shape of a moving body for files that animate: triangles in the frame of the body.
@@ -92,7 +94,8 @@ impl MovingBody {
     #[must_use]
     pub fn new(motion: Motion) -> Self {
         let [first, last] = motion.domain();
-        Self { motion, tool: Point3::ORIGIN, arm: 0.0, law: TimeLaw::AsGiven, duration: last - first, mesh: None }
+        let (law, duration) = (TimeLaw::AsGiven, last - first);
+        Self { motion, tool: Point3::ORIGIN, arm: 0.0, law, duration, mesh: None, cells: KnownCells::default() }
     }
 
     /// With a point of the body that is measured, and the arm by which turns count beside its way (see [`Timing`]).
@@ -100,7 +103,7 @@ impl MovingBody {
     /// # Errors
     /// As [`Timing::new`].
     pub fn with_tool(self, tool: Point3, arm: f64) -> Result<Self> {
-        Self { tool, arm, ..self }.checked()
+        Self { tool, arm, cells: KnownCells::default(), ..self }.checked()
     }
 
     /// With a time law, and how long the motion takes.
@@ -114,7 +117,7 @@ impl MovingBody {
             let [min, max] = if duration > 0.0 { DURATIONS } else { [0.0, f64::MAX] };
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max });
         }
-        Self { law, duration, ..self }.checked()
+        Self { law, duration, cells: KnownCells::default(), ..self }.checked()
     }
 
     /// With its shape, for files that animate.
@@ -177,8 +180,8 @@ impl MovingBody {
             warnings.push(Warning::RestsPassedOver { span, count: schedule.timing.at_rest().len() });
         }
         let spans = schedule.span_cells();
-        let turn = schedule.fastest_turn(&spans).filter(|turn| turn.ratio > PEAK);
-        let peak = schedule.speed_peak(&spans).filter(|peak| peak.ratio > PEAK);
+        let turn = schedule.fastest_turn(spans).filter(|turn| turn.ratio > PEAK);
+        let peak = schedule.speed_peak(spans).filter(|peak| peak.ratio > PEAK);
         // A span that is fast all over has been named.
         let named = |peak: &SpeedPeak| turn.is_some_and(|turn| turn.span == peak.span && peak.turning);
         if let Some(SpeedPeak { span, time, ratio, turning }) = peak.filter(|peak| !named(peak)) {
@@ -262,7 +265,8 @@ impl Schedule<'_> {
     /// goes by a way that stands still.
     #[must_use]
     pub fn jet(&self, fraction: f64) -> MotionJet {
-        self.jet_at(self.timing.time_at(fraction), fraction)
+        let own = self.body.motion.jet(self.timing.time_at(fraction), self.body.tool);
+        by_rates(own, self.rates(&own, fraction))
     }
 
     /// As [`jet`](Self::jet) on a span of the motion, of which the part is one of those from where it starts to where it ends: at its end as the
@@ -283,28 +287,18 @@ impl Schedule<'_> {
     /// If there is no such span.
     #[must_use]
     pub fn jet_in_span(&self, span: usize, fraction: f64) -> MotionJet {
-        self.jet_at(self.time_in_span(span, fraction), fraction)
+        let own = self.own_jet(span, fraction);
+        by_rates(own, self.rates(&own, fraction))
     }
 
-    /// The time of the motion on a span.
-    fn time_in_span(&self, span: usize, fraction: f64) -> f64 {
-        let times = self.body.motion.times();
-        let (from, to) = (times[span], times[span + 1]);
-        // A joint belongs to the span that starts there.
-        let end = if span + 2 == times.len() { to } else { to.next_down().max(from) };
-        self.timing.time_at(fraction).clamp(from, end)
-    }
-
-    /// What they do at a time of the motion, which is there when the part of the duration is over.
-    fn jet_at(&self, time: f64, fraction: f64) -> MotionJet {
-        let own = self.body.motion.jet(time, self.body.tool);
-        let rates = self.rates(&own, fraction);
-        by_rates(own, rates)
+    /// What the body and its tool do by the time of the motion, on a span of it.
+    fn own_jet(&self, span: usize, fraction: f64) -> MotionJet {
+        self.body.motion.jet_in_span(span, self.timing.time_at(fraction), self.body.tool)
     }
 
     /// As [`jet_in_span`](Self::jet_in_span), with the lengths of the terms that acceleration and jerk of the tool are summed of.
     pub(super) fn jet_with_terms(&self, span: usize, fraction: f64) -> (MotionJet, [f64; 2]) {
-        let own = self.body.motion.jet(self.time_in_span(span, fraction), self.body.tool);
+        let own = self.own_jet(span, fraction);
         let rates = self.rates(&own, fraction);
         let [d1, d2, d3] = [own.point.d1, own.point.d2, own.point.d3].map(Vec3::length);
         let [u1, u2, u3] = rates;
@@ -316,6 +310,11 @@ impl Schedule<'_> {
     /// How long the body takes.
     pub(super) fn duration(&self) -> f64 {
         self.body.duration
+    }
+
+    /// What is known of the cells of the body.
+    pub(super) fn known_cells(&self) -> &KnownCells {
+        &self.body.cells
     }
 
     /// The motion that it runs along.

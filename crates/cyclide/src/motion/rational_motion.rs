@@ -143,7 +143,12 @@ impl RationalMotion {
     /// What the body and one of its points do at a time. At a joint, on the span that starts there.
     #[must_use]
     pub fn jet(&self, time: f64, point: Point3) -> MotionJet {
-        let (span, s) = self.place_of(time);
+        self.jet_in_span(span_of(&self.times, time), time, point)
+    }
+
+    /// The same on a span that the time is in or at an end of.
+    pub(super) fn jet_in_span(&self, span: usize, time: f64, point: Point3) -> MotionJet {
+        let s = self.place_in_span(span, time);
         let duration = self.times[span + 1] - self.times[span];
         let rows: [[f64; 8]; 4] = bernstein::derivatives(&self.spans[span].0, s);
         let at = rows.map(DualQuat::from_array);
@@ -173,9 +178,9 @@ impl RationalMotion {
         }
     }
 
-    /// Velocity of a point of the body, and the angular velocity: as [`jet`](Self::jet), for less.
-    pub(super) fn velocities(&self, time: f64, point: Point3) -> [Vec3; 2] {
-        let (span, s) = self.place_of(time);
+    /// Velocity of a point of the body, and the angular velocity: as [`jet_in_span`](Self::jet_in_span), for less.
+    pub(super) fn velocities_in_span(&self, span: usize, time: f64, point: Point3) -> [Vec3; 2] {
+        let s = self.place_in_span(span, time);
         let per_time = 1.0 / (self.times[span + 1] - self.times[span]);
         let rows: [[f64; 8]; 2] = bernstein::derivatives(&self.spans[span].0, s);
         let [at, by] = rows.map(DualQuat::from_array);
@@ -191,8 +196,12 @@ impl RationalMotion {
 
     fn place_of(&self, time: f64) -> (usize, f64) {
         let span = span_of(&self.times, time);
+        (span, self.place_in_span(span, time))
+    }
+
+    fn place_in_span(&self, span: usize, time: f64) -> f64 {
         let [from, to] = [self.times[span], self.times[span + 1]];
-        (span, ((time - from) / (to - from)).clamp(0.0, 1.0))
+        ((time - from) / (to - from)).clamp(0.0, 1.0)
     }
 
     /// The same motion with spans cut where `|p|²` has Bernstein coefficients that are no [weights](bernstein::are_weights): then every curve and surface made of

@@ -70,14 +70,19 @@ impl ScrewMotion {
     /// The pose at a time, clamped to those of the motion.
     #[must_use]
     pub fn pose(&self, time: f64) -> Pose {
-        let (screw, t, _) = self.screw_at(time);
+        let (screw, t, _) = self.screw_in_span(super::span_of(&self.times, time), time);
         screw.start.after(screw.power(t))
     }
 
     /// What the body and one of its points do at a time. At a joint, the screw that starts there.
     #[must_use]
     pub fn jet(&self, time: f64, point: Point3) -> MotionJet {
-        let (screw, t, duration) = self.screw_at(time);
+        self.jet_in_span(super::span_of(&self.times, time), time, point)
+    }
+
+    /// The same on a span that the time is in or at an end of.
+    pub(super) fn jet_in_span(&self, span: usize, time: f64, point: Point3) -> MotionJet {
+        let (screw, t, duration) = self.screw_in_span(span, time);
         screw.jet(t, duration, point)
     }
 
@@ -87,9 +92,8 @@ impl ScrewMotion {
         self.half_turns.map(HalfTurns::warning).into_iter().collect()
     }
 
-    /// The screw of a time, the part of it that is done, and how long it takes.
-    fn screw_at(&self, time: f64) -> (&Screw, f64, f64) {
-        let span = super::span_of(&self.times, time);
+    /// The screw of a span, the part of it that is done, and how long it takes.
+    fn screw_in_span(&self, span: usize, time: f64) -> (&Screw, f64, f64) {
         let [from, to] = [self.times[span], self.times[span + 1]];
         (&self.screws[span], ((time - from) / (to - from)).clamp(0.0, 1.0), to - from)
     }

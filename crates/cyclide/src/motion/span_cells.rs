@@ -2,14 +2,28 @@
 //! (`docs/math/motions.md#extremes`).
 
 use super::moving_body::Schedule;
+use super::timing::TimeLaw;
 use crate::base::quadrature;
+use std::sync::{Arc, OnceLock};
 
 /// Cells beyond this many follow the rounding of a speed that vanishes, and none of its peaks.
 const MOST_CELLS: usize = 512;
 /// Turns below this, in radians, are rounding.
 pub(super) const NO_TURN: f64 = 1e-9;
 
+/// The cells of all spans of a body, found when they are asked for first. They follow from the body: bodies are the same without them, and a copy
+/// has them too.
+#[derive(Debug, Clone, Default)]
+pub(super) struct KnownCells(OnceLock<Arc<[SpanCells]>>);
+
+impl PartialEq for KnownCells {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
 /// A span cut into cells.
+#[derive(Debug)]
 pub(super) struct SpanCells {
     pub(super) span: usize,
     /// Parts of the duration at its ends.
@@ -22,23 +36,30 @@ pub(super) struct SpanCells {
 
 impl Schedule<'_> {
     /// The cells of all spans that take time.
-    pub(super) fn span_cells(&self) -> Vec<SpanCells> {
+    pub(super) fn span_cells(&self) -> &[SpanCells] {
+        self.known_cells().0.get_or_init(|| self.cut_spans().into())
+    }
+
+    fn cut_spans(&self) -> Vec<SpanCells> {
         let timing = self.timing();
         let (joints, times) = (timing.joints(), self.motion().times());
         let ends = joints.windows(2).zip(times.windows(2)).enumerate();
         // A law that goes by the way has no time for a span without one.
         ends.filter(|(_, (ends, _))| ends[1] > ends[0])
             .map(|(span, (ends, times))| {
-                let end = times[1].next_down().max(times[0]);
                 let of_speed = |k: usize| {
-                    let mut speed = |t: f64| self.motion().velocities(t.min(end), self.tool())[k].length();
+                    let mut speed = |t: f64| self.motion().velocities_in_span(span, t, self.tool())[k].length();
                     quadrature::cells(&mut speed, times[0], times[1])
                 };
                 let cells = [of_speed(0), of_speed(1)];
                 let ways = [0, 1].map(|k| cells[k].iter().map(|cell| cell.integral).sum::<f64>());
                 let told = |k: usize| cells[k].len() <= MOST_CELLS && ways[k] > [0.0, NO_TURN][k];
                 let own = [0, 1].into_iter().filter(|k| told(*k)).flat_map(|k| &cells[k]).map(|cell| cell.a);
-                let mut inner: Vec<f64> = own.chain(timing.cell_starts(times[0], times[1])).collect();
+                let mut inner: Vec<f64> = own.collect();
+                // By the times of the poses the body goes without a look at its way.
+                if timing.law() != TimeLaw::AsGiven {
+                    inner.extend(timing.cell_starts(times[0], times[1]));
+                }
                 inner.retain(|time| *time > times[0] && *time < times[1]);
                 inner.sort_by(f64::total_cmp);
                 inner.dedup_by(|a, b| *a <= *b);

@@ -115,10 +115,10 @@ impl<'a> Timing<'a> {
         }
         for &span in at_rest {
             let ends = &self.motion.times()[span..span + 2];
-            let mut turning = in_span(self.motion, ends, self.point, |[_, turning]| turning.length());
+            let mut turning = in_span(self.motion, span, self.point, |[_, turning]| turning.length());
             let turn = quadrature::integrate(&mut turning, ends[0], ends[1]);
             if turn > NO_TURN {
-                let length = quadrature::integrate(&mut self.speed_in_span(ends), ends[0], ends[1]);
+                let length = quadrature::integrate(&mut self.speed_in_span(span), ends[0], ends[1]);
                 return Err(Error::SpanWithoutWay { span, turn, length, limit: *limit });
             }
         }
@@ -132,7 +132,7 @@ impl<'a> Timing<'a> {
             let limit = AT_REST * places.fold(self.arm, f64::max);
             let (mut cells, mut ways, mut total, mut at_rest) = (Vec::new(), Vec::new(), 0.0, Vec::new());
             for (span, ends) in self.motion.times().windows(2).enumerate() {
-                let mut speed = self.speed_in_span(ends);
+                let mut speed = self.speed_in_span(span);
                 let of_span = quadrature::cells(&mut speed, ends[0], ends[1]);
                 // A span at rest has no way, and a law that goes by the way no time for it.
                 if of_span.iter().map(|cell| cell.integral).sum::<f64>() > limit {
@@ -150,10 +150,10 @@ impl<'a> Timing<'a> {
         })
     }
 
-    /// The speed of the way at times in a span with these ends.
-    fn speed_in_span(&self, ends: &[f64]) -> impl FnMut(f64) -> f64 {
+    /// The speed of the way at times in a span.
+    fn speed_in_span(&self, span: usize) -> impl FnMut(f64) -> f64 {
         let arm = self.arm;
-        in_span(self.motion, ends, self.point, move |velocities| way_speed(velocities, arm))
+        in_span(self.motion, span, self.point, move |velocities| way_speed(velocities, arm))
     }
 
     /// The law.
@@ -345,20 +345,22 @@ impl Motion {
 
     /// The integral of a speed over all spans, each by itself: at joints it may jump.
     fn integral(&self, point: Point3, speed: impl Fn([Vec3; 2]) -> f64) -> f64 {
-        let of_span = |ends: &[f64]| quadrature::integrate(&mut in_span(self, ends, point, &speed), ends[0], ends[1]);
-        self.times().windows(2).map(of_span).sum()
+        let spans = self.times().windows(2).enumerate();
+        let of_span = |(span, ends): (usize, &[f64])| {
+            quadrature::integrate(&mut in_span(self, span, point, &speed), ends[0], ends[1])
+        };
+        spans.map(of_span).sum()
     }
 }
 
-/// A speed, of velocity and angular velocity, as a function of times in a span with these ends: at its end they are those of the next one.
+/// A speed, of velocity and angular velocity, as a function of times in a span: at its end as the body arrives there.
 fn in_span<'m, S: Fn([Vec3; 2]) -> f64 + 'm>(
     motion: &'m Motion,
-    ends: &[f64],
+    span: usize,
     point: Point3,
     speed: S,
 ) -> impl FnMut(f64) -> f64 + use<'m, S> {
-    let end = ends[1].next_down().max(ends[0]);
-    move |time| speed(motion.velocities(time.min(end), point))
+    move |time| speed(motion.velocities_in_span(span, time, point))
 }
 
 /// The part of the way that is done after a part of the time.

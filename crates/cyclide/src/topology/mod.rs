@@ -115,8 +115,12 @@ impl Shell {
     /// faces, or with two faces that run along it in the same direction; faces that do not hang together through
     /// edges; no face at all.
     pub fn new(vertices: Vec<Point3>, edges: Vec<ShellEdge>, faces: Vec<ShellFace>) -> Result<Self> {
-        let shell = Self { vertices, edges, faces };
+        let mut shell = Self { vertices, edges, faces };
         shell.check()?;
+        // Of thousands of blocks what lists grew by would be a good part of all memory.
+        shell.vertices.shrink_to_fit();
+        shell.edges.shrink_to_fit();
+        shell.faces.shrink_to_fit();
         Ok(shell)
     }
 

@@ -2,8 +2,8 @@
 
 use crate::curves::{point, stadium};
 use cyclide::{
-    Arc, ArcPath, Circle, CurveIndex, NurbsCurve, ParamCurve, Point3, Vec3, bounds, curvature_comb, extreme_curvature,
-    farthest_point, joints, length,
+    Arc, ArcPath, Circle, CircleSpline, CircleSplineOptions, CurveIndex, NurbsCurve, ParamCurve, Point3, Vec3, bounds,
+    curvature_comb, extreme_curvature, farthest_point, joints, length,
 };
 
 /// The parabola `(x, x²)` over `[-1, 2]` as one Bézier piece.
@@ -190,6 +190,17 @@ fn the_farthest_point_is_where_the_distance_stops_to_grow() {
     // A curve on the other one is at no distance from it.
     let part = Arc::segment(point(0.0, 2.0, 0.0), point(1.0, 3.0, 0.0)).unwrap();
     assert_eq!(farthest_point(&part, &chord).distance, 0.0);
+    // Of many pieces those that cannot be the farthest are left out: samples of all of them are no farther, and the nearest of these all but as far.
+    let wave: Vec<Point3> = (0..60).map(f64::from).map(|x| point(x, (x * x * 0.07).sin() * 3.0, 0.0)).collect();
+    let spline = CircleSpline::from_points(&wave, &CircleSplineOptions::default()).unwrap();
+    let polygon = ArcPath::rounded_polyline(&wave, false, &[0.0; 60]).unwrap();
+    let found = farthest_point(&spline, &polygon);
+    let index = CurveIndex::new(&polygon);
+    let n = 64 * spline.piece_count();
+    let distances = (0..=n).map(|i| index.closest_point(spline.point(i as f64 / n as f64)).distance);
+    let sampled = distances.fold(0.0, f64::max);
+    // Beside a smooth maximum samples fall by the square of their distance; at a corner of the polygon by the distance.
+    assert!(found.distance >= sampled - 1e-14 && found.distance < 1.02 * sampled, "{found:?} {sampled}");
     // However large or small all of it is.
     for size in [1e-140, 1e140] {
         let scaled = |p: [f64; 2]| point(p[0] * size, p[1] * size, 0.0);

@@ -156,3 +156,54 @@ fn held_poses_are_held() {
     let even = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 100.0), at(2.0, 150.0), at(3.0, 260.0)]).unwrap();
     assert_eq!(reasons(&even), [""; 0]);
 }
+
+#[test]
+fn cells_are_those_of_the_law_and_the_tool() {
+    let at = |time: f64, x: f64, angle: f64| TimedPose {
+        time,
+        pose: Pose::new(Quat::from_axis_angle(Vec3::Z, angle), Vec3::X * x).unwrap(),
+    };
+    let poses = [at(0.0, 0.0, 0.0), at(1.0, 8.0, 0.5), at(1.2, 9.0, 2.5), at(4.0, 9.5, 2.6), at(9.0, -3.0, 0.1)];
+    let motion = Motion::from(RationalMotion::spline(&poses).unwrap());
+    let breaks = |body: &MovingBody| body.schedule().unwrap().breaks();
+    let body = MovingBody::new(motion.clone());
+    let own = breaks(&body);
+    // They are found once, and again for another law or tool: of a body that knows them as of one that was never asked.
+    let tool = Point3::new(5.0, 0.0, 0.0);
+    for law in [TimeLaw::AsGiven, TimeLaw::ConstantSpeed, TimeLaw::Eased] {
+        let lawful = body.clone().with_law(law, 3.0).unwrap();
+        assert_eq!(breaks(&lawful), breaks(&MovingBody::new(motion.clone()).with_law(law, 3.0).unwrap()));
+        let with_tool = body.clone().with_tool(tool, 1.0).unwrap();
+        assert_eq!(breaks(&with_tool), breaks(&MovingBody::new(motion.clone()).with_tool(tool, 1.0).unwrap()));
+    }
+    assert_ne!(own, breaks(&body.clone().with_law(TimeLaw::ConstantSpeed, 3.0).unwrap()));
+    assert_eq!(body, MovingBody::new(motion));
+    assert_eq!(breaks(&body), own);
+}
+
+#[test]
+fn spans_are_found_whether_poses_are_evenly_apart_or_not() {
+    let even: Vec<f64> = (0..50).map(|i| 0.1 * f64::from(i)).collect();
+    let uneven: Vec<f64> = (0..50).map(|i| f64::from(i * i * i)).collect();
+    for times in [even, uneven] {
+        let at = |(i, time): (usize, &f64)| TimedPose {
+            time: *time,
+            pose: Pose::new(Quat::ONE, Vec3::X * i as f64).unwrap(),
+        };
+        let poses: Vec<TimedPose> = times.iter().enumerate().map(at).collect();
+        let motion = Motion::from(ScrewMotion::new(&poses).unwrap());
+        for (i, pair) in times.windows(2).enumerate() {
+            let duration = pair[1] - pair[0];
+            // The body is as many units away as spans are behind it; places are rounded by 1e-16 of 50, parameters as times are.
+            for s in [0.0, 0.3, 0.9] {
+                let found = motion.pose(pair[0] + duration * s).translation().x;
+                assert!((found - (i as f64 + s)).abs() < 1e-12, "{i} {s}: {found}");
+            }
+            // A joint is of the span that starts there.
+            let speed = motion.jet(pair[0], Point3::ORIGIN).point.d1.x;
+            assert!((speed * duration - 1.0).abs() < 1e-12, "{i}: {speed}");
+        }
+        let [_, last] = motion.domain();
+        assert!((motion.pose(last).translation().x - 49.0).abs() < 1e-13);
+    }
+}

@@ -35,11 +35,14 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{
+    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts,
+};
 
 use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
+use super::interpolate::InterpolationFacts;
 use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
@@ -52,6 +55,7 @@ use references::{References, State};
 pub use remark::Remark;
 pub use smooth::SmoothChoice;
 pub use torus::UnrolledPlane;
+pub(crate) use transform::Unmapped;
 pub use tubes::TubeFacts;
 
 /// An object made by its construction, with what is known about it besides its geometry.
@@ -98,6 +102,8 @@ pub struct BuiltObject {
     pub contours: Vec<ContourFacts>,
     /// What the user should know: warnings of the kernel, and what reading and making the object remarked.
     pub remarks: Vec<Remark>,
+    /// Of images of curves under Möbius maps: of what, and by which.
+    pub(crate) unmapped: Option<Unmapped>,
 }
 
 /// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
@@ -185,6 +191,7 @@ impl<'a> ModelBuilder<'a> {
                     data: Vec::new(),
                     names: Vec::new(),
                     gradings: None,
+                    unmapped: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -224,6 +231,15 @@ impl Document {
     }
 }
 
+/// The points through which curves were laid and that are no joints of theirs.
+fn nodes_within(curves: &[CurveObject], contours: &[ContourFacts]) -> Vec<Point3> {
+    let known = curves.iter().zip(contours).filter_map(|(curve, facts)| Some((curve, facts.interpolation.as_ref()?)));
+    let inside = |found: &InterpolationFacts| {
+        found.parameters.iter().copied().filter(|t| *t > 0.0 && *t < 1.0).collect::<Vec<_>>()
+    };
+    known.flat_map(|(curve, found)| inside(found).into_iter().map(move |t| curve.as_curve().point(t))).collect()
+}
+
 /// One construction.
 struct Builder<'a> {
     document: &'a Document,
@@ -261,11 +277,13 @@ struct Builder<'a> {
     names: Vec<String>,
     /// The laws by which its blocks are divided along s, t and u.
     gradings: Option<[Grading; 3]>,
+    /// What its curves are images of.
+    unmapped: Option<Unmapped>,
 }
 
 impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
-        let (curves, contours) = self.curves()?.into_iter().unzip();
+        let (curves, contours): (Vec<_>, Vec<_>) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
         if let (ObjectSpec::Transform(_), Some(source)) = (self.spec, self.sources.first()) {
             self.names.clone_from(&source.provenance.names);
@@ -313,9 +331,11 @@ impl Builder<'_> {
             remarks,
             names,
             gradings,
+            unmapped,
             ..
         } = self;
-        let provenance = Provenance { kind: self.spec.type_word(), data, places, names };
+        let nodes = nodes_within(item.curves(), &contours);
+        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names };
         Ok(BuiltObject {
             item,
             provenance,
@@ -334,6 +354,7 @@ impl Builder<'_> {
             construction,
             contours,
             remarks,
+            unmapped,
         })
     }
 

@@ -77,7 +77,7 @@ impl Builder<'_> {
         };
         let Some(chain) = contour.to_qb_spline() else {
             let message = format!(
-                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, or a rational `circle-spline` of order 1"
+                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
             );
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };

@@ -14,9 +14,19 @@ use crate::document::locate::Step;
 use crate::document::spec::{CutSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::Result;
 
+/// What the curves of an image are images of, by one map: two of them make one, which doubles the degree of a rational curve once.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Unmapped {
+    curves: Vec<CurveObject>,
+    map: Mobius,
+    /// Maps in it that are no similarities.
+    inversions: usize,
+}
+
 impl Builder<'_> {
     /// The images of curves.
-    pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
+    pub(super) fn mapped_curves(&mut self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
+        let mut before = self.sources.first().and_then(|source| source.unmapped.clone());
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let image = |curve: &CurveObject, step: &StepSpec| match step {
             StepSpec::Reverse => Ok(curve.reversed()),
@@ -28,14 +38,19 @@ impl Builder<'_> {
         let kept = if of_circles { OF_CIRCLE_SPLINES } else { OF_CURVES };
         let mut curves = curves.to_vec();
         for run in runs(&spec.steps) {
-            let at_once = composed(&spec.steps[run.clone()]).and_then(|map| {
-                curves.iter().map(|curve| image_of_curve(curve, &map)).collect::<cyclide::Result<Vec<_>>>().ok()
-            });
+            before = Unmapped::of_run(before, &curves, &spec.steps[run.clone()]);
+            // Each map that is no similarity doubles the degree of a rational curve, all of them together double it once, or not at all.
+            let at_once =
+                before.as_ref().filter(|before| before.inversions > 1).and_then(|Unmapped { curves, map, .. }| {
+                    curves.iter().map(|curve| image_of_curve(curve, map)).collect::<cyclide::Result<Vec<_>>>().ok()
+                });
             curves = match at_once {
                 Some(images) => images,
                 None => self.mapped(spec, run, &curves, image, kept)?,
             };
         }
+        // Of moved curves alone nothing is gained.
+        self.unmapped = before.filter(|before| before.inversions > 0);
         Ok(curves)
     }
 
@@ -162,13 +177,18 @@ fn is_map(step: &StepSpec) -> bool {
     !matches!(step, StepSpec::Reverse | StepSpec::Cut(_))
 }
 
-/// The one map that a run of maps is, where more than one of them is no similarity: each of those doubles the degree of a rational curve, all
-/// of them together double it once, or not at all. `None` of other runs, and where a step is no map.
-fn composed(run: &[StepSpec]) -> Option<Mobius> {
-    let maps: Vec<Mobius> =
-        run.iter().filter(|step| is_map(step)).map(|step| map_of(step).ok()).collect::<Option<_>>()?;
-    let several = maps.iter().filter(|map| !map.is_similarity()).count() > 1;
-    several.then(|| maps.iter().fold(Mobius::IDENTITY, |before, map| map.after(&before)))
+impl Unmapped {
+    /// With a run of maps after it, from these curves if there is none before. `None` of other runs, and where a step is no map.
+    fn of_run(before: Option<Self>, curves: &[CurveObject], run: &[StepSpec]) -> Option<Self> {
+        if !run.iter().all(is_map) {
+            return None;
+        }
+        let maps: Vec<Mobius> = run.iter().map(|step| map_of(step).ok()).collect::<Option<_>>()?;
+        let start = || Self { curves: curves.to_vec(), map: Mobius::IDENTITY, inversions: 0 };
+        let Self { curves, map, inversions } = before.unwrap_or_else(start);
+        let inversions = inversions + maps.iter().filter(|map| !map.is_similarity()).count();
+        Some(Self { curves, map: maps.iter().fold(map, |before, map| map.after(&before)), inversions })
+    }
 }
 
 /// What is wrong with the places of a cut, of which stations are `length` at most.

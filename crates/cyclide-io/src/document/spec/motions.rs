@@ -38,7 +38,8 @@ pub struct MotionSpec {
     /// The poses, or a file of them; or `along` instead.
     pub poses: Option<PoseSource>,
     /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
-    /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, or a rational `circle-spline` of order 1. It may be construction geometry.
+    /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational `circle-spline` of order 1. On arcs the body keeps its direction to the curve,
+    /// on others it turns in its own way. It may be construction geometry.
     pub along: Option<String>,
     /// With `along`: how the body is turned at the start of the curve. Default: not turned.
     pub start: Option<StartSpec>,

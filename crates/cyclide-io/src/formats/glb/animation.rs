@@ -9,8 +9,9 @@ use crate::check::file_content::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Promise;
 use crate::export::mesh::single;
-use crate::export::moving::{reach, way};
-use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, TimeLaw, Vec3};
+use crate::export::moving::MovingRoom;
+use crate::export::ready::ReadyModel;
+use cyclide::{BodyMesh, Item, MovingBody, Point3, Schedule, TimeLaw, Vec3};
 use serde_json::{Value, json};
 
 /// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.
@@ -64,7 +65,7 @@ impl Clip {
 /// [`ExportError`] if it lasts longer or shorter than single precision tells, or no keys keep the tolerance.
 pub(super) fn animated(
     item: &Item,
-    body: &MovingBody,
+    (body, room): (&MovingBody, MovingRoom),
     node: usize,
     first_material: usize,
     tolerance: f64,
@@ -75,17 +76,16 @@ pub(super) fn animated(
     if !(min..=max).contains(&seconds) {
         return Err(ExportError::Duration { object: object(), seconds, min, max });
     }
-    let box_of_way = way(body);
-    let center = box_of_way.min.midpoint(box_of_way.max);
+    let center = room.way.min.midpoint(room.way.max);
     let schedule = body.schedule().map_err(|source| ExportError::Lowering { object: object(), contour: 0, source })?;
-    let carried = carried(body, &schedule, center);
+    let carried = carried(room, &schedule, body.duration(), center);
     let (track, off) = carried.track(tolerance).map_err(|TrackFault::Off { keys, off, seconds }| {
         ExportError::Keyframes { object: object(), off, tolerance, seconds, keys, hint: slower(body) }
     })?;
     let promise = Promise::sampled(off.max(tolerance));
     let (primitives, materials) = match body.mesh() {
         Some(mesh) => shape(mesh, first_material, item, buffer),
-        None => axes(reach(body), first_material, item, buffer),
+        None => axes(room.reach, first_material, item, buffer),
     };
     let input = buffer.times(&track.times);
     let translation = buffer.free_vectors(track.translations.as_flattened());
@@ -106,9 +106,9 @@ fn slower(body: &MovingBody) -> &'static str {
 }
 
 /// What keys of a body are held against.
-fn carried<'a>(body: &MovingBody, schedule: &'a Schedule<'a>, center: Point3) -> Carried<'a> {
-    let radius = way(body).diagonal();
-    Carried { schedule, duration: body.duration(), center, reach: reach(body), radius, breaks: schedule.breaks() }
+fn carried<'a>(room: MovingRoom, schedule: &'a Schedule<'a>, duration: f64, center: Point3) -> Carried<'a> {
+    let (reach, radius) = (room.reach, room.way.diagonal());
+    Carried { schedule, duration, center, reach, radius, breaks: schedule.breaks() }
 }
 
 /// Three lines along the axes of the body: red, green and blue.
@@ -144,24 +144,25 @@ fn shape(mesh: &BodyMesh, material: usize, item: &Item, buffer: &mut Buffer) -> 
 ///
 /// # Errors
 /// [`ReadError`] if a motion is not in the file, or something else is.
-pub(super) fn deviations(bytes: &[u8], model: &Model) -> Result<Vec<f64>, ReadError> {
+pub(super) fn deviations(bytes: &[u8], ready: &ReadyModel<'_>) -> Result<Vec<f64>, ReadError> {
     let wrong = |detail: &str| ReadError::syntax("animations", detail.to_owned());
     let bodies: Vec<(&Item, &MovingBody)> =
-        model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
+        ready.model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
     let tracks = super::reader::tracks(bytes)?;
     if tracks.len() != bodies.len() {
         return Err(wrong("not as many bodies move as there are motions"));
     }
     bodies
         .into_iter()
+        .zip(&ready.moving)
         .zip(tracks)
-        .map(|((item, body), read)| {
+        .map(|(((item, body), room), read)| {
             if read.name != item.name {
                 return Err(wrong("a body that moves has another name than its motion"));
             }
             let schedule =
                 body.schedule().map_err(|source| ReadError::Geometry { place: item.name.clone(), source })?;
-            let (duration, carried) = (body.duration(), carried(body, &schedule, read.center));
+            let (duration, carried) = (body.duration(), carried(*room, &schedule, body.duration(), read.center));
             let last = f64::from(read.track.times.last().copied().unwrap_or_default());
             if !((last - duration).abs() <= 1e-6 * duration) {
                 return Err(wrong("an animation does not last as long as its motion"));

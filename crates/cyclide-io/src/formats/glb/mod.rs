@@ -30,6 +30,7 @@ use crate::export::lowered::Forms;
 use crate::export::mesh::{
     BodyMesh, MeshVertices, Single, between, body_meshes, check_single, polyline, single, triangles,
 };
+use crate::export::moving::MovingRoom;
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
@@ -76,7 +77,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let off = made.meshes(&content, form)?;
     check_mesh_edges(bodies, &content.meshes, &content.mesh_lines, &written.mesh, written.mesh_edges)?;
     content.labels.check(&labels(made.named(), bodies, &content.mesh_lines))?;
-    let motions = animation::deviations(&made.file.bytes, made.ready.model)?;
+    let motions = animation::deviations(&made.file.bytes, made.ready)?;
     Ok(Deviations { curves, bodies: off, motions, ..Deviations::default() })
 }
 
@@ -120,10 +121,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     check_single(job, job.size(), "GLB")?;
     let mut file = File::default();
     let meshes = body_meshes(job)?;
+    let mut rooms = job.moving.iter();
     for (index, item) in job.model.items.iter().enumerate() {
         let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
-        match item.motion() {
-            Some(body) => file.motion(job, item, body)?,
+        match item.motion().and_then(|body| Some((body, rooms.next()?))) {
+            Some((body, room)) => file.motion(job, item, body, *room)?,
             None => file.object(job, index, item, &own)?,
         }
     }
@@ -201,11 +203,11 @@ impl File {
     }
 
     /// Adds a body in motion.
-    fn motion(&mut self, job: &Job<'_>, item: &Item, body: &MovingBody) -> Result<(), ExportError> {
+    fn motion(&mut self, job: &Job<'_>, item: &Item, body: &MovingBody, room: MovingRoom) -> Result<(), ExportError> {
         let (parent, node) = (self.nodes.len(), self.nodes.len() + 1);
         let first_material = self.materials.len();
         let parts = (&mut self.buffer, &mut self.clip);
-        let made = animation::animated(item, body, node, first_material, job.tolerance, parts)?;
+        let made = animation::animated(item, (body, room), node, first_material, job.tolerance, parts)?;
         self.materials.extend(made.materials.iter().map(Look::to_json));
         self.children.push(parent);
         self.nodes.push(json!({"name": item.name, "translation": made.center.to_array(), "children": [node]}));

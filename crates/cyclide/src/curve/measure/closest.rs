@@ -143,12 +143,24 @@ impl<'a> CurveIndex<'a> {
     /// The nearest point of the curve to `p`; the first along the curve of equally near ones.
     #[must_use]
     pub fn closest_point(&self, p: Point3) -> ClosestPoint {
+        let Candidate { piece, s, point, distance } = self.nearest(p);
+        ClosestPoint { t: (piece as f64 + s) / self.curve.piece_count() as f64, point, distance }
+    }
+
+    /// The ends of the piece that is nearest to `p`, if it is a segment.
+    pub(super) fn segment_near(&self, p: Point3) -> Option<[Point3; 2]> {
+        match self.curve.piece_form(self.nearest(p).piece) {
+            PieceForm::Arc(arc) if arc.is_straight() => Some([arc.start(), arc.end()]),
+            _ => None,
+        }
+    }
+
+    fn nearest(&self, p: Point3) -> Candidate {
         let start = self.curve.piece_point(0, 0.0);
         let best = Candidate { piece: 0, s: 0.0, point: start, distance: start.distance(p) };
         let mut query = Query { p, best, halvings: QUERY_HALVINGS };
         self.visit(&mut query, 0, 0, self.parts.len());
-        let Candidate { piece, s, point, distance } = query.best;
-        ClosestPoint { t: (piece as f64 + s) / self.curve.piece_count() as f64, point, distance }
+        query.best
     }
 
     /// Walks the subtree of `node`, which covers the parts `from..to`.

@@ -1,14 +1,10 @@
 //! The largest curvature of a curve.
 
+use super::cusps::{may_have_cusp, place_of_cusp};
 use super::maximum::maximum;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
-
-/// A cusp is told from so far beside it, in the parameter of its piece: there is this part less of the speed at it, and so many times as much curvature.
-const BESIDE: f64 = 1e-3;
-const NO_SPEED: f64 = 1e-6;
-const LARGER: f64 = 1e3;
 
 /// The largest curvature and where it is.
 ///
@@ -22,7 +18,7 @@ const LARGER: f64 = 1e3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ExtremeCurvature {
-    /// Largest curvature, in 1/length; 0 on straight curves, infinite at a cusp.
+    /// Largest curvature, in 1/length; 0 on straight curves, also where they turn back, infinite at a cusp of others.
     pub max: f64,
     /// Global parameter in `[0, 1]`, the first such place; at a joint the side of the larger curvature counts.
     pub t: f64,
@@ -49,16 +45,20 @@ pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
             PieceForm::Arc(arc) => (0.0, arc.curvature()),
             PieceForm::Circle(circle) => (0.0, 1.0 / circle.radius()),
             PieceForm::Free => {
-                let mut cusp = None;
+                let (mut cusp, mut speeds) = (None, Vec::new());
                 let found = maximum(&mut |s| {
-                    let (value, slope) = curvature_and_slope(&curve.piece_jet(piece, s));
+                    let jet = curve.piece_jet(piece, s);
+                    speeds.push(jet.speed());
+                    let (value, slope) = curvature_and_slope(&jet);
                     if value.is_finite() {
                         return (value, slope);
                     }
                     cusp = cusp.or(Some(s));
                     (0.0, 0.0)
                 });
-                let cusp = cusp.or_else(|| is_cusp(curve, piece, found).then_some(found.0));
+                // A line turns back without a bend.
+                let bends = found.1 > 0.0 && may_have_cusp(speeds.into_iter());
+                let cusp = cusp.or_else(|| if bends { place_of_cusp(curve, piece) } else { None });
                 cusp.map_or(found, |s| (s, f64::INFINITY))
             }
         };
@@ -68,18 +68,6 @@ pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
     }
     let (piece, s, max) = best;
     ExtremeCurvature { max, t: (piece as f64 + s) / n as f64, point: curve.piece_point(piece, s) }
-}
-
-/// True if the largest curvature of a piece grows beyond every bound: the curve hardly moves there, and bends far less a little beside it.
-fn is_cusp(curve: &dyn ParamCurve, piece: usize, (s, curvature): (f64, f64)) -> bool {
-    let speed = |s: f64| curve.piece_speed(piece, s);
-    let beside = [(s - BESIDE).max(0.0), (s + BESIDE).min(1.0)];
-    speed(s) <= NO_SPEED * beside.map(speed).into_iter().fold(0.0, f64::max)
-        && beside.iter().all(|at| {
-            // At the end of a piece one of both is the place itself.
-            let there = curve.piece_jet(piece, *at).curvature();
-            (at - s).abs() <= 0.0 || there.is_none_or(|there| curvature > LARGER * there)
-        })
 }
 
 /// Curvature and its derivative by the parameter; infinite at a cusp, 0 on a piece without extent.

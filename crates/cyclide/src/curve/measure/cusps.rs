@@ -26,6 +26,8 @@ const CORNER: f64 = 1e-6;
 const GROWS: f64 = 2.0;
 /// Bends of a chord by less than this, in radians, are rounding beside an end at which the curve stands.
 const STRAIGHT: f64 = 1e-3;
+/// Part of the largest speed of a piece below which the least of some places tells of a cusp.
+const SUSPICIOUS: f64 = 0.25;
 /// Cells beyond this many follow rounding.
 const MOST_CELLS: usize = 512;
 
@@ -80,8 +82,17 @@ pub fn cusps(curve: &dyn ParamCurve) -> Vec<CurveCusp> {
     found
 }
 
-/// True if a piece comes to a stand at an end at which it bends without bound, or turns at a stand inside.
-pub(super) fn has_cusp(curve: &dyn ParamCurve, piece: usize) -> bool {
+/// True unless speeds, taken all over a piece, speak against a [cusp](place_of_cusp): that halves the speed of the places beside it at least, and the
+/// search for it is dear.
+pub(super) fn may_have_cusp(speeds: impl Iterator<Item = f64>) -> bool {
+    let (least, most) =
+        speeds.fold((f64::INFINITY, 0.0_f64), |(least, most), speed| (least.min(speed), most.max(speed)));
+    // Not `<=`: what is no number speaks against nothing.
+    !(least > SUSPICIOUS * most)
+}
+
+/// The parameter at which a piece turns at a stand inside, or that of an end at which it comes to a stand and bends without bound.
+pub(super) fn place_of_cusp(curve: &dyn ParamCurve, piece: usize) -> Option<f64> {
     let size = curve.piece_point(piece, 0.0).distance(curve.piece_point(piece, 1.0));
     let bends = |end: usize| {
         let at = |off: f64| if end == 0 { off } else { 1.0 - off };
@@ -89,8 +100,9 @@ pub(super) fn has_cusp(curve: &dyn ParamCurve, piece: usize) -> bool {
         let [far, near] = [BESIDE, 0.1 * BESIDE].map(bend);
         near > GROWS * far && near * size > STRAIGHT
     };
-    OfPiece::new(curve, piece)
-        .is_some_and(|own| !own.inside.is_empty() || own.ends.iter().enumerate().any(|(k, end)| end.stands && bends(k)))
+    let own = OfPiece::new(curve, piece)?;
+    let at_end = |end: usize| (own.ends[end].stands && bends(end)).then_some(end as f64);
+    own.inside.first().map(|(s, _)| *s).or_else(|| at_end(0)).or_else(|| at_end(1))
 }
 
 /// Where a piece comes to a stand.
@@ -180,13 +192,14 @@ mod tests {
         };
         // It starts along x, at rest, and bends as one over the parameter.
         let bent = curve(&[[0.0, 0.0], [0.0, 0.0], [1.0, 0.0], [2.0, 1.0]]);
-        assert!(has_cusp(&bent, 0) && fairness(&bent).variation.is_none());
+        assert_eq!(place_of_cusp(&bent, 0), Some(0.0));
+        assert!(fairness(&bent).variation.is_none());
         assert!(extreme_curvature(&bent).max.is_infinite());
         // On a line nothing bends, wherever it stands.
         for line in [[[0.0, 0.0], [0.0, 0.0], [1.0, 0.3], [2.0, 0.6]], [[5.0, 1.0], [5.1, 1.1], [5.7, 1.7], [5.7, 1.7]]]
         {
             let line = curve(&line);
-            assert!(!has_cusp(&line, 0));
+            assert_eq!(place_of_cusp(&line, 0), None);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::continuity::joints;
 use super::curvature::curvature_and_slope;
+use super::cusps::cusps;
 use super::fairness::CORNER_ANGLE;
 use super::length::ArcLength;
 use super::maximum::maximum;
@@ -55,8 +56,8 @@ struct Part {
     curvature: f64,
 }
 
-/// The parts of a curve where its radius of curvature is below `radius` (by more than 1e-9 of it), corners included, in
-/// their order along it. Arcs and circles are exact; elsewhere each piece is looked at in 64 intervals and at its largest
+/// The parts of a curve where its radius of curvature is below `radius` (by more than 1e-9 of it), corners and [cusps](crate::cusps) included, where also
+/// a straight curve turns back, in their order along it. Arcs and circles are exact; elsewhere each piece is looked at in 64 intervals and at its largest
 /// curvature, so that of other spikes narrower than that one may be missed.
 ///
 /// # Errors
@@ -71,12 +72,20 @@ pub fn tight_places(curve: &dyn ParamCurve, radius: f64) -> Result<Vec<TightPlac
         let at = if joint.next > joint.piece { (joint.next, 0.0) } else { (joint.piece, 1.0) };
         parts.push(Part { from: at, to: at, tightest: at, curvature: f64::INFINITY });
     }
+    for cusp in cusps(curve) {
+        let at = curve.locate(cusp.t);
+        parts.push(Part { from: at, to: at, tightest: at, curvature: f64::INFINITY });
+    }
     let order = |part: &Part| part.from.0 as f64 + part.from.1;
     parts.sort_by(|a, b| order(a).total_cmp(&order(b)).then(a.curvature.total_cmp(&b.curvature)));
     let mut joined: Vec<Part> = Vec::new();
     for part in parts {
         match joined.last_mut() {
-            Some(last) if meets(last.to, part.from) => last.join(&part),
+            Some(last) if reaches(last.to, part.from) => {
+                let to = if last.to > part.to { last.to } else { part.to };
+                last.join(&part);
+                last.to = to;
+            }
             _ => joined.push(part),
         }
     }
@@ -91,9 +100,9 @@ pub fn tight_places(curve: &dyn ParamCurve, radius: f64) -> Result<Vec<TightPlac
     Ok(joined.iter().map(|part| part.place(curve, &lengths)).collect())
 }
 
-/// True if a part that ends at one place goes on at another.
-fn meets(end: (usize, f64), start: (usize, f64)) -> bool {
-    end == start || (end.1 >= 1.0 && start == (end.0 + 1, 0.0))
+/// True if a part that ends at one place has another one in it, or goes on there.
+fn reaches(end: (usize, f64), start: (usize, f64)) -> bool {
+    start <= end || (end.1 >= 1.0 && start == (end.0 + 1, 0.0))
 }
 
 impl Part {

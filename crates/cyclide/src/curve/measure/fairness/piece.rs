@@ -1,6 +1,6 @@
 //! The curvature along one smooth piece, in units of the curve's length.
 
-use super::super::cusps::has_cusp;
+use super::super::cusps::{may_have_cusp, place_of_cusp};
 use super::{NOISE, Swing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -14,8 +14,6 @@ const DEPTH: u32 = 12;
 const CUBIC_LIMIT: f64 = 0.02;
 /// Disagreement of two rules for the variation, relative to the piece's own or the mean one.
 const AGREEMENT: f64 = 1e-4;
-/// Pieces whose slowest sample is slower than this part of the fastest may have a cusp.
-const SUSPICIOUS: f64 = 0.25;
 /// Rounding of a node by this part of the coordinates.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -158,10 +156,7 @@ impl Measure<'_> {
     fn cells(&self, index: usize, rounding: f64, off: f64) -> Option<Vec<Cell>> {
         let mut cells = Vec::with_capacity(1);
         let whole = self.cell(index, 0.0, 1.0, off);
-        // A cusp halves the speed of the places beside it at least; a search is dear.
-        let speeds = whole.samples.iter().map(|b| b.speed);
-        let (least, most) = (speeds.clone().fold(f64::INFINITY, f64::min), speeds.fold(0.0, f64::max));
-        if !(least > SUSPICIOUS * most) && has_cusp(self.curve, index) {
+        if may_have_cusp(whole.samples.iter().map(|b| b.speed)) && place_of_cusp(self.curve, index).is_some() {
             return None;
         }
         let mut open = vec![(whole, DEPTH)];
