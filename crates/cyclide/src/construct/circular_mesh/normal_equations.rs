@@ -5,7 +5,6 @@
 //! Cholesky factorisation. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
-use crate::base::vector::Vec3;
 use faer::prelude::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
@@ -68,16 +67,16 @@ impl Pattern {
         }
     }
 
-    /// Solves `(a + lambda b) x = y` for x in the product of the ranges of `projectors` (one for each vertex); `None`
-    /// if the matrix is not positive definite in doubles.
+    /// The factor of `a + lambda b` restricted to moves in the ranges of `projectors` (one for each vertex); `None` if
+    /// the matrix is not positive definite in doubles.
     ///
-    /// The matrix solved is `P (a + lambda b) P + (I - P)` times the size of the diagonal: it keeps the pattern.
-    pub(super) fn solve(
+    /// It is that of `P (a + lambda b) P + (I - P)` times the size of the diagonal, which keeps the pattern: right
+    /// sides in the ranges have their solutions there.
+    pub(super) fn factored(
         &self,
         (a, b, lambda): (&BlockMatrix, &BlockMatrix, f64),
         projectors: &[Block],
-        y: &[Vec3],
-    ) -> Option<Vec<Vec3>> {
+    ) -> Option<Factored> {
         let restricted = |k: usize, column: usize| {
             let block = a.blocks[k] + b.blocks[k] * lambda;
             let (row, q) = (self.row[k], projectors[column]);
@@ -95,16 +94,29 @@ impl Pattern {
         }
         let matrix = SparseColMatRef::new(self.coordinates.as_ref(), &values);
         let factor = Llt::try_new_with_symbolic(self.factor.clone(), matrix, Side::Lower).ok()?;
-        let mut x: Vec<f64> = y.iter().zip(projectors).flat_map(|(y, p)| p.apply(*y).to_array()).collect();
-        let size = x.len();
-        factor.solve_in_place(MatMut::from_column_major_slice_mut(&mut x, size, 1));
-        Some(x.chunks_exact(3).map(|c| Vec3::new(c[0], c[1], c[2])).collect())
+        Some(Factored { factor, size: 3 * projectors.len() })
+    }
+}
+
+/// A matrix that can be solved with.
+pub(super) struct Factored {
+    factor: Llt<usize, f64>,
+    size: usize,
+}
+
+impl Factored {
+    /// Replaces right sides, one after the other, by their solutions.
+    pub(super) fn solve(&self, columns: &mut [f64]) {
+        let count = columns.len() / self.size;
+        self.factor.solve_in_place(MatMut::from_column_major_slice_mut(columns, self.size, count));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::dense_rows::{SparseRow, solve};
     use super::*;
+    use crate::base::vector::Vec3;
 
     /// A ring of six vertices with a chord: eliminating any of them couples its neighbours.
     const PAIRS: [[usize; 2]; 7] = [[1, 0], [2, 1], [3, 2], [4, 3], [5, 4], [0, 5], [4, 1]];
@@ -138,12 +150,18 @@ mod tests {
         let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
         let x: Vec<Vec3> = (0..6).map(|k| Vec3::new(k as f64, 1.0, -2.0 * k as f64)).collect();
         let (a, zero) = (matrix(&pattern), pattern.zero());
-        let solved = pattern.solve((&a, &zero, 0.0), &[Block::IDENTITY; 6], &product(&x)).unwrap();
+        let solved = solve(
+            &pattern.factored((&a, &zero, 0.0), &[Block::IDENTITY; 6]).unwrap(),
+            &[Block::IDENTITY; 6],
+            &[],
+            &[],
+            &product(&x),
+        );
         // Condition below 10, values up to 10.
         assert!(x.iter().zip(&solved).all(|(x, y)| (*x - *y).length() < 1e-13));
         let mut b = pattern.zero();
         pattern.add(&mut b, 3, 3, diagonal() * -1.0);
-        assert!(pattern.solve((&a, &b, 2.0), &[Block::IDENTITY; 6], &product(&x)).is_none());
+        assert!(pattern.factored((&a, &b, 2.0), &[Block::IDENTITY; 6]).is_none());
     }
 
     #[test]
@@ -154,11 +172,36 @@ mod tests {
         (projectors[0], projectors[3]) = (Block::ZERO, Block::square(along));
         let y: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
         let (a, zero) = (matrix(&pattern), pattern.zero());
-        let x = pattern.solve((&a, &zero, 0.0), &projectors, &y).unwrap();
+        let x = solve(&pattern.factored((&a, &zero, 0.0), &projectors).unwrap(), &projectors, &[], &[], &y);
         // Values up to 1, condition below 10.
         assert!(x[0].length() < 1e-14 && x[3].cross(along).length() < 1e-14);
         // What is left of the equations is perpendicular to every move that is allowed.
         let left = product(&x).into_iter().zip(&y).zip(projectors).map(|((p, y), q)| q.apply(p - *y).length());
         assert!(left.fold(0.0, f64::max) < 1e-13);
+    }
+    #[test]
+    fn dense_rows_add_their_squares() {
+        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let (a, zero) = (matrix(&pattern), pattern.zero());
+        // More rows than are solved at once; the last one names a vertex twice.
+        let row = |k: usize| (0..6).map(|v| (v, Vec3::new((k + v) as f64 % 5.0, (k * v) as f64 % 3.0, 1.0))).collect();
+        let mut rows: Vec<SparseRow> = (0..20).map(row).collect();
+        rows.push(vec![(2, Vec3::X), (2, Vec3::Y), (5, Vec3::Z)]);
+        let along = Vec3::new(0.6, 0.0, 0.8);
+        let mut projectors = [Block::IDENTITY; 6];
+        (projectors[1], projectors[4]) = (Block::ZERO, Block::square(along));
+        let c: Vec<f64> = (0..21).map(|k| 0.3 * k as f64 - 2.0).collect();
+        let b: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
+        let x = solve(&pattern.factored((&a, &zero, 0.0), &projectors).unwrap(), &projectors, &rows, &c, &b);
+        assert!(x[1].length() < 1e-14 && x[4].cross(along).length() < 1e-14);
+        // K x + C^T (C x + c) - b, of which nothing is left along the moves that are allowed.
+        let mut left: Vec<Vec3> = product(&x).into_iter().zip(&b).map(|(p, b)| p - *b).collect();
+        for (row, c) in rows.iter().zip(&c) {
+            let value = c + row.iter().map(|&(v, g)| g.dot(x[v])).sum::<f64>();
+            row.iter().for_each(|&(v, g)| left[v] += g * value);
+        }
+        let left = left.into_iter().zip(projectors).map(|(l, q)| q.apply(l).length());
+        // Sums of 21 products up to 100, condition below 1000.
+        assert!(left.fold(0.0, f64::max) < 1e-11);
     }
 }
