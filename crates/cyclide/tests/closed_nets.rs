@@ -192,6 +192,46 @@ fn tubes_and_rings_in_full() {
     }
 }
 
+/// What holds of borders of closed grids, for `docs/math/circular-meshes.md#closed-grids`: both rows pinned, or on the
+/// closed curves through them.
+#[test]
+#[ignore = "minutes"]
+fn borders_in_full() {
+    for (name, surface, _, _, _) in SURFACES.into_iter().filter(|row| !row.2) {
+        for m in [12, 13, 24] {
+            let before = grid(surface, false, [m, 9]);
+            let curve = |v: f64| {
+                let points: Vec<Point3> = (0..96).map(|k| Point3::from(surface(f64::from(k) / 96.0, v))).collect();
+                cyclide::CircleSpline::fair(&points, &cyclide::FairSplineOptions { closed: true, ..Default::default() })
+            };
+            let [first, last] = [curve(0.0).unwrap(), curve(1.0).unwrap()];
+            for (border, held) in [
+                (Border::Pinned, "pinned"),
+                (Border::OnCurves([Some(&first), None, None, None]), "one on a curve"),
+                (Border::OnCurves([Some(&first), Some(&last), None, None]), "both on curves"),
+            ] {
+                match circular(&before, border) {
+                    Ok(mesh) => {
+                        let (m, r) = (measured(&mesh), &mesh.report);
+                        let (angle, moved) = (r.closing[0].unwrap().angle_after, r.moves.max / r.median_edge);
+                        println!(
+                            "{name} {:?} {held}: {} steps, moves {moved:.3}, residual {:.0e}, angle {angle:.0e}, crease {:.0e}, \
+                             singular {}, crossing {}",
+                            before.size(),
+                            r.steps,
+                            r.residual_after,
+                            m.crease,
+                            m.singular,
+                            r.rejected_quads.len()
+                        );
+                    }
+                    Err(error) => println!("{name} {:?} {held}: {error}", before.size()),
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn what_closes_is_returned_bit_for_bit() {
     // Round an odd number of planar rectangles frames come back; round an even number they do not.

@@ -17,11 +17,17 @@ use faer::prelude::Solve;
 pub(super) type SparseRow = Vec<(usize, Vec3)>;
 
 /// So many right sides are solved at once, which bounds the memory.
-const AT_ONCE: usize = 16;
+const AT_ONCE: usize = 32;
 
 /// The solution for moves in the ranges of `projectors`, which K has been restricted to; not finite where rounding has
 /// eaten the small system.
-pub(super) fn solve(factored: &Factored, projectors: &[Block], rows: &[SparseRow], c: &[f64], b: &[Vec3]) -> Vec<Vec3> {
+pub(super) fn solve(
+    factored: &Factored<'_>,
+    projectors: &[Block],
+    rows: &[SparseRow],
+    c: &[f64],
+    b: &[Vec3],
+) -> Vec<Vec3> {
     let mut first = restricted(projectors, b);
     factored.solve(&mut first);
     if rows.is_empty() {

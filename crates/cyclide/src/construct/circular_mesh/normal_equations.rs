@@ -2,13 +2,13 @@
 //! restriction to the moves that border vertices may make.
 //!
 //! The pattern never changes, so faer orders (approximate minimum degree) and analyses it once; each step is one sparse
-//! Cholesky factorisation. Everything runs on one thread in a fixed order.
+//! Cholesky factorisation into the memory of the last one. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
-use faer::prelude::Solve;
-use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{MatMut, Side};
+use faer::{Conj, MatMut, Par, Side};
 
 /// A symmetric matrix of blocks: its lower triangle, column by column.
 pub(super) struct BlockMatrix {
@@ -23,7 +23,15 @@ pub(super) struct Pattern {
     row: Vec<usize>,
     /// The lower triangle by coordinates: 3 rows and 3 columns for each vertex.
     coordinates: SymbolicSparseColMat<usize>,
-    factor: SymbolicLlt<usize>,
+    factor: SymbolicCholesky<usize>,
+}
+
+/// Memory of a factor and of what it takes to make it, used again from step to step: of large grids half a gigabyte,
+/// which takes as long to get as a tenth of the factorisation.
+pub(super) struct Workspace {
+    values: Vec<f64>,
+    factor: Vec<f64>,
+    scratch: MemBuffer,
 }
 
 impl Pattern {
@@ -50,8 +58,18 @@ impl Pattern {
         }
         let size = 3 * vertices;
         let coordinates = SymbolicSparseColMat::new_checked(size, size, starts, None, indices);
-        let factor = SymbolicLlt::try_new(coordinates.as_ref(), Side::Lower).ok()?;
+        let order = SymmetricOrdering::Amd;
+        let factor = factorize_symbolic_cholesky(coordinates.as_ref(), Side::Lower, order, Default::default()).ok()?;
         Some(Self { first, row, coordinates, factor })
+    }
+
+    /// `None` if there is no memory for it.
+    pub(super) fn workspace(&self) -> Option<Workspace> {
+        let mut factor = Vec::new();
+        factor.try_reserve_exact(self.factor.len_val()).ok()?;
+        factor.resize(self.factor.len_val(), 0.0);
+        let needed = self.factor.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        Some(Workspace { values: Vec::new(), factor, scratch: MemBuffer::try_new(needed).ok()? })
     }
 
     pub(super) fn zero(&self) -> BlockMatrix {
@@ -72,18 +90,21 @@ impl Pattern {
     ///
     /// It is that of `P (a + lambda b) P + (I - P)` times the size of the diagonal, which keeps the pattern: right
     /// sides in the ranges have their solutions there.
-    pub(super) fn factored(
-        &self,
+    pub(super) fn factored<'a>(
+        &'a self,
+        workspace: &'a mut Workspace,
         (a, b, lambda): (&BlockMatrix, &BlockMatrix, f64),
         projectors: &[Block],
-    ) -> Option<Factored> {
+    ) -> Option<Factored<'a>> {
         let restricted = |k: usize, column: usize| {
             let block = a.blocks[k] + b.blocks[k] * lambda;
             let (row, q) = (self.row[k], projectors[column]);
             let held = if row == column { (Block::IDENTITY - q) * block.trace() } else { Block::ZERO };
             projectors[row] * block * q + held
         };
-        let mut values = Vec::with_capacity(self.coordinates.row_idx().len());
+        let Workspace { values, factor, scratch } = workspace;
+        values.clear();
+        values.reserve(self.coordinates.row_idx().len());
         let mut blocks = Vec::new();
         for v in 0..projectors.len() {
             blocks.clear();
@@ -92,23 +113,28 @@ impl Pattern {
                 values.extend(blocks.iter().flat_map(|block| block.column(column)).skip(column));
             }
         }
-        let matrix = SparseColMatRef::new(self.coordinates.as_ref(), &values);
-        let factor = Llt::try_new_with_symbolic(self.factor.clone(), matrix, Side::Lower).ok()?;
-        Some(Factored { factor, size: 3 * projectors.len() })
+        let matrix = SparseColMatRef::new(self.coordinates.as_ref(), values);
+        let (regularization, stack) = (Default::default(), MemStack::new(scratch));
+        self.factor
+            .factorize_numeric_llt(factor, matrix, Side::Lower, regularization, Par::Seq, stack, Default::default())
+            .ok()?;
+        Some(Factored { factor: LltRef::new(&self.factor, factor), size: 3 * projectors.len() })
     }
 }
 
 /// A matrix that can be solved with.
-pub(super) struct Factored {
-    factor: Llt<usize, f64>,
+pub(super) struct Factored<'a> {
+    factor: LltRef<'a, usize, f64>,
     size: usize,
 }
 
-impl Factored {
+impl Factored<'_> {
     /// Replaces right sides, one after the other, by their solutions.
     pub(super) fn solve(&self, columns: &mut [f64]) {
         let count = columns.len() / self.size;
-        self.factor.solve_in_place(MatMut::from_column_major_slice_mut(columns, self.size, count));
+        let mut scratch = MemBuffer::new(self.factor.symbolic().solve_in_place_scratch::<f64>(count, Par::Seq));
+        let columns = MatMut::from_column_major_slice_mut(columns, self.size, count);
+        self.factor.solve_in_place_with_conj(Conj::No, columns, Par::Seq, MemStack::new(&mut scratch));
     }
 }
 
@@ -138,6 +164,23 @@ mod tests {
         y
     }
 
+    /// The solution with one matrix alone.
+    fn solved(pattern: &Pattern, a: &BlockMatrix, projectors: &[Block], y: &[Vec3]) -> Vec<Vec3> {
+        with_rows(pattern, a, projectors, (&[], &[]), y)
+    }
+
+    fn with_rows(
+        pattern: &Pattern,
+        a: &BlockMatrix,
+        projectors: &[Block],
+        (rows, c): (&[SparseRow], &[f64]),
+        y: &[Vec3],
+    ) -> Vec<Vec3> {
+        let mut workspace = pattern.workspace().unwrap();
+        let factored = pattern.factored(&mut workspace, (a, &pattern.zero(), 0.0), projectors).unwrap();
+        solve(&factored, projectors, rows, c, y)
+    }
+
     fn matrix(pattern: &Pattern) -> BlockMatrix {
         let mut matrix = pattern.zero();
         (0..6).for_each(|v| pattern.add(&mut matrix, v, v, diagonal()));
@@ -149,19 +192,14 @@ mod tests {
     fn solves_a_matrix_that_fills_in() {
         let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
         let x: Vec<Vec3> = (0..6).map(|k| Vec3::new(k as f64, 1.0, -2.0 * k as f64)).collect();
-        let (a, zero) = (matrix(&pattern), pattern.zero());
-        let solved = solve(
-            &pattern.factored((&a, &zero, 0.0), &[Block::IDENTITY; 6]).unwrap(),
-            &[Block::IDENTITY; 6],
-            &[],
-            &[],
-            &product(&x),
-        );
+        let a = matrix(&pattern);
+        let solved = solved(&pattern, &a, &[Block::IDENTITY; 6], &product(&x));
         // Condition below 10, values up to 10.
         assert!(x.iter().zip(&solved).all(|(x, y)| (*x - *y).length() < 1e-13));
         let mut b = pattern.zero();
         pattern.add(&mut b, 3, 3, diagonal() * -1.0);
-        assert!(pattern.factored((&a, &b, 2.0), &[Block::IDENTITY; 6]).is_none());
+        let mut workspace = pattern.workspace().unwrap();
+        assert!(pattern.factored(&mut workspace, (&a, &b, 2.0), &[Block::IDENTITY; 6]).is_none());
     }
 
     #[test]
@@ -171,8 +209,8 @@ mod tests {
         let mut projectors = [Block::IDENTITY; 6];
         (projectors[0], projectors[3]) = (Block::ZERO, Block::square(along));
         let y: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
-        let (a, zero) = (matrix(&pattern), pattern.zero());
-        let x = solve(&pattern.factored((&a, &zero, 0.0), &projectors).unwrap(), &projectors, &[], &[], &y);
+        let a = matrix(&pattern);
+        let x = solved(&pattern, &a, &projectors, &y);
         // Values up to 1, condition below 10.
         assert!(x[0].length() < 1e-14 && x[3].cross(along).length() < 1e-14);
         // What is left of the equations is perpendicular to every move that is allowed.
@@ -182,7 +220,7 @@ mod tests {
     #[test]
     fn dense_rows_add_their_squares() {
         let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
-        let (a, zero) = (matrix(&pattern), pattern.zero());
+        let a = matrix(&pattern);
         // More rows than are solved at once; the last one names a vertex twice.
         let row = |k: usize| (0..6).map(|v| (v, Vec3::new((k + v) as f64 % 5.0, (k * v) as f64 % 3.0, 1.0))).collect();
         let mut rows: Vec<SparseRow> = (0..20).map(row).collect();
@@ -192,7 +230,7 @@ mod tests {
         (projectors[1], projectors[4]) = (Block::ZERO, Block::square(along));
         let c: Vec<f64> = (0..21).map(|k| 0.3 * k as f64 - 2.0).collect();
         let b: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
-        let x = solve(&pattern.factored((&a, &zero, 0.0), &projectors).unwrap(), &projectors, &rows, &c, &b);
+        let x = with_rows(&pattern, &a, &projectors, (&rows, &c), &b);
         assert!(x[1].length() < 1e-14 && x[4].cross(along).length() < 1e-14);
         // K x + C^T (C x + c) - b, of which nothing is left along the moves that are allowed.
         let mut left: Vec<Vec3> = product(&x).into_iter().zip(&b).map(|(p, b)| p - *b).collect();

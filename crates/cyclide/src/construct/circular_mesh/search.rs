@@ -4,7 +4,7 @@ use super::block::Block;
 use super::border::Holds;
 use super::closing::Closing;
 use super::dense_rows::{SparseRow, solve};
-use super::normal_equations::{BlockMatrix, Pattern};
+use super::normal_equations::{BlockMatrix, Pattern, Workspace};
 use super::residual::{derivatives, largest, residuals};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
@@ -117,6 +117,7 @@ impl Problem<'_> {
         progress: &mut dyn FnMut(&CircularMeshStep),
     ) -> Result<usize> {
         let mut r = self.residuals(points).ok_or(refused(0, f64::INFINITY))?;
+        let mut workspace = None;
         let mut damping = DAMPING;
         let mut costs = vec![r.cost()];
         let mut linear = None;
@@ -139,7 +140,11 @@ impl Problem<'_> {
             if linear.is_none() {
                 linear = Some(self.linearised(points, &r).ok_or(refused(step - 1, residual))?);
             }
-            let trial = linear.as_ref().and_then(|linear| self.trial(points, linear, &r, damping));
+            if workspace.is_none() {
+                workspace = Some(self.pattern.workspace().ok_or(refused(step - 1, residual))?);
+            }
+            let both = linear.as_ref().zip(workspace.as_mut());
+            let trial = both.and_then(|(linear, workspace)| self.trial(points, (linear, &r), damping, workspace));
             let accepted = match trial {
                 Some((moved, residuals)) if residuals.cost() <= r.cost() => {
                     let fell = residuals.cost() / r.cost();
@@ -205,14 +210,14 @@ impl Problem<'_> {
     fn trial(
         &self,
         points: &[Point3],
-        linear: &Linearised,
-        r: &Residuals,
+        about: (&Linearised, &Residuals),
         damping: f64,
+        workspace: &mut Workspace,
     ) -> Option<(Vec<Point3>, Residuals)> {
         let mut projectors = self.holds.projectors(points);
-        let mut moves = self.moves(linear, r, damping, &projectors)?;
+        let mut moves = self.moves(about, damping, &projectors, workspace)?;
         while self.holds.stop_at_ends(points, &moves, &mut projectors) {
-            moves = self.moves(linear, r, damping, &projectors)?;
+            moves = self.moves(about, damping, &projectors, workspace)?;
         }
         if !moves.iter().all(|m| m.length() <= STEP_LIMIT * self.edge) {
             return None;
@@ -223,8 +228,14 @@ impl Problem<'_> {
         Some((moved, r))
     }
 
-    fn moves(&self, linear: &Linearised, r: &Residuals, damping: f64, projectors: &[Block]) -> Option<Vec<Vec3>> {
-        let factored = self.pattern.factored((&linear.matrix, &self.metric, damping), projectors)?;
+    fn moves(
+        &self,
+        (linear, r): (&Linearised, &Residuals),
+        damping: f64,
+        projectors: &[Block],
+        workspace: &mut Workspace,
+    ) -> Option<Vec<Vec3>> {
+        let factored = self.pattern.factored(workspace, (&linear.matrix, &self.metric, damping), projectors)?;
         Some(solve(&factored, projectors, &linear.rows, &r.closing, &linear.downhill))
     }
 }
