@@ -211,18 +211,20 @@ fn borders_in_full() {
                 (Border::OnCurves([Some(&first), Some(&last), None, None]), "both on curves"),
             ] {
                 match circular(&before, border) {
+                    Ok(mesh) if !mesh.report.rejected_quads.is_empty() => {
+                        println!("{name} {:?} {held}: {} quads cross", before.size(), mesh.report.rejected_quads.len());
+                    }
                     Ok(mesh) => {
                         let (m, r) = (measured(&mesh), &mesh.report);
                         let (angle, moved) = (r.closing[0].unwrap().angle_after, r.moves.max / r.median_edge);
                         println!(
                             "{name} {:?} {held}: {} steps, moves {moved:.3}, residual {:.0e}, angle {angle:.0e}, crease {:.0e}, \
-                             singular {}, crossing {}",
+                             singular {}",
                             before.size(),
                             r.steps,
                             r.residual_after,
                             m.crease,
-                            m.singular,
-                            r.rejected_quads.len()
+                            m.singular
                         );
                     }
                     Err(error) => println!("{name} {:?} {held}: {error}", before.size()),
