@@ -76,6 +76,69 @@ def test_handle_is_what_its_document_says(program, tmp_path):
     assert_volume(step, form.simpson([sum(p.area() for p in skin) for skin in skins], distance))
 
 
+def tower(u, v):
+    """A tower with bumps, closed along u."""
+    r = 20 * (1 + 0.1 * np.cos(3 * u) * np.sin(np.pi * v) + 0.05 * np.sin(2 * u + 1) * v)
+    return np.stack([r * np.cos(u), r * np.sin(u), 50 * v], -1)
+
+
+def ring(u, v):
+    """A ring that undulates, closed along u and v."""
+    r, w = 12 * (1 + 0.15 * np.cos(3 * u)), 2 * np.pi * v
+    return np.stack([(50 + r * np.cos(w)) * np.cos(u), (50 + r * np.cos(w)) * np.sin(u), r * np.sin(w) + 3 * np.sin(2 * u)], -1)
+
+
+def closed_net(surface, columns, rows, closed):
+    """The object of a document, with a frame near the edges: round an even number of them every frame comes back."""
+    u, v = np.meshgrid(2 * np.pi * np.arange(columns) / columns, np.arange(rows) / (rows if closed[1] else rows - 1))
+    grid = surface(u, v)
+    v1 = form.unit(grid[0, 1] - grid[0, -1])
+    v2 = grid[1, 0] - grid[0, 0]
+    v2 = form.unit(v2 - np.dot(v1, v2) * v1)
+    return grid, (v1, v2), form.net_document(grid, v1, v2, closed=list(closed), make_circular=True)
+
+
+def moved_vertices(program, path, name, grid, closed):
+    """Rows of the vertices as they were made circular."""
+    rows, columns = grid.shape[:2]
+    moved = np.full(grid.shape, np.nan)
+    for row in csv.DictReader(program("sample", path, "--object", name, "--count", 2).splitlines()):
+        j, i = divmod(int(row["patch"]), columns)
+        moved[(j + int(row["t"])) % rows, (i + int(row["s"])) % columns] = [float(row[k]) for k in "xyz"]
+    return moved
+
+
+@pytest.mark.parametrize(
+    "surface, closed, rows, count", [(ring, (True, True), 10, 18 * 10), (tower, (True, False), 9, 18 * 8)]
+)
+def test_closed_nets_made_circular_are_sewn_all_round(surface, closed, rows, count, program, tmp_path):
+    grid, frame, net = closed_net(surface, 18, rows, closed)
+    path, _ = built(program, tmp_path, {"skin": net})
+    moved = moved_vertices(program, tmp_path / "model.json", "skin", grid, closed)
+    assert form.residuals(moved).max() <= 1e-12 and np.linalg.norm(moved - grid, axis=-1).max() > 0.1
+    step = StepFaces(path)
+    size, users = structure(step, closed=all(closed))
+    assert (len(step.shells), len(step.faces)) == (1, count)
+    assert len(step.solids) == (1 if all(closed) else 0)
+    assert sum(len(group) == 1 for group in users) == (0 if all(closed) else 2 * 18)
+    assert normals_across_joints(users) <= NORMAL_LIMIT, "no crease, at the seam neither"
+    assert_patches(step, size, form.net(moved, *frame, closed))
+
+
+def test_closed_net_made_thick_is_a_solid(program, tmp_path):
+    grid, frame, net = closed_net(tower, 18, 9, (True, False))
+    objects = {"skin": {**net, "construction": True}, "wall": {"type": "offset", "of": "skin", "distance": 0.5, "thick": True}}
+    path, _ = built(program, tmp_path, objects)
+    step = StepFaces(path)
+    size, users = structure(step, closed=True)
+    assert (len(step.solids), len(step.faces)) == (1, 2 * 18 * 8 + 2 * 18)
+    assert normals_across_joints(users, 4 * 18) <= NORMAL_LIMIT
+    moved = moved_vertices(program, tmp_path / "model.json", "skin", grid, (True, False))
+    skins = [form.net(moved, *frame, (True, False), offset=h) for h in (0.0, 0.25, 0.5)]
+    assert_patches(step, size, form.layer(skins[0], skins[2], 18, (True, False)))
+    assert_volume(step, form.simpson([sum(p.area(2) for p in skin) for skin in skins], 0.5))
+
+
 ROOF = ROOT / "examples/roof.json"
 
 

@@ -25,7 +25,7 @@
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`DEFAULT_MOST_PIECES`]), [`Provenance`], [`vtk_multi_block`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
-//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`], [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
+//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
@@ -93,7 +93,7 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples,
+    CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,
     CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FASTER_THAN_LIMIT, FairnessReport,
     FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport, JointReport,
     MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace, PeakReport, PlaceReport,

@@ -114,14 +114,19 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     // Six decimals of a right surface: quads are off by 4e-7, the frame by 1.5e-5.
     let message = net(&revolved(24, 6), true, false).unwrap_err();
     assert!(message.contains("carry about 7 digits") && message.contains("give 12 or more"), "{message}");
-    assert!(message.contains("[not-concircular]") && !message.contains("make_circular"), "{message}");
-    let message = net(&revolved(24, 6), true, true).unwrap_err();
-    assert!(message.contains("carry about 7 digits") && message.contains("[net-does-not-close]"), "{message}");
-    assert!(message.contains("repeat the first column as the last one and leave out `closed`"), "{message}");
-    // The advices: more digits, with and without `make_circular`; or cut open, first as it is, then made circular.
+    assert!(message.contains("[not-concircular]") && message.contains("`make_circular` moves"), "{message}");
+    // The advices: more digits, with and without `make_circular`; `make_circular` alone; or cut open.
     for circular in [false, true] {
         assert_eq!(reasons(&net(&revolved(24, 12), true, circular).unwrap()), [""; 0]);
     }
+    let built = net(&revolved(24, 6), true, true).unwrap();
+    let report = surface(&built);
+    let circular = report.circular.unwrap();
+    assert!(circular.move_max < 1e-5 && report.joints.creases == 0, "{}", circular.move_max);
+    let [closing] = circular.closing[..] else { panic!("{:?}", circular.closing) };
+    assert!(closing.direction == "s" && closing.angle_before > 1e-8 && closing.angle_after < 1e-12, "{closing:?}");
+    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    assert!(text.contains("\n  closing    along s: after a turn the frame is off by "), "{text}");
     let message = net(&revolved(25, 6), false, false).unwrap_err();
     assert!(message.contains("7 digits") && message.contains("; or `make_circular` moves the vertices by as little"));
     let built = net(&revolved(25, 6), false, true).unwrap();
@@ -135,6 +140,30 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     let square = [[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]];
     let message = build(&json!({"type": "cyclidic-net", "grid": square})).unwrap_err();
     assert!(!message.contains("digits") && message.contains("`make_circular` moves the vertices until they are"));
+}
+
+/// An elliptic tube whose quads are rectangles: the frame is turned round an even number of them.
+#[test]
+fn closed_grids_are_told_how_to_close() {
+    let point = |i: u32, j: u32| {
+        let u = TAU * f64::from(i) / 8.0;
+        [3.0 * u.cos(), 2.0 * u.sin(), f64::from(j)]
+    };
+    let rows: Vec<Vec<[f64; 3]>> = (0..5).map(|j| (0..8).map(|i| point(i, j)).collect()).collect();
+    let net = |options: Value| {
+        build(&json!({"type": "cyclidic-net", "grid": rows, "closed": [true, false], "make_circular": options}))
+    };
+    let message = net(json!(false)).unwrap_err();
+    assert!(message.contains("[net-does-not-close]") && message.contains("the frame is off by 0."), "{message}");
+    assert!(message.contains("`make_circular` moves the vertices until it closes; or cut it open"), "{message}");
+    assert_eq!(surface(&net(json!(true)).unwrap()).joints.creases, 0);
+    // Of an even number of edges of unequal lengths: nothing can close what is held.
+    let message = net(json!({"border": "pinned"})).unwrap_err();
+    assert!(
+        message.contains("[net-does-not-close]") && message.contains("can never close: let it be `free`"),
+        "{message}"
+    );
+    assert!(message.contains("or cut it open: repeat the first column") && !message.contains("moves the"), "{message}");
 }
 
 #[test]

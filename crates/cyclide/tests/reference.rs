@@ -127,6 +127,14 @@ fn patches_and_nets() {
 }
 
 #[test]
+fn closed_nets() {
+    all_pass(
+        include_str!("reference/70-principal-nets.json"),
+        &[("ring-closing", 5), ("strip-closing", 2), ("closed-circular-net", 10)],
+    );
+}
+
+#[test]
 fn spherical_cubes_and_volumes() {
     all_pass(
         include_str!("reference/20-cyclides.json"),

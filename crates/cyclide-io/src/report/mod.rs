@@ -1,6 +1,7 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
 mod cell_laws;
+mod closing;
 mod curvature;
 mod curve_sample;
 mod curves;
@@ -28,6 +29,7 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 pub use cell_laws::CellLawReport;
+pub use closing::ClosingReport;
 pub use curvature::CurvatureRangeReport;
 pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};

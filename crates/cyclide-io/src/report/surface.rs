@@ -8,7 +8,9 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport, TubeReport};
+use super::{
+    ClosingReport, CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport, TubeReport,
+};
 use crate::document::BuiltObject;
 use crate::measure::joints::SurfaceJointReport;
 
@@ -192,6 +194,8 @@ pub struct CircularReport {
     pub angle_before: Option<f64>,
     /// The same as made.
     pub angle_after: Option<f64>,
+    /// How far each closed direction was from closing, and is; empty for an open grid.
+    pub closing: Vec<ClosingReport>,
     /// How much of the shape is left; `None` for a flat grid.
     pub shape: Option<ShapeReport>,
     /// Quads by index, s fastest, that no patch fits into: sides cross or have no length. A document with such quads is
@@ -413,6 +417,7 @@ impl From<&cyclide::CircularMeshReport> for CircularReport {
             off_surface_max: report.moves.max_off_surface,
             angle_before: report.angle_before.map(|angle| angle.median),
             angle_after: report.angle_after.map(|angle| angle.median),
+            closing: ClosingReport::all(&report.closing),
             shape: report.shape.as_ref().map(ShapeReport::from),
             rejected_quads: report.rejected_quads.clone(),
         }

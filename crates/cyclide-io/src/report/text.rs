@@ -257,6 +257,12 @@ impl SurfaceReport {
                 let (before, after) = (short(before), short(after));
                 line("", format!("angle to the curvature lines {after} rad in the median, before {before} rad"))?;
             }
+            for closing in &c.closing {
+                let [before, after, stretch] =
+                    [closing.angle_before, closing.angle_after, closing.stretch_after].map(short);
+                let frame = format!("along {}: after a turn the frame is off by {after} rad", closing.direction);
+                line("closing", format!("{frame}, before by {before} rad; speeds are to {stretch}"))?;
+            }
             if let Some(shape) = &c.shape {
                 line("shape", shape.to_string())?;
             }

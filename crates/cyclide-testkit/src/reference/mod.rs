@@ -13,6 +13,7 @@ mod canal;
 mod case;
 mod check;
 mod circular;
+mod closing;
 mod deviation;
 mod fair;
 mod interpolation;
@@ -96,7 +97,7 @@ pub const CURVE_CONSTRUCTS: [&str; 54] = [
 
 /// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 26] = [
+pub const SURFACE_CONSTRUCTS: [&str; 29] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -111,6 +112,9 @@ pub const SURFACE_CONSTRUCTS: [&str; 26] = [
     "cyclide-implicit",
     "cyclide-moebius",
     "circular-net-frames",
+    "ring-closing",
+    "strip-closing",
+    "closed-circular-net",
     "miquel-point",
     "spherical-cube",
     "cyclide-volume",
@@ -136,6 +140,7 @@ fn handler(construct: &str) -> Option<Handler> {
         patch::handler,
         revolution::handler,
         circular::handler,
+        closing::handler,
         polyhedron::handler,
         triangle::handler,
         torus::handler,
@@ -151,7 +156,7 @@ fn handler(construct: &str) -> Option<Handler> {
 }
 
 /// Fields of `expect` that are information, not to be compared (`docs/math/reference-cases.md#format`).
-const INFORMATION: [&str; 3] = ["straight", "true_segments", "true_arcs"];
+const INFORMATION: [&str; 4] = ["straight", "true_segments", "true_arcs", "move_open_max"];
 
 /// Runs the cases of one file and adds the outcome to `report`. With `only`, cases of other constructs are counted as
 /// skipped, those without a handler named as unknown.

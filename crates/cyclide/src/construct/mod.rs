@@ -13,8 +13,8 @@ pub use bodies::{
 pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
-    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
-    make_circular,
+    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange, LineAngles,
+    VertexMoves, make_circular,
 };
 pub use curves::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,

@@ -21,7 +21,9 @@ pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, Rol
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub(crate) use net::SameVertices;
-pub use net::{CyclidicNet, NetFrame, SingularPatch};
+#[cfg(feature = "circular-mesh")]
+pub(crate) use net::closing_limit;
+pub use net::{CyclidicNet, GridClosing, NetFrame, RingClosing, SingularPatch, StripClosing};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub(crate) use patch::{check_following_quad, on_corner_circle, orthonormal};

@@ -86,6 +86,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "",
     },
     Entry {
+        name: "closed_skins",
+        title: "Closed skins",
+        text: "A tower and a ring of any shape: the vertices of their meshes move until every quad has a circle and the skins close all round without a seam. The tower has a wall of 0.3 m, exact everywhere.",
+        document: example!("closed_skins.json"),
+        inputs: &[input!("tower.obj"), input!("undulating.obj")],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
         name: "handle",
         title: "Triply curved handle",
         text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, made thick to a closed solid.",

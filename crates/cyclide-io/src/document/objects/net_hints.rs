@@ -1,5 +1,6 @@
 //! Where a person goes on from what was said about a net: the cause, and what leads out of it.
 
+use crate::document::spec::MakeCircularSpec;
 use cyclide::{CyclidicNet, Error as KernelError, NetFrame, Point3, QuadGrid, Seam, SeamMeasure, ShortNumber, Units};
 
 /// Fewer digits are short numbers, not rounded ones.
@@ -37,20 +38,16 @@ fn digits(x: f64) -> usize {
     format!("{x:e}").split('e').next().unwrap_or_default().chars().filter(char::is_ascii_digit).count()
 }
 
-/// What leads on from an error of a net over a grid as given.
-pub(super) fn hint(error: &KernelError, given: &QuadGrid) -> Option<String> {
-    let closed = given.closed().contains(&true);
+/// What leads on from an error of a net over a grid as given, whose vertices were moved or could have been.
+pub(super) fn hint(error: &KernelError, given: &QuadGrid, spec: &MakeCircularSpec) -> Option<String> {
     match error {
         KernelError::InQuad { quad, cause } => {
             let KernelError::NotConcircular { measured, .. } = **cause else { return None };
             let columns = given.quads()[0];
             let digits = Digits::of(given).filter(|d| measured <= d.reach(given, &[[quad % columns, quad / columns]]));
-            Some(match (digits, closed) {
-                (None, _) => "`make_circular` moves the vertices until they are".to_owned(),
-                (Some(digits), false) => {
-                    format!("{}; or `make_circular` moves the vertices by as little", digits.words())
-                }
-                (Some(digits), true) => digits.words(),
+            Some(match digits {
+                None => "`make_circular` moves the vertices until they are".to_owned(),
+                Some(digits) => format!("{}; or `make_circular` moves the vertices by as little", digits.words()),
             })
         }
         KernelError::NetDoesNotClose { direction, angle, .. } => {
@@ -63,7 +60,15 @@ pub(super) fn hint(error: &KernelError, given: &QuadGrid) -> Option<String> {
                 "cut it open: repeat the first {border} as the last one and leave out `closed` (in a mesh file, points of \
                  its own on both sides of the cut); a seam stays there"
             );
-            Some(digits.map_or(open.clone(), |digits| format!("{}; or {open}", digits.words())))
+            let moves = if spec.options().is_none() {
+                "`make_circular` moves the vertices until it closes; or "
+            } else if spec.border_is_pinned() {
+                "a pinned border that turns the frame can never close: let it be `free`, or slide on curves; or "
+            } else {
+                ""
+            };
+            let digits = digits.map_or(String::new(), |digits| format!("{}; or ", digits.words()));
+            Some(format!("{digits}{moves}{open}"))
         }
         _ => None,
     }
@@ -110,15 +115,14 @@ pub(super) fn seam_words(seam: Seam, measure: SeamMeasure, grid: &QuadGrid, unit
         let closed = if closes(grid, seam) {
             "let the grid close: `closed`, or common points in a mesh file"
         } else {
-            "it does not close: `closed` would be refused (`net-does-not-close`)"
+            "as it is it does not close: `closed` takes `make_circular`, which moves the vertices until it does"
         };
         format!("they lie on each other, and the surface has {angle} there; {closed}")
     } else {
         let gap = ShortNumber(measure.gap);
         format!(
             "the surface has a gap of up to {gap} {} and {angle}; if it should close there, let the grid close: `closed`, or \
-             common points in a mesh file; where that is refused (`net-does-not-close`) the gap stays, and a grid along \
-             the curvature lines, of more quads, has a smaller one",
+             common points in a mesh file, with `make_circular`, which moves the vertices until it does",
             units.symbol()
         )
     };

@@ -11,7 +11,9 @@ use super::surfaces::direction;
 use super::{Builder, Remark};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile, ObjectSpec};
+use crate::document::spec::{
+    CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularSpec, MeshFile, ObjectSpec,
+};
 use crate::error::{Error, Result};
 use crate::formats::{InputKind, read_quad_grid};
 use crate::measure::joints::SurfaceJointReport;
@@ -184,7 +186,11 @@ impl<'a> Builder<'a> {
         if let KernelError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. } = error {
             return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
-        let words = hint(error, grid).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
+        let moved = match self.spec {
+            ObjectSpec::CyclidicNet(net) => &net.make_circular,
+            _ => &MakeCircularSpec::Switch(false),
+        };
+        let words = hint(error, grid, moved).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
         match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
                 self.refused_at_vertices(grid, &[*second, *first], error.reason(), error.to_string())

@@ -147,6 +147,11 @@ impl MakeCircularSpec {
         }
     }
 
+    /// True if the border stays where it is.
+    pub(in crate::document) fn border_is_pinned(&self) -> bool {
+        matches!(self, Self::Options(MakeCircularOptions { border: BorderSpec::Word(BorderWord::Pinned), .. }))
+    }
+
     /// The curves on which sides slide.
     pub(in crate::document) fn border_curves(&self) -> Option<&BorderCurves> {
         match self {

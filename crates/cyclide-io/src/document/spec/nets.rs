@@ -87,7 +87,7 @@ pub struct CyclidicNetSpec {
     /// the first vertex is reached from the first corner back along s, then back along t.
     #[serde(default)]
     pub frame: FrameSpec,
-    /// Move the vertices so that the corners of every quad are on one circle.
+    /// Move the vertices so that the corners of every quad are on one circle, and closed directions close.
     #[serde(default)]
     pub make_circular: MakeCircularSpec,
 }

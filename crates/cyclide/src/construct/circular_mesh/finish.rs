@@ -1,7 +1,8 @@
 //! The exact finish: fourth corners projected onto the circle of the other three, row by row.
 
 use super::border::Holds;
-use super::residual::{largest, residuals};
+use super::closing::Closing;
+use super::search::Residuals;
 use crate::base::vector::{Point3, Vec3};
 use crate::surface::QuadGrid;
 
@@ -11,8 +12,13 @@ use crate::surface::QuadGrid;
 ///
 /// Each move is by the residual that the search has left, but moves add up along the rows, and the last quads of
 /// closed directions and those at held borders have no corner left to move: the points are kept as they were unless
-/// the largest residual falls.
-pub(super) fn sweep(points: &mut Vec<Point3>, grid: &QuadGrid, quads: &[[usize; 4]], holds: &Holds<'_>) {
+/// the largest residual falls, those of closed directions among them.
+pub(super) fn sweep(
+    points: &mut Vec<Point3>,
+    grid: &QuadGrid,
+    (quads, closing): (&[[usize; 4]], &Closing),
+    holds: &Holds<'_>,
+) {
     let mut swept = points.clone();
     let [m, n] = grid.size();
     for j in 0..n - 1 {
@@ -23,7 +29,7 @@ pub(super) fn sweep(points: &mut Vec<Point3>, grid: &QuadGrid, quads: &[[usize; 
             }
         }
     }
-    let measure = |points: &[Point3]| residuals(points, quads).map_or(f64::INFINITY, |r| largest(&r));
+    let measure = |points: &[Point3]| Residuals::of(points, quads, closing).map_or(f64::INFINITY, |r| r.largest());
     if measure(&swept) < measure(points) {
         *points = swept;
     }

@@ -3,7 +3,9 @@
 
 mod block;
 mod border;
+mod closing;
 mod curvature;
+mod dense_rows;
 mod fairness;
 mod finish;
 mod guard;
@@ -16,7 +18,7 @@ mod residual;
 mod search;
 
 pub use options::{Border, CircularMeshOptions};
-pub use report::{CircularMeshReport, LineAngles, VertexMoves};
+pub use report::{CircularMeshReport, ClosingChange, LineAngles, VertexMoves};
 pub use search::CircularMeshStep;
 
 use crate::base::bounds::Aabb;
@@ -28,6 +30,7 @@ use crate::shape_change::ShapeChange;
 use crate::surface::QuadGrid;
 use crate::warning::Warning;
 use border::Holds;
+use closing::Closing;
 use guard::Guard;
 use normal_equations::Pattern;
 use report::Comparison;
@@ -76,7 +79,11 @@ impl CircularMesh {
 /// roughly along the curvature lines of its surface moves little (hundredths of the surface's width), one 45 degrees
 /// off ends nearly planar: a result that has lost the shape of its input is refused ([`ShapeChange`],
 /// [`CircularMeshOptions::allow_shape_change`]). The last corners are then projected onto the circle of the others
-/// where that lowers the residual further. A grid that is circular as given is returned bit for bit.
+/// where that lowers the residual further. A grid that is circular and closes as given is returned bit for bit.
+///
+/// In closed directions the grid closes as a net: the frame that is carried round comes back, and the lines across with
+/// their speed ([`QuadGrid::closing`]). That costs moves of hundredths of an edge and is solved together with the circles
+/// (`docs/math/circular-meshes.md#closed-grids`).
 ///
 /// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes some
 /// hundredths of a second. `progress` is called after each step.
@@ -97,8 +104,9 @@ impl CircularMesh {
 /// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range),
 /// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves),
 /// `collapsed-on-curve` (neighbours have the same nearest point on the curve of their side), `not-converged` (with the
-/// step and the residual reached: the border is held too tightly, or the grid is folded), `shape-lost` (unless
-/// allowed, or quads cross: those are named in the report).
+/// step and the residual reached: the border is held too tightly, or the grid is folded), `net-does-not-close` (a pinned
+/// closed row that turns the frame, which nothing can close; or the quads have circles and a direction does not close),
+/// `shape-lost` (unless allowed, or quads cross: those are named in the report).
 pub fn make_circular(
     grid: &QuadGrid,
     options: &CircularMeshOptions<'_>,
@@ -112,14 +120,17 @@ pub fn make_circular(
     let bounds = Aabb::of_points(grid.points().iter().copied());
     let origin = bounds.map_or(Point3::ORIGIN, |b| b.min.midpoint(b.max));
     let scale = world_edge.log2().round().exp2();
+    closing::check_pinned(grid, options.border)?;
     let holds = Holds::new(grid, options.border, origin, scale);
     let mut points: Vec<Point3> = grid.points().iter().map(|p| Point3::ORIGIN + (*p - origin) / scale).collect();
 
     let quads = residual::quads(grid);
+    let closing = Closing::new(grid);
     let triples = fairness::triples(grid);
     let normals = input_surface::normals(grid.points(), grid, [1; 2]);
     let measure = |points: &[Point3]| residual::residuals(points, &quads).map_or(1.0, |r| residual::largest(&r));
     let residual_before = measure(&points);
+    let closing_before = [input.closing(0)?, input.closing(1)?];
 
     let given = points.clone();
     holds.settle(&mut points);
@@ -128,10 +139,11 @@ pub fn make_circular(
     let terms = quads.iter().map(|q| &q[..]).chain(triples.iter().map(|t| &t[..]));
     let pattern = Pattern::new(points.len(), terms).ok_or(search::refused(0, residual_before))?;
     let metric = fairness::metric(&pattern, &triples, &normals, edge);
-    let problem = Problem { quads: &quads, pattern, metric, holds: &holds, edge, max_steps: options.max_steps };
+    let max_steps = options.max_steps;
+    let problem = Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, max_steps };
     let steps = problem.search(&mut points, progress)?;
     if steps > 0 {
-        finish::sweep(&mut points, grid, &quads, &holds);
+        finish::sweep(&mut points, grid, (&quads, &closing), &holds);
     }
 
     let moved = steps > 0 || matches!(options.border, Border::OnCurves(_));
@@ -149,18 +161,21 @@ pub fn make_circular(
     let moves = comparison.moves();
     let [angle_before, angle_after] = comparison.angles();
     let warnings = comparison.warnings(&moves, world_edge, shape.as_ref());
+    let residual_after = measure(&after);
+    let made = QuadGrid::new(after, grid.size(), grid.closed())?;
     let report = CircularMeshReport {
         steps,
         residual_before,
-        residual_after: measure(&after),
+        residual_after,
         median_edge: world_edge,
         moves,
         angle_before,
         angle_after,
+        closing: report::closing(closing_before, &made)?,
         shape,
         rejected_quads,
     };
-    Ok(CircularMesh { grid: QuadGrid::new(after, grid.size(), grid.closed())?, report, warnings })
+    Ok(CircularMesh { grid: made, report, warnings })
 }
 
 /// # Errors

@@ -2,14 +2,13 @@
 //! restriction to the moves that border vertices may make.
 //!
 //! The pattern never changes, so faer orders (approximate minimum degree) and analyses it once; each step is one sparse
-//! Cholesky factorisation. Everything runs on one thread in a fixed order.
+//! Cholesky factorisation into the memory of the last one. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
-use crate::base::vector::Vec3;
-use faer::prelude::Solve;
-use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{MatMut, Side};
+use faer::{Conj, MatMut, Par, Side};
 
 /// A symmetric matrix of blocks: its lower triangle, column by column.
 pub(super) struct BlockMatrix {
@@ -24,7 +23,15 @@ pub(super) struct Pattern {
     row: Vec<usize>,
     /// The lower triangle by coordinates: 3 rows and 3 columns for each vertex.
     coordinates: SymbolicSparseColMat<usize>,
-    factor: SymbolicLlt<usize>,
+    factor: SymbolicCholesky<usize>,
+}
+
+/// Memory of a factor and of what it takes to make it, used again from step to step: of large grids half a gigabyte,
+/// which takes as long to get as a tenth of the factorisation.
+pub(super) struct Workspace {
+    values: Vec<f64>,
+    factor: Vec<f64>,
+    scratch: MemBuffer,
 }
 
 impl Pattern {
@@ -51,8 +58,18 @@ impl Pattern {
         }
         let size = 3 * vertices;
         let coordinates = SymbolicSparseColMat::new_checked(size, size, starts, None, indices);
-        let factor = SymbolicLlt::try_new(coordinates.as_ref(), Side::Lower).ok()?;
+        let order = SymmetricOrdering::Amd;
+        let factor = factorize_symbolic_cholesky(coordinates.as_ref(), Side::Lower, order, Default::default()).ok()?;
         Some(Self { first, row, coordinates, factor })
+    }
+
+    /// `None` if there is no memory for it.
+    pub(super) fn workspace(&self) -> Option<Workspace> {
+        let mut factor = Vec::new();
+        factor.try_reserve_exact(self.factor.len_val()).ok()?;
+        factor.resize(self.factor.len_val(), 0.0);
+        let needed = self.factor.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        Some(Workspace { values: Vec::new(), factor, scratch: MemBuffer::try_new(needed).ok()? })
     }
 
     pub(super) fn zero(&self) -> BlockMatrix {
@@ -68,23 +85,26 @@ impl Pattern {
         }
     }
 
-    /// Solves `(a + lambda b) x = y` for x in the product of the ranges of `projectors` (one for each vertex); `None`
-    /// if the matrix is not positive definite in doubles.
+    /// The factor of `a + lambda b` restricted to moves in the ranges of `projectors` (one for each vertex); `None` if
+    /// the matrix is not positive definite in doubles.
     ///
-    /// The matrix solved is `P (a + lambda b) P + (I - P)` times the size of the diagonal: it keeps the pattern.
-    pub(super) fn solve(
-        &self,
+    /// It is that of `P (a + lambda b) P + (I - P)` times the size of the diagonal, which keeps the pattern: right
+    /// sides in the ranges have their solutions there.
+    pub(super) fn factored<'a>(
+        &'a self,
+        workspace: &'a mut Workspace,
         (a, b, lambda): (&BlockMatrix, &BlockMatrix, f64),
         projectors: &[Block],
-        y: &[Vec3],
-    ) -> Option<Vec<Vec3>> {
+    ) -> Option<Factored<'a>> {
         let restricted = |k: usize, column: usize| {
             let block = a.blocks[k] + b.blocks[k] * lambda;
             let (row, q) = (self.row[k], projectors[column]);
             let held = if row == column { (Block::IDENTITY - q) * block.trace() } else { Block::ZERO };
             projectors[row] * block * q + held
         };
-        let mut values = Vec::with_capacity(self.coordinates.row_idx().len());
+        let Workspace { values, factor, scratch } = workspace;
+        values.clear();
+        values.reserve(self.coordinates.row_idx().len());
         let mut blocks = Vec::new();
         for v in 0..projectors.len() {
             blocks.clear();
@@ -93,18 +113,36 @@ impl Pattern {
                 values.extend(blocks.iter().flat_map(|block| block.column(column)).skip(column));
             }
         }
-        let matrix = SparseColMatRef::new(self.coordinates.as_ref(), &values);
-        let factor = Llt::try_new_with_symbolic(self.factor.clone(), matrix, Side::Lower).ok()?;
-        let mut x: Vec<f64> = y.iter().zip(projectors).flat_map(|(y, p)| p.apply(*y).to_array()).collect();
-        let size = x.len();
-        factor.solve_in_place(MatMut::from_column_major_slice_mut(&mut x, size, 1));
-        Some(x.chunks_exact(3).map(|c| Vec3::new(c[0], c[1], c[2])).collect())
+        let matrix = SparseColMatRef::new(self.coordinates.as_ref(), values);
+        let (regularization, stack) = (Default::default(), MemStack::new(scratch));
+        self.factor
+            .factorize_numeric_llt(factor, matrix, Side::Lower, regularization, Par::Seq, stack, Default::default())
+            .ok()?;
+        Some(Factored { factor: LltRef::new(&self.factor, factor), size: 3 * projectors.len() })
+    }
+}
+
+/// A matrix that can be solved with.
+pub(super) struct Factored<'a> {
+    factor: LltRef<'a, usize, f64>,
+    size: usize,
+}
+
+impl Factored<'_> {
+    /// Replaces right sides, one after the other, by their solutions.
+    pub(super) fn solve(&self, columns: &mut [f64]) {
+        let count = columns.len() / self.size;
+        let mut scratch = MemBuffer::new(self.factor.symbolic().solve_in_place_scratch::<f64>(count, Par::Seq));
+        let columns = MatMut::from_column_major_slice_mut(columns, self.size, count);
+        self.factor.solve_in_place_with_conj(Conj::No, columns, Par::Seq, MemStack::new(&mut scratch));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::dense_rows::{SparseRow, solve};
     use super::*;
+    use crate::base::vector::Vec3;
 
     /// A ring of six vertices with a chord: eliminating any of them couples its neighbours.
     const PAIRS: [[usize; 2]; 7] = [[1, 0], [2, 1], [3, 2], [4, 3], [5, 4], [0, 5], [4, 1]];
@@ -126,6 +164,23 @@ mod tests {
         y
     }
 
+    /// The solution with one matrix alone.
+    fn solved(pattern: &Pattern, a: &BlockMatrix, projectors: &[Block], y: &[Vec3]) -> Vec<Vec3> {
+        with_rows(pattern, a, projectors, (&[], &[]), y)
+    }
+
+    fn with_rows(
+        pattern: &Pattern,
+        a: &BlockMatrix,
+        projectors: &[Block],
+        (rows, c): (&[SparseRow], &[f64]),
+        y: &[Vec3],
+    ) -> Vec<Vec3> {
+        let mut workspace = pattern.workspace().unwrap();
+        let factored = pattern.factored(&mut workspace, (a, &pattern.zero(), 0.0), projectors).unwrap();
+        solve(&factored, projectors, rows, c, y)
+    }
+
     fn matrix(pattern: &Pattern) -> BlockMatrix {
         let mut matrix = pattern.zero();
         (0..6).for_each(|v| pattern.add(&mut matrix, v, v, diagonal()));
@@ -137,13 +192,14 @@ mod tests {
     fn solves_a_matrix_that_fills_in() {
         let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
         let x: Vec<Vec3> = (0..6).map(|k| Vec3::new(k as f64, 1.0, -2.0 * k as f64)).collect();
-        let (a, zero) = (matrix(&pattern), pattern.zero());
-        let solved = pattern.solve((&a, &zero, 0.0), &[Block::IDENTITY; 6], &product(&x)).unwrap();
+        let a = matrix(&pattern);
+        let solved = solved(&pattern, &a, &[Block::IDENTITY; 6], &product(&x));
         // Condition below 10, values up to 10.
         assert!(x.iter().zip(&solved).all(|(x, y)| (*x - *y).length() < 1e-13));
         let mut b = pattern.zero();
         pattern.add(&mut b, 3, 3, diagonal() * -1.0);
-        assert!(pattern.solve((&a, &b, 2.0), &[Block::IDENTITY; 6], &product(&x)).is_none());
+        let mut workspace = pattern.workspace().unwrap();
+        assert!(pattern.factored(&mut workspace, (&a, &b, 2.0), &[Block::IDENTITY; 6]).is_none());
     }
 
     #[test]
@@ -153,12 +209,37 @@ mod tests {
         let mut projectors = [Block::IDENTITY; 6];
         (projectors[0], projectors[3]) = (Block::ZERO, Block::square(along));
         let y: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
-        let (a, zero) = (matrix(&pattern), pattern.zero());
-        let x = pattern.solve((&a, &zero, 0.0), &projectors, &y).unwrap();
+        let a = matrix(&pattern);
+        let x = solved(&pattern, &a, &projectors, &y);
         // Values up to 1, condition below 10.
         assert!(x[0].length() < 1e-14 && x[3].cross(along).length() < 1e-14);
         // What is left of the equations is perpendicular to every move that is allowed.
         let left = product(&x).into_iter().zip(&y).zip(projectors).map(|((p, y), q)| q.apply(p - *y).length());
         assert!(left.fold(0.0, f64::max) < 1e-13);
+    }
+    #[test]
+    fn dense_rows_add_their_squares() {
+        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let a = matrix(&pattern);
+        // More rows than are solved at once; the last one names a vertex twice.
+        let row = |k: usize| (0..6).map(|v| (v, Vec3::new((k + v) as f64 % 5.0, (k * v) as f64 % 3.0, 1.0))).collect();
+        let mut rows: Vec<SparseRow> = (0..20).map(row).collect();
+        rows.push(vec![(2, Vec3::X), (2, Vec3::Y), (5, Vec3::Z)]);
+        let along = Vec3::new(0.6, 0.0, 0.8);
+        let mut projectors = [Block::IDENTITY; 6];
+        (projectors[1], projectors[4]) = (Block::ZERO, Block::square(along));
+        let c: Vec<f64> = (0..21).map(|k| 0.3 * k as f64 - 2.0).collect();
+        let b: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
+        let x = with_rows(&pattern, &a, &projectors, (&rows, &c), &b);
+        assert!(x[1].length() < 1e-14 && x[4].cross(along).length() < 1e-14);
+        // K x + C^T (C x + c) - b, of which nothing is left along the moves that are allowed.
+        let mut left: Vec<Vec3> = product(&x).into_iter().zip(&b).map(|(p, b)| p - *b).collect();
+        for (row, c) in rows.iter().zip(&c) {
+            let value = c + row.iter().map(|&(v, g)| g.dot(x[v])).sum::<f64>();
+            row.iter().for_each(|&(v, g)| left[v] += g * value);
+        }
+        let left = left.into_iter().zip(projectors).map(|(l, q)| q.apply(l).length());
+        // Sums of 21 products up to 100, condition below 1000.
+        assert!(left.fold(0.0, f64::max) < 1e-11);
     }
 }

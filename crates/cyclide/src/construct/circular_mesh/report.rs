@@ -3,8 +3,9 @@
 use super::input_surface;
 use super::residual::side_product;
 use crate::base::vector::{Point3, Vec3};
+use crate::error::Result;
 use crate::shape_change::{ACROSS, ShapeChange};
-use crate::surface::QuadGrid;
+use crate::surface::{GridClosing, QuadGrid};
 use crate::warning::Warning;
 
 /// A move above this many median edges is warned of.
@@ -47,10 +48,61 @@ pub struct CircularMeshReport {
     pub angle_before: Option<LineAngles>,
     /// Angles of the resulting grid lines to the curvature lines of the input at the same vertices.
     pub angle_after: Option<LineAngles>,
+    /// What closing took, along s and along t; `None` of an open direction.
+    pub closing: [Option<ClosingChange>; 2],
     /// How much of the shape changed; `None` for an input that is flat.
     pub shape: Option<ShapeChange>,
     /// Quads (s fastest) whose sides cross, or with a side of no length: no patch fits into them.
     pub rejected_quads: Vec<usize>,
+}
+
+/// How far a closed direction was from closing as a net, and is ([`GridClosing`]).
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let at = |k: usize| {
+///     let (a, z) = (std::f64::consts::TAU * (k % 8) as f64 / 8.0, (k / 8) as f64);
+///     Point3::new(3.0 * a.cos(), 2.0 * a.sin(), z)
+/// };
+/// let tube = QuadGrid::new((0..32).map(at).collect(), [8, 4], [true, false])?;
+/// let [along_s, along_t] = make_circular(&tube, &CircularMeshOptions::default(), &mut |_| ())?.report.closing;
+/// let closing = along_s.expect("it is closed along s");
+/// assert!(closing.angle_before > 1e-3 && closing.angle_after < 1e-12 && along_t.is_none());
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ClosingChange {
+    /// Largest angle by which a frame came back turned in the grid as given, radians.
+    pub angle_before: f64,
+    /// The same of the grid as returned.
+    pub angle_after: f64,
+    /// Largest difference from 1 of the ratio of the speeds of lines across, after and before a turn, in the grid as
+    /// given.
+    pub stretch_before: f64,
+    /// The same of the grid as returned.
+    pub stretch_after: f64,
+}
+
+/// What closing took, of each direction.
+///
+/// # Errors
+/// `coincident-points`.
+pub(super) fn closing(before: [Option<GridClosing>; 2], made: &QuadGrid) -> Result<[Option<ClosingChange>; 2]> {
+    let mut changes = [None; 2];
+    for (direction, change) in changes.iter_mut().enumerate() {
+        if let (Some(before), Some(after)) = (before[direction], made.closing(direction)?) {
+            *change = Some(ClosingChange {
+                angle_before: before.angle,
+                angle_after: after.angle,
+                stretch_before: before.stretch,
+                stretch_after: after.stretch,
+            });
+        }
+    }
+    Ok(changes)
 }
 
 /// How far the vertices moved.

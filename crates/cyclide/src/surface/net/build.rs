@@ -58,9 +58,9 @@ impl CyclidicNet {
         };
         let v = [v1, v2];
         let directions = transported(&grid, v);
-        let rounding = rounding(&grid);
-        let turn = closing(&grid, v, &directions, CLOSING_LIMIT + rounding)?;
-        let lengths = lengths(&grid, &kappa, CLOSING_LIMIT + rounding)?;
+        let (rounding, limit) = (rounding(&grid), closing_limit(&grid));
+        let turn = closing(&grid, v, &directions, limit)?;
+        let lengths = lengths(&grid, &kappa, limit)?;
         let weights = directions.iter().zip(&lengths).map(|(w, l)| *w * *l).collect();
         let net = Self { grid, weights, v, turn };
         for quad in 0..m * n {
@@ -109,6 +109,11 @@ fn transported(grid: &QuadGrid, v: [Vec3; 2]) -> Vec<Quat> {
         }
     }
     w
+}
+
+/// The largest angle (radians) and relative stretch by which a closed net over this grid may fail to close.
+pub(crate) fn closing_limit(grid: &QuadGrid) -> f64 {
+    CLOSING_LIMIT + rounding(grid)
 }
 
 /// The angle by which the frame may be off after a row and a column, because the vertices are rounded.

@@ -7,12 +7,16 @@
 //! (`docs/math/cyclides-and-nets.md#frames-and-weights-of-a-net`).
 
 mod build;
+mod closing;
 mod frame;
 mod offset;
 mod same_vertices;
 mod singular;
 mod transform;
 
+#[cfg(feature = "circular-mesh")]
+pub(crate) use build::closing_limit;
+pub use closing::{GridClosing, RingClosing, StripClosing};
 pub use frame::NetFrame;
 pub(crate) use same_vertices::SameVertices;
 pub use singular::SingularPatch;
