@@ -9,6 +9,10 @@ const PARTS: usize = 16;
 /// Halvings between a place that is slower and one that is faster: of a part of a cell they leave a rounding.
 const HALVINGS: u32 = 40;
 
+/// What is above a limit by no more than this part of it is at the limit: a speed is a product of derivatives with a way that was measured, and a law at
+/// constant speed is at its limit everywhere.
+const ROUNDED: f64 = 1e-12;
+
 /// What of a moving body is limited.
 ///
 /// ```
@@ -50,9 +54,10 @@ pub struct FastPlace {
 }
 
 impl Schedule<'_> {
-    /// The parts, in the order of time, on which the tool or the turn is faster than a limit.
+    /// The parts, in the order of time, on which the tool or the turn is faster than a limit, by more than 1e-12 of it.
     #[must_use]
     pub fn faster_than(&self, kind: SpeedKind, limit: f64) -> Vec<FastPlace> {
+        let limit = limit + ROUNDED * limit.abs();
         let figure = match kind {
             SpeedKind::Tool => Figure::Speed,
             SpeedKind::Turn => Figure::Turning,

@@ -20,6 +20,7 @@ mod span_cells;
 mod speed_peak;
 mod study_form;
 mod study_point;
+mod swings;
 mod timed_pose;
 mod timing;
 mod trajectory;

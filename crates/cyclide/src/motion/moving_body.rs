@@ -3,6 +3,7 @@
 use super::any_motion::Motion;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
+use super::pose_times::PoseTimes;
 use super::reversals::MotionReversal;
 use super::span_cells::KnownCells;
 use super::speed_peak::{FastTurn, SpeedPeak};
@@ -36,6 +37,7 @@ pub struct MovingBody {
     arm: f64,
     law: TimeLaw,
     duration: f64,
+    pose_times: PoseTimes,
     mesh: Option<BodyMesh>,
     cells: KnownCells,
 }
@@ -94,8 +96,16 @@ impl MovingBody {
     #[must_use]
     pub fn new(motion: Motion) -> Self {
         let [first, last] = motion.domain();
-        let (law, duration) = (TimeLaw::AsGiven, last - first);
-        Self { motion, tool: Point3::ORIGIN, arm: 0.0, law, duration, mesh: None, cells: KnownCells::default() }
+        Self {
+            motion,
+            tool: Point3::ORIGIN,
+            arm: 0.0,
+            law: TimeLaw::AsGiven,
+            duration: last - first,
+            pose_times: PoseTimes::Uniform,
+            mesh: None,
+            cells: KnownCells::default(),
+        }
     }
 
     /// With a point of the body that is measured, and the arm by which turns count beside its way (see [`Timing`]).
@@ -118,6 +128,18 @@ impl MovingBody {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max });
         }
         Self { law, duration, cells: KnownCells::default(), ..self }.checked()
+    }
+
+    /// With the rule that the times of its poses are from, for reports.
+    #[must_use]
+    pub fn with_pose_times(self, pose_times: PoseTimes) -> Self {
+        Self { pose_times, ..self }
+    }
+
+    /// The rule that the times of its poses are from; uniform also where they were given.
+    #[must_use]
+    pub fn pose_times(&self) -> PoseTimes {
+        self.pose_times
     }
 
     /// With its shape, for files that animate.

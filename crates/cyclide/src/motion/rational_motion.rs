@@ -5,11 +5,11 @@
 //! (`docs/math/motions.md#fibre-projection`).
 
 use super::dual_quat::DualQuat;
-use super::fibre_spline::Swings;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::span_of;
 use super::study_form::ROUNDED;
+use super::swings::Swings;
 use super::timed_pose::HalfTurns;
 use crate::base::bernstein;
 use crate::base::quat::Quat;
@@ -218,6 +218,24 @@ impl RationalMotion {
         Self { times, spans, pose_times: self.pose_times.clone(), ..*self }
     }
 
+    /// The same motion without the spans at rest, at times that are as much shorter: for what it runs over, a rest is nothing. One that rests all along
+    /// is itself.
+    #[must_use]
+    pub(crate) fn without_rests(&self) -> Self {
+        let resting = self.spans.iter().filter(|span| span.rests()).count();
+        if resting == 0 || resting == self.spans.len() {
+            return self.clone();
+        }
+        let (mut times, mut spans) = (vec![self.times[0]], Vec::new());
+        let mut end = self.times[0];
+        for (span, ends) in self.spans.iter().zip(self.times.windows(2)).filter(|(span, _)| !span.rests()) {
+            end += ends[1] - ends[0];
+            times.push(end);
+            spans.push(span.clone());
+        }
+        Self { times, spans, pose_times: Vec::new(), ..*self }
+    }
+
     /// Over each span the homogeneous path, of twice the degree, of a point of the body in homogeneous coordinates `[wx, wy, wz, w]`.
     pub(crate) fn homogeneous_paths(&self, row: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
         self.homogeneous_paths_about_centre(row).map(|path| path.moved(self.centre))
@@ -244,6 +262,11 @@ impl RationalMotion {
 }
 
 impl MotionSpan {
+    /// Whether the body stands still, to the bit: a spline makes such spans between poses that are the same.
+    fn rests(&self) -> bool {
+        self.0.windows(2).all(|pair| (0..8).all(|k| (pair[1][k] - pair[0][k]).abs() <= 0.0))
+    }
+
     /// Hands on the parts of a span over which the coefficients of `|p|²` are good weights, each with the time of its end.
     fn positive_parts(&self, [from, to]: [f64; 2], halvings: u32, take: &mut impl FnMut(Self, f64)) {
         let column = |d: usize| Polynomial::new(self.0.iter().map(|row| row[d]).collect());

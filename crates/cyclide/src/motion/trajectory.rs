@@ -9,12 +9,15 @@ use crate::rational::{NurbsCurve, RationalBezier};
 const SAME_PLACE: f64 = 1e-12;
 /// by this part of the extent of the path: far from the origin all of a short path is rounding.
 const SAME_END: f64 = 1e-6;
+/// Parts of a path up to so many roundings of its coordinates are points: of the products with the rotation and their sums.
+const AT_REST: f64 = 64.0 * f64::EPSILON;
 /// Slopes of homogeneous coordinates that differ by less than this part of the largest are one.
 const SAME_SLOPE: f64 = 1e-12;
 
 impl RationalMotion {
     /// The path of a point of the body: exact, of twice the [degree](Self::degree), over the knots `[0, 1]`, which are the
-    /// times on the scale of the whole motion. Where the motion is C1, so are the knots (of multiplicity one less than the degree).
+    /// times on the scale of the whole motion. Where the motion is C1, so are the knots (of multiplicity one less than the degree). Spans over which
+    /// the point rests are no part of it, and their times are left out.
     ///
     /// # Errors
     /// `not-finite` (the point is not, or its path overflows).
@@ -22,10 +25,21 @@ impl RationalMotion {
         if !point.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
         }
-        let motion = self.with_positive_weights();
-        let mut curves: Vec<RationalBezier> = Vec::new();
-        for row in motion.homogeneous_paths_about_centre([point.x, point.y, point.z, 1.0]) {
+        let motion = self.without_rests().with_positive_weights();
+        let mut all = Vec::with_capacity(motion.times().len() - 1);
+        for (row, ends) in
+            motion.homogeneous_paths_about_centre([point.x, point.y, point.z, 1.0]).zip(motion.times().windows(2))
+        {
             let curve = RationalBezier::new(RationalBezier::from_polynomial_row(&row).rows().to_vec())?;
+            all.push((curve, ends[1] - ends[0]));
+        }
+        // A turn about the point moves it no more than a rest.
+        if all.iter().any(|(curve, _)| !is_at_rest(curve, motion.centre())) {
+            all.retain(|(curve, _)| !is_at_rest(curve, motion.centre()));
+        }
+        let (mut curves, mut times): (Vec<RationalBezier>, _) = (Vec::new(), vec![motion.times()[0]]);
+        for (curve, step) in all {
+            times.push(times[times.len() - 1] + step);
             // One point for both, also where rounding is more than the coordinates, near the origin.
             let start = curves.last().map(|before| before.point(1.0));
             curves.push(curve.with_ends(start, None));
@@ -44,8 +58,16 @@ impl RationalMotion {
         }
         let degree = curves.iter().map(RationalBezier::degree).max().unwrap_or(1);
         let curves: Vec<RationalBezier> = curves.iter().map(|curve| raised(curve, degree)).collect();
-        joined(&curves, motion.times(), motion.centre())
+        joined(&curves, &times, motion.centre())
     }
+}
+
+/// Whether a path, in coordinates from a centre, is one point to rounding.
+fn is_at_rest(curve: &RationalBezier, centre: Vec3) -> bool {
+    let points = || curve.rows().iter().map(|[x, y, z, w]| Vec3::new(x / w, y / w, z / w));
+    let start = curve.point(0.0).to_vec();
+    let size = points().map(Vec3::max_abs).fold(centre.max_abs(), f64::max);
+    points().all(|p| (p - start).max_abs() <= AT_REST * size)
 }
 
 /// The curve with a degree that is not lower.

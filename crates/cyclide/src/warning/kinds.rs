@@ -1,6 +1,6 @@
 //! The list of warnings: what each is about, what was measured, and above which limit it is said.
 
-use super::SpikeRemedy;
+use super::{SpikeRemedy, SwingPart};
 use crate::shape_change::ShapeChange;
 
 /// A remark on a result that is valid but may not be what was meant.
@@ -93,6 +93,17 @@ pub enum Warning {
         /// Values above this are reported.
         limit: f64,
     },
+    /// A curve through points turns right back between two of them: they are nearly on a curve of lower degree, along which it runs to and fro.
+    TurnsBack {
+        /// The parameter of the first place, from 0 to 1.
+        t: f64,
+        /// How many such places there are.
+        count: usize,
+        /// How long the curve is on which it turns, at most, in spacings of the points.
+        within: f64,
+        /// Lengths up to this are reported.
+        limit: f64,
+    },
     /// The motion gets very fast within a span: a body on a motion of least degree runs near infinity there, or turns over in a moment.
     SpeedSpike {
         /// The span, from 0.
@@ -145,8 +156,10 @@ pub enum Warning {
         span: usize,
         /// How many spans there are of which that is true.
         count: usize,
-        /// How many times as fast.
+        /// How many times as fast; infinite where the poses are one.
         ratio: f64,
+        /// Of which part that is true.
+        part: SwingPart,
         /// Ratios above this are reported.
         limit: f64,
     },

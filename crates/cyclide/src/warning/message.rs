@@ -79,6 +79,13 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
+            Self::TurnsBack { t, count, limit, .. } => write!(
+                f,
+                "in {count} place(s), the first near the parameter {}, the curve turns right back, on less than {} of the spacing of the points: they are nearly on \
+                 a curve of lower degree, and it runs to and fro along that; change the parameters or take a Moebius spline",
+                ShortNumber(*t),
+                ShortNumber(*limit)
+            ),
             Self::SpeedSpike { span, time, ratio, turning, remedy, .. } => write!(
                 f,
                 "span {span}: {} seconds from its start the body {} {} times as fast as on average over the span: the motion has a spike there; {}",
@@ -107,12 +114,19 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*time),
                 ShortNumber(*velocity_jump)
             ),
-            Self::MotionSwings { span, count, ratio, .. } => write!(
-                f,
-                "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where it starts or ends {} times as fast as it goes on \
-                 average: give times that fit the ways, or a pose more (the same pose twice is a rest)",
-                ShortNumber(*ratio)
-            ),
+            Self::MotionSwings { span, count, ratio, part, .. } => {
+                let part = part.words();
+                write!(
+                    f,
+                    "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where {part} "
+                )?;
+                if ratio.is_finite() {
+                    write!(f, "starts or ends {} times as fast as it goes on average", ShortNumber(*ratio))?;
+                } else {
+                    f.write_str("goes on though it is the same at both")?;
+                }
+                f.write_str(": give times that fit the ways, or a pose more (the same pose twice is a rest)")
+            }
             Self::HalfTurn { pose, count, .. } => write!(
                 f,
                 "{count} pose(s), first pose {pose}, are turned by half a turn against the one before, up to rounding: both ways round are as short, and which one \

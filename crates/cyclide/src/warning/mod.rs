@@ -8,7 +8,9 @@ mod kinds;
 mod message;
 mod reason;
 mod spike_remedy;
+mod swing_part;
 mod words;
 
 pub use kinds::Warning;
 pub use spike_remedy::SpikeRemedy;
+pub use swing_part::SwingPart;

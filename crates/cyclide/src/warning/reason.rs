@@ -17,6 +17,7 @@ impl Warning {
             Self::UnevenSpacing { .. } => "uneven-spacing",
             Self::SpikeNearPoint { .. } => "spike-near-point",
             Self::LargeExcursion { .. } => "large-excursion",
+            Self::TurnsBack { .. } => "turns-back",
             Self::SpeedSpike { .. } => "speed-spike",
             Self::TurnsNearlyInPlace { .. } => "turns-nearly-in-place",
             Self::RestsPassedOver { .. } => "rests-passed-over",
@@ -106,6 +107,7 @@ impl Warning {
             | Self::RestsPassedOver { span, .. }
             | Self::MotionReverses { span, .. } => Some(span),
             Self::LargeExcursion { .. }
+            | Self::TurnsBack { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }
             | Self::SamplesTooCoarse { .. }

@@ -143,3 +143,57 @@ fn faces_far_from_the_origin_are_those_near_it() {
         }
     }
 }
+
+/// What goes out and back the same way encloses nothing: it is open, also where its curve is closed, and its ends are apart.
+#[test]
+fn what_goes_back_the_way_it_came_stays_open() {
+    let out = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 0.0, [0.0, 0.0, 5.0]), turned(2.0, 0.0, [0.0; 3])];
+    let bent = [out[0], turned(1.0, 10.0, [1.0, 0.0, 5.0]), out[2]];
+    // From the middle of the way, so that only inner poses turn back.
+    let both =
+        [out[0], turned(1.0, 0.0, [0.0, 0.0, 5.0]), turned(2.0, 0.0, [0.0, 0.0, -5.0]), turned(3.0, 0.0, [0.0; 3])];
+    for (poses, closed) in [(&out[..], true), (&out, false), (&bent, true), (&bent, false), (&both, true)] {
+        let profile = if closed { square() } else { vec![arc()] };
+        let motion = RationalMotion::spline(poses).unwrap();
+        let swept = SweptSurface::new(&profile, closed, &motion).unwrap();
+        let shell = &swept.body().outer;
+        assert!(!shell.is_closed() && swept.warnings()[0].reason() == "swept-surface-folds");
+        // Faces lie on each other in pairs, so the area is that of the way out twice.
+        let half = SweptSurface::new(&profile, closed, &RationalMotion::spline(&poses[..2]).unwrap());
+        if poses.len() == 3 {
+            let single = half.unwrap().body().outer.area();
+            // The way out of the three poses starts twice as fast and ends at rest: the same surface for straight ways.
+            let off = (shell.area() / (2.0 * single) - 1.0).abs();
+            assert!(off < if poses == out { 1e-9 } else { 0.02 }, "{off}");
+        }
+    }
+}
+
+/// Rests are no part of the surface: it is that of the ways before and after, of as many faces, to the bit but for where they meet.
+#[test]
+fn rests_have_no_faces() {
+    let ways = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 30.0, [10.0, 0.0, 2.0]), turned(2.0, 70.0, [18.0, 8.0, 4.0])];
+    let upright = |pose: TimedPose| TimedPose {
+        pose: Pose::new(
+            pose.pose.rotation() * Quat::from_axis_angle(Vec3::Y, std::f64::consts::FRAC_PI_2),
+            pose.pose.translation(),
+        )
+        .unwrap(),
+        ..pose
+    };
+    let [a, b, c] = ways.map(upright);
+    let later = |pose: TimedPose, by: f64| TimedPose { time: pose.time + by, ..pose };
+    let faces =
+        |poses: &[TimedPose]| SweptSurface::new(&square(), true, &RationalMotion::spline(poses).unwrap()).unwrap();
+    let rests = faces(&[a, b, later(b, 0.5), later(c, 0.5)]);
+    let shell = &rests.body().outer;
+    assert!(rests.warnings().is_empty(), "{:?}", rests.warnings());
+    assert_eq!(shell.faces().len(), 8);
+    assert!(shell.edges().iter().all(|edge| edge.curve.point(0.5).distance(edge.curve.start()) > 0.1));
+    // At both ends, and twice: the same faces.
+    let everywhere = faces(&[later(a, -1.0), a, b, later(b, 0.25), later(b, 0.5), later(c, 0.5), later(c, 9.0)]);
+    assert_eq!(everywhere.body().outer.faces().len(), 8);
+    let straight = |x: f64, time: f64| turned(time, 0.0, [0.0, 0.0, x]);
+    let tube = faces(&[straight(0.0, 0.0), straight(10.0, 1.0), straight(10.0, 2.0), straight(20.0, 3.0)]);
+    assert!(tube.warnings().is_empty() && (tube.body().outer.area() - 4.0 * 2_f64.sqrt() * 20.0).abs() < 1e-9);
+}

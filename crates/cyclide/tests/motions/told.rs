@@ -1,8 +1,8 @@
 //! What is refused or told of motions that would harm a machine: turns on the spot, rests, reversals, half turns.
 
 use cyclide::{
-    Error, Motion, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3,
-    Warning,
+    Error, Motion, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind, SwingPart, TimeLaw,
+    TimedPose, Timing, Vec3, Warning,
 };
 
 const BY_WAY: [TimeLaw; 2] = [TimeLaw::ConstantSpeed, TimeLaw::Eased];
@@ -189,4 +189,99 @@ fn half_turns_are_told() {
     };
     let poses = [up(at(0.0, 0.0, 0.0), 0.0), up(at(1.0, 1.0, half), 1.0), up(at(2.0, 4.0, 0.2), 3.0)];
     assert!(first(&RationalMotion::conic(&poses).unwrap().into()).is_none());
+}
+
+/// The spans of a spline that swing are told by what of them does: a turn behind a slide, a place behind a turn.
+#[test]
+fn turns_and_places_that_swing_are_told_apart() {
+    let told = |poses: &[TimedPose]| match RationalMotion::spline(poses).unwrap().warnings()[..] {
+        [] => None,
+        [Warning::MotionSwings { span, count, ratio, part, limit }] => {
+            assert!(ratio > limit);
+            Some((span, count, ratio, part))
+        }
+        _ => panic!("more than one"),
+    };
+    let degrees = |time: f64, x: f64, angle: f64| at(time, x, f64::to_radians(angle));
+    // Turned by 60 degrees at both ends of a slide, it goes to 43.6 and 76.4 in between.
+    let turns = [degrees(0.0, 0.0, 0.0), degrees(1.0, 1.0, 60.0), degrees(5.0, 5.0, 60.0), degrees(6.0, 6.0, 120.0)];
+    assert_eq!(told(&turns), Some((1, 1, f64::INFINITY, SwingPart::Turn)));
+    let message = RationalMotion::spline(&turns).unwrap().warnings()[0].to_string();
+    assert!(message.contains("where its turn goes on though it is the same at both"), "{message}");
+    // At one place at both ends of a turn, it leaves that by a tenth of the way before.
+    let places = [degrees(0.0, 0.0, 0.0), degrees(1.0, 10.0, 0.0), degrees(3.0, 10.0, 90.0), degrees(4.0, 20.0, 90.0)];
+    assert_eq!(told(&places), Some((1, 1, f64::INFINITY, SwingPart::Place)));
+    let out = |k: u32| {
+        let motion = RationalMotion::spline(&places).unwrap();
+        (motion.pose(1.0 + 2.0 * f64::from(k) / 40.0).translation() - Vec3::X * 10.0).length()
+    };
+    assert!((0..=40).map(out).fold(0.0, f64::max) > 1.0);
+    // What is nearly so has a ratio, and a pose more, or a rest, helps.
+    let nearly = [places[0], places[1], degrees(3.0, 10.5, 90.0), places[3]];
+    assert!(told(&nearly).is_some_and(|(span, _, ratio, part)| span == 1 && ratio < 100.0 && part == SwingPart::Place));
+    let rests = [places[0], places[1], degrees(1.5, 10.0, 0.0), places[2], degrees(3.5, 10.0, 90.0), places[3]];
+    assert_eq!(told(&rests), None);
+}
+
+/// Motions that do what their poses say are told of nothing: waves that are sampled at their crests, turns on the spot and about a point, noise.
+#[test]
+fn plain_motions_do_not_swing() {
+    let spline = |poses: Vec<TimedPose>| RationalMotion::spline(&poses).unwrap().warnings();
+    let pose = |time: f64, turn: Quat, place: Vec3| TimedPose { time, pose: Pose::new(turn, place).unwrap() };
+    let about = |axis: Vec3, angle: f64| Quat::from_axis_angle(axis, angle);
+    // 12 samples of a wave of the yaw, two of them beside each crest, while the body goes on; and of its place while it turns.
+    let phase = |k: usize| (k as f64 + 0.5) * std::f64::consts::PI / 6.0;
+    let yaws = (0..25).map(|k| pose(k as f64, about(Vec3::Z, 0.8 * phase(k).sin()), Vec3::X * (5.0 * k as f64)));
+    assert_eq!(spline(yaws.collect()), []);
+    let sways = (0..25).map(|k| pose(k as f64, about(Vec3::Z, 0.3 * k as f64), Vec3::X * (5.0 * phase(k).sin())));
+    assert_eq!(spline(sways.collect()), []);
+    // Unevenly round a point far away, and on the spot.
+    let angles = [0.0, 0.4, 1.0, 1.2, 2.0, 2.3, 3.1];
+    for arm in [0.0, 50.0] {
+        let round = angles.iter().zip([0.0, 1.0, 2.0, 2.5, 4.0, 5.0, 6.0]).map(|(angle, time)| {
+            let turn = about(Vec3::Z, *angle);
+            pose(time, turn, Vec3::new(7.0, 3.0, 0.0) + turn.rotate(Vec3::X * arm))
+        });
+        assert_eq!(spline(round.collect()), [], "{arm}");
+    }
+    // A turn on the spot measured to a hundredth of a millimetre, and a slide measured to a thousandth of a radian.
+    let noise = |k: usize, i: usize| (((k * 7919 + i * 104_729) % 997) as f64 / 498.0) - 1.0;
+    let measured = (0..30).map(|k| {
+        let place = Vec3::new(500.0, 300.0, 0.0) + Vec3::new(noise(k, 1), noise(k, 2), noise(k, 3)) * 0.01;
+        pose(k as f64, about(Vec3::Z, 0.2 * k as f64), place)
+    });
+    assert_eq!(spline(measured.collect()), []);
+    let slides = (0..30).map(|k| {
+        let turn = about(Vec3::new(noise(k, 4), noise(k, 5), 1.0), 5e-4 * noise(k, 6));
+        pose(k as f64, turn, Vec3::X * (4.0 * k as f64))
+    });
+    assert_eq!(spline(slides.collect()), []);
+    // Pick and place, with the turn on the way.
+    let stations = [[0.0, 0.0, 50.0], [0.0, 0.0, 0.0], [0.0, 0.0, 50.0], [200.0, 0.0, 50.0], [200.0, 0.0, 0.0]];
+    let picks = stations.iter().zip([0.0, 0.0, 0.0, 1.5, 1.5]).zip([0.0, 0.4, 0.8, 2.4, 2.8]);
+    let picks = picks.map(|((place, angle), time)| pose(time, about(Vec3::Z, angle), Vec3::from(*place)));
+    assert_eq!(spline(picks.collect()), []);
+}
+
+/// A body at constant speed is nowhere faster than at that speed, and everywhere faster than at a little less.
+#[test]
+fn a_limit_that_is_kept_is_kept_in_spite_of_rounding() {
+    let places = [[0.0, 0.0, 0.0], [13.0, 4.0, 1.0], [20.0, -7.0, 5.0], [31.0, 2.0, 2.0], [37.0, 9.0, -4.0]];
+    let poses: Vec<TimedPose> = (0..5)
+        .zip(places)
+        .map(|(k, place)| {
+            let turn = Quat::from_axis_angle(Vec3::new(1.0, 2.0, f64::from(k)), 0.3 * f64::from(k));
+            TimedPose { time: f64::from(k), pose: Pose::new(turn, Vec3::from(place)).unwrap() }
+        })
+        .collect();
+    for motion in both(&poses) {
+        let way = motion.way(Point3::ORIGIN);
+        for speed in [10.0, 7.3, 1e-3] {
+            let body = MovingBody::new(motion.clone()).with_law(TimeLaw::ConstantSpeed, way / speed).unwrap();
+            let schedule = body.schedule().unwrap();
+            assert_eq!(schedule.faster_than(SpeedKind::Tool, speed), [], "{speed}");
+            let [all] = schedule.faster_than(SpeedKind::Tool, speed * (1.0 - 1e-9))[..] else { panic!("{speed}") };
+            assert!(all.from <= 0.0 && (all.to - body.duration()).abs() <= 1e-12 * all.to, "{all:?}");
+        }
+    }
 }

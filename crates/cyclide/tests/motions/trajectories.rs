@@ -1,7 +1,7 @@
 //! Paths of points: the exact rational form is the path.
 
 use crate::data::{motions, timed};
-use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{Motion, ParamCurve, Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
 use proptest::prelude::*;
 
 proptest! {
@@ -93,4 +93,43 @@ fn paths_far_from_the_origin_are_those_near_it() {
             assert!(gap <= limit, "{gap:e} {limit:e}");
         }
     }
+}
+
+/// The path of a motion that rests is that of its ways: spans in which the point stands still have no part in it, also those in which the body turns
+/// about it.
+#[test]
+fn paths_have_no_rests() {
+    let at = |time: f64, x: f64, y: f64, degrees: f64| TimedPose {
+        time,
+        pose: Pose::new(Quat::from_axis_angle(Vec3::Z, degrees.to_radians()), Vec3::new(x, y, 0.0)).unwrap(),
+    };
+    let straight = [at(0.0, 0.0, 0.0, 0.0), at(1.0, 10.0, 0.0, 0.0), at(2.0, 10.0, 0.0, 0.0), at(4.0, 20.0, 0.0, 0.0)];
+    let tip = Point3::new(0.0, 0.0, 1.0);
+    let path = RationalMotion::spline(&straight).unwrap().trajectory(tip).unwrap();
+    assert_eq!(path.span_count(), 2);
+    // A second there and two on: the knot is at a third.
+    assert!((path.knot_multiplicities()[1].0 - 1.0 / 3.0).abs() < 1e-15);
+    for k in 0..=60 {
+        let s = f64::from(k) / 60.0;
+        let curvature = path.jet(s).curvature();
+        assert!(curvature.is_none_or(|curvature| curvature < 1e-9), "{s}: {curvature:?}");
+        assert!((path.point(s) - tip).cross(Vec3::X).length() < 1e-12);
+    }
+    // In front, in the end, and a turn about the point.
+    let all = [
+        at(-3.0, 0.0, 0.0, 0.0),
+        straight[0],
+        straight[1],
+        straight[2],
+        at(3.0, 10.0, 0.0, 60.0),
+        at(3.5, 10.0, 0.0, 60.0),
+        at(4.5, 10.0, 8.0, 60.0),
+        at(5.0, 10.0, 8.0, 60.0),
+    ];
+    let motion = RationalMotion::spline(&all).unwrap();
+    assert_eq!(motion.trajectory(Point3::ORIGIN).unwrap().span_count(), 2);
+    assert_eq!(motion.trajectory(Point3::new(1.0, 0.0, 0.0)).unwrap().span_count(), 3);
+    // One that rests all along is a point, as before.
+    let rest = RationalMotion::spline(&[straight[1], straight[2]]).unwrap().trajectory(Point3::ORIGIN).unwrap();
+    assert!(rest.control_points().iter().all(|p| p.distance(Point3::new(10.0, 0.0, 0.0)) < 1e-12));
 }

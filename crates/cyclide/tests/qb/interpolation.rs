@@ -1,7 +1,7 @@
 //! Laws of curves through points.
 
 use crate::data::{PARAMETERS, forward, odd_points, outside_inversion, spread, tame};
-use cyclide::{Conformal, NodeParameters, Point3, QbCurve, QbInterpolation, QbNode, Vec3};
+use cyclide::{Conformal, NodeParameters, Point3, QbCurve, QbInterpolation, QbNode, Vec3, Warning};
 use proptest::prelude::*;
 
 /// Points in the cube at curves that run at most 3 radii away and leave 1e-2 of its weight to every point: four digits of sixteen
@@ -180,4 +180,45 @@ fn cusps_at_both_ends_are_allowed() {
     let found = QbInterpolation::three_points_two_tangents(points, [Vec3::ZERO, Vec3::ZERO], 0.4).unwrap();
     assert!(found.curve().point(0.4).distance(points[1]) < 1e-14);
     assert!(found.curve().jet(0.0).d1.length() < 1e-14 && found.curve().jet(1.0).d1.length() < 1e-14);
+}
+
+/// Points of a circle to three decimals: the curve runs to and fro along it, and turns right back to do so.
+#[test]
+fn what_turns_right_back_is_said() {
+    let on_circle = [
+        [3.0, 0.0],
+        [2.633, 1.438],
+        [-0.387, 2.975],
+        [-1.515, 2.59],
+        [-2.178, -2.063],
+        [-1.961, -2.27],
+        [0.851, -2.877],
+    ];
+    let points: Vec<Point3> = on_circle.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect();
+    let found = QbInterpolation::through_points(&points, &NodeParameters::default()).unwrap();
+    let Some(Warning::TurnsBack { t, count, within, limit }) = found.warnings().first().cloned() else {
+        panic!("{:?}", found.warnings())
+    };
+    assert!(count >= 2 && within <= limit, "{count} {within}");
+    let [before, after] = [t - 1e-4, t + 1e-4].map(|t| found.curve().jet(t).d1);
+    assert!(before.angle(after) > 2.5, "{}", before.angle(after));
+    // Round bends and tight ones, points on a circle to fifteen digits, and a line that the points themselves go back on.
+    let exact = |k: usize| Point3::new((k as f64).cos(), (k as f64).sin(), 0.0);
+    let bend = |k: usize| Point3::new(k as f64, 0.3 * (k as f64).sin(), 0.1 * (k * k) as f64);
+    let corner = |k: usize| Point3::new(k.min(3) as f64, k.saturating_sub(3) as f64, 0.0);
+    let kinds: [&dyn Fn(usize) -> Point3; 3] = [&exact, &bend, &corner];
+    for (kind, point) in kinds.into_iter().enumerate() {
+        for count in [3, 5, 7, 9] {
+            let points: Vec<Point3> = (0..count).map(point).collect();
+            let Ok(found) = QbInterpolation::through_points(&points, &NodeParameters::default()) else { continue };
+            assert!(
+                found.warnings().iter().all(|w| w.reason() != "turns-back"),
+                "{kind} {count} {:?}",
+                found.warnings()
+            );
+        }
+    }
+    let back = [0.0, 2.0, 1.0].map(|x| Point3::new(x, 0.0, 0.0));
+    let found = QbInterpolation::through_points(&back, &NodeParameters::Uniform).unwrap();
+    assert!(found.warnings().iter().all(|w| w.reason() != "turns-back"));
 }

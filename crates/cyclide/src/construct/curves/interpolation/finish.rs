@@ -1,6 +1,7 @@
 //! What all interpolations end with: the curve back in place, looked at for poles, far runs and needles.
 
 use super::frame::DataFrame;
+use super::turning_back::{SHARP, TurnBack, turn_back};
 use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
@@ -72,7 +73,7 @@ impl QbInterpolation {
         self.reach
     }
 
-    /// What the user should know: needles at points, runs far away.
+    /// What the user should know: needles at points, runs far away, places between points where the curve turns right back.
     #[must_use]
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
@@ -100,6 +101,12 @@ impl QbInterpolation {
         let reach = if frame.radius > 0.0 { distance / frame.radius } else { 0.0 };
         if reach > FAR && !curve.excursions(frame.center, FAR * frame.radius).is_empty() {
             warnings.push(Warning::LargeExcursion { reach, t, limit: FAR });
+        }
+        // A needle turns back at its point, and a far run has been named.
+        if warnings.is_empty()
+            && let Some(TurnBack { t, within, spacing, count }) = turn_back(&curve, &parameters)
+        {
+            warnings.push(Warning::TurnsBack { t, count, within: within / spacing, limit: SHARP });
         }
         Ok(Self { curve, parameters, attainability, reach, warnings })
     }

@@ -13,6 +13,7 @@ mod loewner;
 mod overdetermined;
 mod parameters;
 mod three_points;
+mod turning_back;
 
 pub use finish::QbInterpolation;
 pub use hermite::QbNode;

@@ -1,0 +1,35 @@
+//! What of a motion runs beyond its poses.
+
+/// What of a motion runs beyond its poses and back.
+///
+/// ```
+/// use cyclide::{Pose, Quat, RationalMotion, SwingPart, TimedPose, Vec3, Warning};
+/// let at = |time: f64, x: f64, degrees: f64| TimedPose {
+///     time,
+///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, f64::to_radians(degrees)), Vec3::X * x).unwrap(),
+/// };
+/// // It turns on while it slides, though it is turned alike at both ends of the slide.
+/// let motion = RationalMotion::spline(&[at(0.0, 0.0, 0.0), at(1.0, 1.0, 60.0), at(5.0, 5.0, 60.0), at(6.0, 6.0, 120.0)])?;
+/// assert!(matches!(motion.warnings()[..], [Warning::MotionSwings { span: 1, part: SwingPart::Turn, .. }]));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SwingPart {
+    /// The body as a whole.
+    All,
+    /// The place of its origin, while it turns.
+    Place,
+    /// How it is turned, while it moves.
+    Turn,
+}
+
+impl SwingPart {
+    /// It in words.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::All => "it",
+            Self::Place => "its place",
+            Self::Turn => "its turn",
+        }
+    }
+}
