@@ -139,6 +139,115 @@ fn tight_places_are_named_in_reports() {
 }
 
 #[test]
+fn cusps_and_lines_that_turn_back_are_tight() {
+    let knots = "[0, 0, 0, 1, 1, 1]";
+    let cubic = "[0, 0, 0, 0, 1, 1, 1, 1]";
+    let model = format!(
+        r#"{{"cyclide": 1, "units": "m", "objects": {{
+        "back": {{"type": "nurbs", "degree": 2, "knots": {knots}, "control_points": [[0, 0], [4, 0], [2, 0]]}},
+        "slanted": {{"type": "nurbs", "degree": 2, "knots": {knots}, "control_points": [[1, 2, 0], [5, 5, 7], [3, 3.5, 3.5]]}},
+        "cusp": {{"type": "nurbs", "degree": 3, "knots": {cubic}, "control_points": [[0, 0], [1, 1], [0, 1], [1, 0]]}},
+        "folded": {{"type": "polyline", "points": [[0, 0], [4, 0], [2, 0]]}},
+        "straight": {{"type": "nurbs", "degree": 2, "knots": {knots}, "control_points": [[0, 0], [1, 0], [4, 0]]}}}}}}"#
+    );
+    let folder = Folder::with(&[("f.json", &model)]);
+    let report: Value = serde_json::from_str(&folder.ok("report f.json --min-radius 1e-3 --json")).unwrap();
+    let places = |object: &str| report["objects"][object]["tight"]["places"].as_array().unwrap().clone();
+    // It turns where the derivative 8 (1 - s) - 4 s vanishes, at s = 2/3, x = 8/3; the cusp is in the middle.
+    for (object, place) in [("back", [8.0 / 3.0, 0.0, 0.0]), ("cusp", [0.5, 0.75, 0.0]), ("folded", [4.0, 0.0, 0.0])] {
+        let found = places(object);
+        assert_eq!(found.len(), 1, "{object}: {found:?}");
+        assert_eq!(found[0]["radius"].as_f64(), Some(0.0), "{object}");
+        for (k, expected) in place.into_iter().enumerate() {
+            // Where the speed vanishes the place is known to the root of a rounding, the point to that of its square.
+            assert!((found[0]["point"][k].as_f64().unwrap() - expected).abs() < 1e-9, "{object}: {found:?}");
+        }
+    }
+    assert_eq!(places("slanted").len(), 1);
+    assert!(places("straight").is_empty());
+}
+
+#[test]
+fn images_of_images_double_the_degree_once() {
+    let map = |of: &str, steps: &str| format!(r#"{{"type": "transform", "of": "{of}", "steps": [{steps}]}}"#);
+    let (first, second) =
+        (r#"{"inversion": {"center": [3, 1], "radius": 2}}"#, r#"{"inversion": {"center": [-1, 5], "radius": 1}}"#);
+    let turn = r#"{"rotation": {"angle": 0.5}}"#;
+    let model = format!(
+        r#"{{"cyclide": 1, "objects": {{
+        "curve": {{"type": "nurbs", "degree": 3, "knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0], [1, 2], [2, -2], [2, 3, 1]]}},
+        "once": {}, "twice": {}, "turned": {}, "together": {}, "back": {}, "cut": {}}}}}"#,
+        map("curve", first),
+        map("once", second),
+        map("twice", turn),
+        map("curve", &format!("{first}, {second}, {turn}")),
+        map("once", first),
+        map("once", r#"{"cut": {"parameters": [0, 0.5]}}, "reverse""#),
+    );
+    let folder = Folder::with(&[("t.json", &model)]);
+    let points = |object: &str| rows(&folder.ok(&format!("sample t.json --object {object} --count 9")));
+    folder.ok("build t.json -o t.step");
+    let degrees: Vec<usize> = String::from_utf8(folder.read("t.step"))
+        .unwrap()
+        .split("B_SPLINE_CURVE(")
+        .skip(1)
+        .filter_map(|text| text.split(',').next()?.parse().ok())
+        .collect();
+    // The curve and the one that is back have degree 3, all images twice that, and up to 3 more for smooth knots where spans were halved.
+    assert_eq!((degrees.len(), degrees.iter().max()), (7, Some(&9)), "{degrees:?}");
+    assert_eq!(degrees.iter().filter(|degree| **degree == 3).count(), 2, "{degrees:?}");
+    let apart = |a: &str, b: &str| {
+        let (a, b) = (points(a), points(b));
+        assert_eq!((a.len(), b.len()), (9, 9));
+        let off = |(a, b): (&Vec<Option<f64>>, &Vec<Option<f64>>)| {
+            (1..4).map(|k| (a[k].unwrap() - b[k].unwrap()).abs()).fold(0.0, f64::max)
+        };
+        a.iter().zip(&b).map(off).fold(0.0, f64::max)
+    };
+    // Printed to the last digit; the maps are a few roundings of coordinates up to 5.
+    assert!(apart("back", "curve") < 1e-13 && apart("turned", "together") < 1e-13 && apart("turned", "curve") > 0.1);
+}
+
+#[test]
+fn all_points_of_an_interpolation_are_drawn() {
+    let folder = Folder::with(&[("p.csv", "x,y\n0,0\n1,2\n3,2\n5,1\n6,0\n")]);
+    folder.ok("curve p.csv --kind qb-interpolation -o p.svg -o p.png --svg-points");
+    let drawing = String::from_utf8(folder.read("p.svg")).unwrap();
+    let (_, joints) = drawing.split_once("<g id=\"joints\"").unwrap();
+    let (joints, _) = joints.split_once("</g>").unwrap();
+    assert_eq!(joints.matches("<circle").count(), 5, "{joints}");
+}
+
+#[test]
+fn knots_and_parameters_are_options() {
+    let folder = Folder::with(&[("p.csv", "x,y\n0,0\n1,2\n3,2\n5,1\n9,0\n")]);
+    let parameters = |options: &str| {
+        let report = folder.json(&format!("curve p.csv --kind qb-interpolation {options} -o p.step --json"));
+        serde_json::from_value::<Vec<f64>>(report["objects"]["p"]["qb"]["parameters"][0].clone()).unwrap()
+    };
+    assert_eq!(parameters("--parameters 0,0.2,0.4,0.5,1"), [0.0, 0.2, 0.4, 0.5, 1.0]);
+    assert_eq!(parameters("--parameters uniform"), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    assert_eq!(parameters("--parameters auto"), parameters("--parameters centripetal"));
+    let length = |options: &str| {
+        let report = folder.json(&format!("curve p.csv --kind moebius-spline {options} -o p.step --json"));
+        report["objects"]["p"]["length"].as_f64().unwrap()
+    };
+    let (chord, given, g1) = (length("--knots chord"), length("--knots 0,1,4,5,6"), length("--continuity g1"));
+    assert!((chord - given).abs() > 1e-4 && (chord - g1).abs() > 1e-4, "{chord} {given} {g1}");
+    for (options, words) in [
+        ("--kind fair-spline --knots chord", "--knots goes with --kind moebius-spline"),
+        ("--kind moebius-spline --parameters chord", "--parameters goes with --kind qb-interpolation"),
+        ("--kind moebius-spline --knots chords", "numbers with commas"),
+        ("--kind moebius-spline --continuity g1 --knots chord", "--knots would have no effect"),
+    ] {
+        let error = folder.fails(2, &format!("curve p.csv {options} -o p.step"));
+        assert!(error.contains(words), "{options}: {error}");
+    }
+    let error = folder.fails(1, "curve p.csv --kind moebius-spline --knots 0,1,1,2,3 -o p.step");
+    assert!(error.contains("[parameters-not-increasing]"), "{error}");
+}
+
+#[test]
 fn nurbs_documents_are_measured_mapped_and_written() {
     let circle = r#"{"cyclide": 1, "objects": {
         "circle": {"type": "nurbs", "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4],
@@ -219,7 +328,18 @@ fn kinds_are_compared_on_one_page() {
     assert!(of("fair-spline", "bending_energy") * of("fair-spline", "length") >= 4.0 * std::f64::consts::PI.powi(2));
     let columns = |line: &str| line.split(',').count();
     assert!(table.lines().all(|line| columns(line) == columns(table.lines().next().unwrap())));
-    // A kind that cannot be made says why, and the others stand.
+    // A kind that cannot be made says why, in every form, and the others stand.
+    let run = folder.run("compare zigzag.csv");
+    let line = run.stdout.lines().find(|line| line.starts_with("qb-interpolation")).unwrap();
+    assert!(line.contains("refused: ") && line.contains("[even-point-count]"), "{line}");
+    assert_eq!(run.stdout.lines().count(), 1 + kinds.len() + 1);
+    folder.ok("compare zigzag.csv -o zigzag.json");
+    let refused: Value = serde_json::from_slice(&folder.read("zigzag.json")).unwrap();
+    assert!(refused["kinds"].as_array().unwrap().iter().any(|kind| {
+        kind["refused"]
+            .as_str()
+            .is_some_and(|why| kind["kind"] == "qb-interpolation" && why.contains("[even-point-count]"))
+    }));
     let run = folder.run("compare zigzag.csv -o zigzag.html");
     assert!(run.code == 0 && run.stderr.contains("could not be made"), "{} {}", run.code, run.stderr);
     assert!(String::from_utf8(folder.read("zigzag.html")).unwrap().contains("It could not be made"));

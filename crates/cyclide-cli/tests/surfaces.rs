@@ -185,3 +185,14 @@ fn a_gallery_that_cannot_be_written() {
     assert!(folder.fails(2, "gallery").contains("--output <DIR>"));
     assert_eq!(folder.read("taken"), b"a file");
 }
+
+/// Where parameter lines are nearly one line, as all across a flat ring are, the check finds the feet of points all the same.
+#[test]
+fn rings_between_flat_ellipses_are_meshed() {
+    let bridge = r#"{"cyclide": 1, "objects": {"a": {"type": "ellipse-bridge", "ellipses": [[1.088, 4e-6], [2.176, 8e-6]], "depth": 4.4e-6}}}"#;
+    let folder = Folder::with(&[("b.json", bridge)]);
+    let report = folder.json("build b.json -o b.stl -o b.glb --tolerance 1e-3 --json");
+    for file in report["files"].as_array().unwrap() {
+        assert!(file["deviation"].as_f64().unwrap() <= 1e-3, "{file}");
+    }
+}

@@ -28,9 +28,9 @@ use cyclide::{
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
 const STEPS: usize = 16;
-/// Parameter lines are orthogonal below the first square of a cosine, and nearly one line above the second.
+/// Parameter lines are orthogonal below this square of a cosine, and one line but for rounding below the square of a sine.
 const ORTHOGONAL: f64 = 1e-6;
-const ONE_LINE: f64 = 1.0 - 1e-8;
+const ONE_LINE: f64 = 1e-22;
 /// The normals that a format has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Normals {
@@ -403,18 +403,24 @@ fn between_samples(samples: &[Sample], p: Point3) -> ([f64; 2], f64) {
 }
 
 /// The step in both parameters that takes the tangent plane nearest to a point. Where parameter lines are orthogonal, as
-/// on patches, it is two projections; so it is where they are nearly one line. Quotients of derivatives neither vanish nor
+/// on patches, it is two projections; so it is where they are one line. Quotients of derivatives neither vanish nor
 /// overflow, their products would.
 fn step(jet: &SurfaceJet, offset: Vec3) -> [f64; 2] {
     let [e, f, g] = jet.first_form();
     let part = |v: f64, square: f64| if square > 0.0 { v / square } else { 0.0 };
     let (a, b) = (part(offset.dot(jet.ds), e), part(offset.dot(jet.dt), g));
-    let (fe, fg) = (part(f, e), part(f, g));
-    let cosine_squared = fe * fg;
-    if cosine_squared < ORTHOGONAL || !(cosine_squared < ONE_LINE) {
+    if part(f, e) * part(f, g) < ORTHOGONAL {
         return [a, b];
     }
-    [(a - fe * b) / (1.0 - cosine_squared), (b - fg * a) / (1.0 - cosine_squared)]
+    let (Some(u), Some(v)) = (jet.ds.unit(), jet.dt.unit()) else { return [a, b] };
+    // The sine by the normal: of lines that are nearly one the cosine has lost it.
+    let across = u.cross(v);
+    let sine_squared = across.length_squared();
+    if !(sine_squared > ONE_LINE) {
+        return [a, b];
+    }
+    let along = |way: Vec3, derivative: Vec3| way.dot(across) / sine_squared / derivative.length();
+    [along(offset.cross(v), jet.ds), along(u.cross(offset), jet.dt)]
 }
 
 #[cfg(test)]
