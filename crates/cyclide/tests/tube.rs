@@ -409,3 +409,44 @@ fn balls_too_near_to_be_told_apart_are_refused_as_such() {
     let apart = [balls[0], balls[1], ball([1.87, 2.346, 0.0673, 0.0023592777798586437])];
     assert!(Tube::through(&apart, false).and_then(|tube| tube.body()).is_ok());
 }
+
+/// A knot on a torus that nearly touches its axis runs through the hole in a tiny part of its parameter: places beside which the arcs are are added there. The balls of the tube are
+/// within its bound of the curve.
+#[test]
+fn tubes_along_curves_of_uneven_parameter_are_made() {
+    let torus = Torus::new(Frame::WORLD, 40.0, 39.9).unwrap();
+    let knot: CurveObject = TorusSpline::knot(&torus, [2, 3], Point2::default()).unwrap().into();
+    let tolerance = 2e-4;
+    let arcs = knot.lower_to_arcs(0.1 * tolerance).unwrap();
+    let law = RadiusLaw::constant(0.01).unwrap();
+    let tube = Tube::along_curve(knot.as_curve(), (&arcs.form, &arcs.correspondence), &law, tolerance).unwrap();
+    assert!(tube.bound() > 0.0 && tube.bound() <= 0.5 * tolerance, "{}", tube.bound());
+    let body = tube.body().unwrap();
+    let off = |face: &cyclide::ShellFace| {
+        let p = face.surface.point(0.4, 0.6);
+        (cyclide::closest_point(knot.as_curve(), p).distance - 0.01).abs()
+    };
+    let worst = body.outer.faces().iter().step_by(23).map(off).fold(0.0, f64::max);
+    assert!(worst <= tube.bound() + 1e-9, "{worst:e} {:e}", tube.bound());
+    // The feet are right where the tolerance is a hundredth of that as well.
+    let fine = knot.lower_to_arcs(1e-7).unwrap();
+    assert!(Tube::along_curve(knot.as_curve(), (&fine.form, &fine.correspondence), &law, 2e-6).is_ok());
+}
+
+/// A tube that is so thin for where it is that its shape is the rounding of its coordinates is refused with what helps; moved to the origin or thicker it is made.
+#[test]
+fn tubes_thinner_than_the_rounding_of_their_place_are_refused_as_such() {
+    let tube = |lift: f64, radius: f64| {
+        let points = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 10.0, 5.0], [0.0, 20.0, 9.0]];
+        let points = points.map(|[x, y, z]| Point3::new(x, y, z + lift));
+        let spine = ArcPath::rounded_polyline(&points, false, &[0.0, 2.0, 2.0, 0.0]).unwrap();
+        Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3 * radius).and_then(|tube| tube.body())
+    };
+    let error = tube(1000.0, 1e-5).unwrap_err();
+    let Error::BelowRoundingOfPlace { size, place, limit, .. } = error else { panic!("{error}") };
+    assert!(size == 1e-5 && place > 1000.0 && limit > size, "{error}");
+    assert!(tube(0.0, 1e-5).is_ok() && tube(1000.0, 1.001 * limit).is_ok());
+    for (lift, radius) in [(0.0, 1e-7), (100.0, 1e-6), (1e4, 1e-4), (1e4, 1e-7)] {
+        assert_eq!(tube(lift, radius).unwrap_err().reason(), "below-rounding-of-place", "{lift} {radius}");
+    }
+}

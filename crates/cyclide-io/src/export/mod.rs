@@ -19,6 +19,7 @@ pub(crate) mod pieces;
 pub(crate) mod provenance;
 pub(crate) mod rational_cells;
 pub(crate) mod ready;
+pub(crate) mod scaled_weights;
 pub(crate) mod shape;
 pub(crate) mod side_use;
 pub(crate) mod single_mesh;

@@ -5,6 +5,7 @@ use crate::export::exported::{Promise, Written};
 use crate::export::face_plan::ShellPlan;
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
+use crate::export::scaled_weights::scaled_weights;
 use cyclide::{
     CutShell, CyclideVolume, FaceGeometry as _, Item, Model, RationalBezier, RationalBezierSurface,
     RationalBezierVolume, Shell,
@@ -59,6 +60,13 @@ impl RationalCell {
 
     fn of_volume(volume: &RationalBezierVolume, tags: Tags) -> Self {
         Self::of_rows(volume.degrees(), volume.rows(), tags)
+    }
+
+    /// The same points with weights of which the largest is in [1, 2).
+    pub(crate) fn with_scaled_weights(mut self) -> Self {
+        let weights: Vec<f64> = self.nodes.iter().map(|(_, w)| *w).collect();
+        self.nodes.iter_mut().zip(scaled_weights(&weights)).for_each(|((_, w), scaled)| *w = scaled);
+        self
     }
 
     /// How many parameters it has.

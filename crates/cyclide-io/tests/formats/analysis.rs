@@ -208,6 +208,39 @@ fn degrees_that_mfem_reads_wrongly_are_refused() {
     }
 }
 
+/// Weights of faces are the exact multiples by a power of two of which the largest is from 1 to 2, and so are those of edges in STEP: those of the blend of a thin branch go up to 57 000.
+#[test]
+fn weights_are_of_the_size_of_one() {
+    let document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 30, "ends": [-120, 120]}, "branches": [{"radius": 0.5, "length": 120, "blend": 0.2}]}}}"#;
+    let document: cyclide_io::Document = document.parse().unwrap();
+    let model = cyclide::Model { items: vec![document.build().unwrap().remove(0).item], units: Units::Millimetre };
+    let file = export(&model, Format::Vtu, &ExportOptions::default()).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    let array = |name: &str| -> Vec<f64> {
+        let from = text.find(&format!("Name=\"{name}\"")).unwrap();
+        let list = &text[from + text[from..].find('>').unwrap() + 1..];
+        list[..list.find('<').unwrap()].split_whitespace().map(|x| x.parse().unwrap()).collect()
+    };
+    let (weights, offsets) = (array("RationalWeights"), array("offsets"));
+    let mut from = 0;
+    for end in offsets {
+        let most = weights[from..end as usize].iter().copied().fold(0.0, f64::max);
+        assert!((1.0..2.0).contains(&most), "{most}");
+        from = end as usize;
+    }
+    // Neighbours still meet: the shape read back is the model's.
+    assert!(file_deviation(&model, Format::Vtu, &file).unwrap() < 1e-12);
+    let step = export(&model, Format::Step, &ExportOptions::default()).unwrap();
+    let text = String::from_utf8(step.bytes.clone()).unwrap();
+    let curves = text.split("RATIONAL_B_SPLINE_CURVE((").skip(1);
+    for list in curves {
+        let list = list[..list.find(')').unwrap()].split(',').map(|x| x.trim().parse::<f64>().unwrap());
+        let most = list.fold(0.0, f64::max);
+        assert!((1.0..2.0).contains(&most), "{most}");
+    }
+    assert!(file_deviation(&model, Format::Step, &step).unwrap() < 1e-9);
+}
+
 /// The bytes of the numbers in place of their digits: the same content.
 #[test]
 fn appended_bytes_hold_what_digits_hold() {

@@ -168,3 +168,21 @@ fn refusals_of_crossings_name_what_helps() {
         assert!(error.contains("[crossing-folds]") && error.contains(said), "{error}");
     }
 }
+
+/// An image has the blends of what it is the image of, with radii as much larger as it is.
+#[test]
+fn images_have_blends() {
+    let pipes = pipes([15.0, 12.0], r#""distance": 16, "blend": {"first": 4, "second": 3}"#);
+    let steps = r#"[{"rotation": {"axis": [1, 2, 0], "angle": 0.7}}, {"scale": {"factor": 2.5}}, {"mirror": {"normal": [0, 1, 3]}}]"#;
+    let image = format!(
+        r#""c": {{"type": "pipe-crossing", {pipes}}}, "i": {{"type": "transform", "of": "c", "steps": {steps}}}"#
+    );
+    let (own, image) = (surface(&crossing(&pipes).unwrap()), surface(&build(&image).unwrap()));
+    let ([own], [image]) = (&own.blends[..], &image.blends[..]) else { panic!("one blend each") };
+    for (a, b) in
+        [(own.radius.min, image.radius.min), (own.radius.max, image.radius.max), (own.deviation, image.deviation)]
+    {
+        assert!((2.5 * a - b).abs() < 1e-13 * b, "{a} {b}");
+    }
+    assert!((own.tightest, own.tightest_at, own.pieces) == (image.tightest, image.tightest_at, image.pieces));
+}

@@ -134,6 +134,51 @@ fn a_torus_is_named() {
     }
 }
 
+/// The image of a torus under a similarity is named as well, also that of an image: the curve lies on it, and begins at the image of its start.
+#[test]
+fn an_image_of_a_torus_is_named() {
+    let steps = r#"[{"rotation": {"axis": [1, 2, 0], "angle": 0.7}}, {"scale": {"factor": 2}}]"#;
+    let images = format!(
+        r#""i": {{"type": "transform", "of": "ring", "steps": {steps}}}, "j": {{"type": "transform", "of": "i", "steps": [{{"mirror": {{"normal": [0, 1, 3]}}}}]}}"#
+    );
+    let knot = |of: &str| {
+        build(&format!(r#"{RING}, {images}, "k": {{"type": "torus-knot", "torus": "{of}", "turns": [2, 3]}}"#))
+    };
+    let (on_ring, on_image) = (knot("ring").unwrap(), knot("j").unwrap());
+    let torus = splines(&on_image)[0].torus();
+    assert!((torus.major_radius() - 80.0).abs() < 1e-12 && (torus.minor_radius() - 24.0).abs() < 1e-12);
+    let start = |made: &BuiltObject| splines(made)[0].point(0.0);
+    let maps = [
+        cyclide::Mobius::rotation(Point3::ORIGIN, cyclide::Vec3::new(1.0, 2.0, 0.0), 0.7),
+        cyclide::Mobius::similarity(cyclide::Quat::ONE, 2.0, cyclide::Vec3::ZERO),
+        cyclide::Mobius::reflection(Point3::ORIGIN, cyclide::Vec3::new(0.0, 1.0, 3.0)),
+    ];
+    let moved = maps.into_iter().fold(start(&on_ring), |p, map| map.unwrap().map_point(p).unwrap());
+    assert!(moved.distance(start(&on_image)) < 1e-12, "{moved:?}");
+    let inverted = format!(
+        r#"{RING}, "i": {{"type": "transform", "of": "ring", "steps": [{{"translation": [1, 0, 0]}}, {{"inversion": {{"center": [300, 0, 0], "radius": 100}}}}]}}, "k": {{"type": "torus-knot", "torus": "i", "turns": [2, 3]}}"#
+    );
+    let error = build(&inverted).unwrap_err();
+    assert!(
+        error.contains("objects.k.torus") && error.contains("step 1 of the `transform` `i` is no similarity"),
+        "{error}"
+    );
+}
+
+/// Angles of many turns are those of the turn: in degrees exactly, and the largest radians are refused by their limit.
+#[test]
+fn whole_turns_do_not_matter() {
+    let spline = |angles: &str| build(&format!(r#""s": {{"type": "torus-spline", {HERE}, "angles": {angles}}}"#));
+    let near = spline(r#"{"degrees": [[30, 40], [100, 20], [150, 200]]}"#).unwrap();
+    let far = spline(r#"{"degrees": [[3600030, -35999960], [100, 7220], [36000000150, 200]]}"#);
+    let far = far.unwrap();
+    for t in [0.0, 0.2, 0.45] {
+        assert!(splines(&near)[0].point(t).distance(splines(&far)[0].point(t)) < 1e-13, "{t}");
+    }
+    let error = spline("[[3e6, 0], [1, 1]]").unwrap_err();
+    assert!(error.contains("[parameter-out-of-range]") && error.contains("angles"), "{error}");
+}
+
 /// Every circle passes through its point, on the torus; Villarceau circles have the major radius.
 #[test]
 fn circles_of_all_families() {

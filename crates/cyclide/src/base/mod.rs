@@ -18,6 +18,7 @@ pub(crate) mod quadrature;
 pub(crate) mod quat;
 pub(crate) mod range;
 pub(crate) mod roots;
+pub(crate) mod segments;
 pub(crate) mod surface_jet;
 pub(crate) mod svd3;
 pub(crate) mod triangle;

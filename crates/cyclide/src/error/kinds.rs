@@ -707,6 +707,8 @@ pub enum Error {
         reach: f64,
         /// The radius of the main pipe.
         limit: f64,
+        /// What has to be left of it.
+        rest: f64,
         /// How far its axis passes beside that of the main pipe.
         offset: f64,
     },

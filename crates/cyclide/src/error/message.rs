@@ -90,14 +90,34 @@ impl std::fmt::Display for Error {
                 ShortNumber(*reach),
                 ShortNumber(*needed)
             ),
-            Self::TeeBranchTooWide { branch, reach, limit, offset } => {
+            Self::TeeBranchTooWide { branch, reach, limit, rest, offset } => {
                 write!(
                     f,
-                    "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ, or is of one radius with it, a cylinder whose axis meets the other; ",
+                    "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: ",
                     ShortNumber(*reach),
                     ShortNumber(*limit)
                 )?;
-                let room = limit - (reach - offset.abs());
+                let width = reach - offset.abs();
+                let room = limit - width;
+                if reach < limit {
+                    // Thinner, but by too little.
+                    write!(
+                        f,
+                        "less than {} is left between them, in which a blend has no digits; ",
+                        ShortNumber(*rest)
+                    )?;
+                    return if *offset == 0.0 {
+                        let thinner = limit - 2.0 * rest;
+                        write!(
+                            f,
+                            "make it {} at most, or of one radius with the main pipe, both cylinders whose axes meet",
+                            ShortNumber(thinner)
+                        )
+                    } else {
+                        f.write_str("make it thinner, or its offset smaller")
+                    };
+                }
+                f.write_str("a branch stands within its breadth, thinner and offset by less than the radii differ, or is of one radius with it, a cylinder whose axis meets the other; ")?;
                 if *offset == 0.0 || room <= 0.0 {
                     return f.write_str("make it thinner, or let the wider pipe be the main one");
                 }
@@ -372,7 +392,7 @@ impl std::fmt::Display for Error {
             ),
             Self::BelowRoundingOfPlace { what, size, place, limit } => write!(
                 f,
-                "the {what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
+                "the {what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; make it larger, or move it to the origin",
                 size_in_place(*size),
                 ShortNumber(*place),
                 ShortNumber(*limit)

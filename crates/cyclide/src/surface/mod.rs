@@ -36,5 +36,5 @@ pub use sphere_blend::SphereBlend;
 pub use torus::{
     CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
 };
-pub(crate) use torus::{Course, PlaceAngle, Spans, TorusChain};
+pub(crate) use torus::{Course, PlaceAngle, Spans, TorusChain, within_a_turn};
 pub use triangle_surface::{SideLine, TrianglePatch, TriangleSurface};

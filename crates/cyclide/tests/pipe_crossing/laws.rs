@@ -2,7 +2,9 @@
 //! by quadrature.
 
 use super::{askew, canals, crossing, normal, off_axes};
-use cyclide::{Body, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, Vec3, surface_joints};
+use cyclide::{
+    Body, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, Vec3, surface_joints,
+};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Nodes and weights of Gauss and Legendre for six places of [-1, 1], those on one side.
@@ -277,7 +279,7 @@ fn a_law_of_one_radius_is_that_radius_and_half_turns_take_laws_with_them() {
     assert!((volume(pair().and_then(|c| c.with_radii(&[[1.0, 0.6], [4.0, 0.6]]))) / one - 1.0).abs() < 1e-6);
     // Pipes as long on both sides; the half turn about the common normal takes each to itself.
     let symmetric = |values: &[[f64; 2]]| {
-        let pipes = [2.0, 3.0].map(|radius| cyclide::CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
+        let pipes = [2.0, 3.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
         volume(PipeCrossing::new(pipes, 3.5, 0.6).and_then(|c| c.with_angle(1.2)).and_then(|c| c.with_radii(values)))
     };
     let values = [[0.3, 0.5], [1.5, 0.7], [4.0, 0.6]];
@@ -310,32 +312,23 @@ fn laws_that_are_none_are_refused() {
     assert_eq!(leap.map(|_| ()).expect_err("no pieces").reason(), "too-many-pieces");
 }
 
+/// What a pipe has in common with one a thousand times as wide: a lens of which the rounding of the wide pipe is the shape is refused by the size of its ball, a larger one is made.
 #[test]
-fn points_of_a_lens_are_in_both_pipes_and_of_a_notch_in_one() {
-    let lens = Pair { radii: [2.0, 3.0], distance: 2.5, degrees: 65.0, side: CrossingSide::Inside };
-    let body = lens.whole(0.4).made().expect("a lens").body;
-    for face in body.outer.faces() {
-        for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.8)] {
-            let p: Point3 = face.surface.point(s, t);
-            let off = off_axes(p, lens.distance, lens.degrees);
-            assert!(off[0] < 2.0 + 1e-12 && off[1] < 3.0 + 1e-12, "{off:?}");
+fn tiny_lenses_of_wide_pipes_are_made_or_refused_by_their_size() {
+    let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-2000.0, 2000.0] };
+    let lens = |overlap: f64, ball: f64| {
+        let pair = PipeCrossing::new([pipe(1.0), pipe(1000.0)], 1001.0 - overlap, ball)?;
+        pair.with_side(CrossingSide::Inside).made()
+    };
+    let made = lens(1e-2, 1e-3).unwrap_or_else(|e| panic!("{e}"));
+    let bounds = made.body.bounds();
+    assert!(made.body.is_solid() && bounds.max.z - 1.0 < 1e-12 && bounds.min.z - 0.99 > -1e-12, "{bounds:?}");
+    for (overlap, ball) in [(1e-3, 1e-4), (1e-4, 1e-5)] {
+        match lens(overlap, ball).map(|_| ()) {
+            Err(Error::BelowRoundingOfPlace { size, place, limit, .. }) => {
+                assert!(size == ball && place > 1000.0 && limit >= 2.0 * size);
+            }
+            other => panic!("{other:?}"),
         }
     }
-    let notch = Pair { radii: [1.0, 3.0], distance: 2.8, degrees: 80.0, side: CrossingSide::Mixed };
-    let body = notch.whole(0.3).made().expect("a notch").body;
-    let mut cut = 0;
-    for face in body.outer.faces() {
-        for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.8)] {
-            let off = off_axes(face.surface.point(s, t), notch.distance, notch.degrees);
-            assert!(off[0] > 1.0 - 1e-12 && off[1] < 3.0 + 1e-12, "{off:?}");
-            cut += usize::from((off[0] - 1.0).abs() < 1e-9);
-        }
-    }
-    assert!(cut > 0);
-    let apart = Pair { distance: 4.2, ..notch }.whole(0.3).made().expect_err("they do not meet");
-    assert_eq!(apart.reason(), "crossing-pipes-apart");
-    // Hardly in each other: the shallowest notch that is cut is a solid.
-    let shallow = |distance: f64| Pair { distance, ..notch }.whole(1e-4).made();
-    assert!(shallow(3.9959).expect("a notch").body.is_solid());
-    assert_eq!(shallow(3.9961).expect_err("too shallow").reason(), "crossing-pipes-apart");
 }

@@ -6,8 +6,8 @@ mod conical_mains;
 mod crosses;
 
 use cyclide::{
-    Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
-    TeeMain, Vec3, surface_joints,
+    Body, Error, FaceSurface, MadeTee, ParamCurve as _, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend,
+    TeeBranch, TeeEnds, TeeMain, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -368,8 +368,13 @@ fn a_manifold_is_one_solid_that_adds_up() {
 fn what_is_no_tee_is_refused_with_its_measures() {
     let refused = |main, branches| made(main, branches, None, TeeEnds::Flat).expect_err("no tee");
     let beside = TeeBranch { offset: 1.2, ..branch() };
-    let wide = Error::TeeBranchTooWide { branch: 0, reach: 3.2, limit: 3.0, offset: 1.2 };
+    let wide = Error::TeeBranchTooWide { branch: 0, reach: 3.2, limit: 3.0, rest: 1e-4 * 3.0, offset: 1.2 };
     assert_eq!(refused(MAIN, vec![beside]), wide);
+    // Thinner by too little: what helps is said, and it does.
+    let narrow = |radius: f64| TeeBranch { radius, ..TeeBranch::upright(1.0, 10.0, 0.3) };
+    let message = refused(TeeMain { radius: 1.0, ..MAIN }, vec![narrow(0.9999)]).to_string();
+    assert!(message.contains("less than 1e-4 is left") && message.contains("make it 0.9998 at most"), "{message}");
+    assert!(made(TeeMain { radius: 1.0, ..MAIN }, vec![narrow(0.9998)], None, TeeEnds::Flat).is_ok());
     assert_eq!(refused(MAIN, vec![TeeBranch { radius: 3.1, ..branch() }]).reason(), "tee-branch-too-wide");
     assert_eq!(refused(MAIN, vec![TeeBranch { radius: 3.0, offset: 0.1, ..branch() }]).reason(), "tee-branch-too-wide");
     for angle in [0.0, PI, -1.0, 0.04] {
@@ -388,6 +393,51 @@ fn what_is_no_tee_is_refused_with_its_measures() {
     assert_eq!(PipeTee::new(MAIN, vec![]).expect_err("none").reason(), "too-few-points");
     let twice = TeeBlend::Angles { values: vec![[0.0, 1.0], [2.0 * PI, 1.0]], tolerance: None };
     assert_eq!(refused(MAIN, vec![TeeBranch { blend: twice, ..branch() }]).reason(), "coincident-points");
+}
+
+/// What helps against too many pieces is what does: a law is named only where there is one, and the width of a branch that leaves hardly any room.
+#[test]
+fn advice_on_too_many_pieces_fits_what_was_asked_for() {
+    let refused = |radius: f64, blend: TeeBlend| {
+        let main = TeeMain { radius: 1.0, taper: 0.0, ends: [-10.0, 10.0] };
+        made(main, vec![TeeBranch { blend, ..TeeBranch::upright(radius, 10.0, 0.1) }], None, TeeEnds::Flat)
+            .expect_err("too many pieces")
+            .to_string()
+    };
+    let one = || TeeBlend::Radius { radius: 0.1, tolerance: Some(1e-13) };
+    let law = || TeeBlend::Angles { values: vec![[0.0, 0.3], [1.5, 0.1]], tolerance: Some(1e-13) };
+    for (radius, blend, of_law, nearly_equal) in [
+        (0.5, one(), false, false),
+        (0.5, law(), true, false),
+        (0.9998, one(), false, true),
+        (0.9998, law(), true, true),
+    ] {
+        let message = refused(radius, blend);
+        assert!(message.contains("at most 2048 are made: use a larger tolerance"), "{message}");
+        assert_eq!(message.contains("a law that changes less"), of_law, "{message}");
+        assert_eq!(message.contains("a thinner branch"), nearly_equal, "{message}");
+    }
+}
+
+/// Angles of a law are counted counter-clockwise seen from the end of the branch: a quarter turn is towards +y of a branch that goes up, and with the azimuth that
+/// turns towards where +y was. What the balls are is measured by how far their centres are from the axis of the main pipe.
+#[test]
+fn angles_of_a_law_turn_from_the_end_of_the_main_pipe_to_plus_y() {
+    let values = [[0.0, 0.5], [FRAC_PI_2, 0.8], [PI, 0.6], [1.5 * PI, 0.4]];
+    for azimuth in [0.0, FRAC_PI_2] {
+        let blend = TeeBlend::Angles { values: values.to_vec(), tolerance: None };
+        let branch = TeeBranch { azimuth, blend, ..TeeBranch::upright(1.5, 10.0, 0.5) };
+        let centers = made(MAIN, vec![branch], None, TeeEnds::Flat).expect("a tee").centers;
+        let path = &centers.paths()[0];
+        let [x, y] = [Vec3::X, Vec3::new(0.0, azimuth.cos(), azimuth.sin())];
+        for (way, [_, radius]) in [x, y, -x, -y].into_iter().zip(values) {
+            let places = (0..=4000).map(|k| path.point(f64::from(k) / 4000.0));
+            let farthest = places.max_by(|a, b| a.to_vec().dot(way).total_cmp(&b.to_vec().dot(way))).expect("places");
+            let found = farthest.y.hypot(farthest.z) - MAIN.radius;
+            // Where the way reaches farthest is not quite where the law has its value.
+            assert!((found - radius).abs() < 0.04, "{azimuth} {way:?}: {found} {radius}");
+        }
+    }
 }
 
 /// The least and the largest radius and the largest difference from the law, of a branch of 29, 25 or 15 on a pipe of 30.

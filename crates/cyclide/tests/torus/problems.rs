@@ -1,6 +1,6 @@
 //! Random awkward problems: all are solved, and every solution obeys every law.
 
-use cyclide::{Frame, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent, Vec2};
+use cyclide::{Frame, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding, Vec2};
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::Problem;
 
@@ -97,4 +97,46 @@ fn ten_thousand_awkward_problems_are_all_solved() {
         "{methods:?}"
     );
     assert!((40..60).contains(&most));
+}
+
+/// Places many turns away are the same places: the laws hold as near the start. Angles are up to the largest accepted ones.
+#[test]
+fn places_many_turns_away_are_joined_as_well() {
+    let mut r = Random::new(30, 12);
+    for case in 0..600 {
+        let mut problem = Problem::awkward(30, case);
+        for place in &mut problem.places {
+            let far = |r: &mut Random| std::f64::consts::PI * (r.pick(&[-1.0, 1.0]) * r.decades(0.0, 5.4)).round();
+            *place = *place + Vec2::new(far(&mut r), far(&mut r));
+        }
+        if problem.options.loops {
+            // Repeated places are the same to the rounding of angles of this size only: the first of them is met.
+            let spline = problem.solve().unwrap();
+            let faults = cyclide_testkit::torus_splines::faults(&spline);
+            assert!(faults.is_empty(), "{case}: {faults:?}\n{problem:?}");
+            continue;
+        }
+        let spline = problem.solve().unwrap_or_else(|e| panic!("{case}: {e} of {problem:?}"));
+        let faults = problem.faults(&spline);
+        assert!(faults.is_empty(), "{case}: {faults:?}\n{problem:?}");
+    }
+}
+
+/// Many half turns between two places: the pieces far along keep their digits.
+#[test]
+fn long_windings_keep_their_digits() {
+    for turns in [[2000, 0], [-1500, 700], [3, 2000]] {
+        let torus = Torus::new(Frame::WORLD, 3.0, 1.0).unwrap();
+        let places = [[0.1, 0.2], [0.9, -0.4]].map(Point2::from).to_vec();
+        let winding = TorusWinding::PerSegment(vec![turns]);
+        let problem = Problem { torus, places, options: TorusSplineOptions { winding, ..Default::default() } };
+        let faults = problem.faults(&problem.solve().unwrap());
+        assert!(faults.is_empty(), "{turns:?}: {faults:?}");
+    }
+    for turns in [[9_999, 10_000], [1, 7001]] {
+        let torus = Torus::new(Frame::WORLD, 3.0, 1.0).unwrap();
+        let knot = TorusSpline::knot(&torus, turns, Point2::new(0.1, 1e6)).unwrap();
+        let faults = cyclide_testkit::torus_splines::faults(&knot);
+        assert!(faults.is_empty(), "{turns:?}: {} faults, {:?}", faults.len(), &faults[..faults.len().min(4)]);
+    }
 }

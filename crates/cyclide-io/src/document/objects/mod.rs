@@ -84,7 +84,7 @@ pub struct BuiltObject {
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
-    /// The blends of a tee.
+    /// The blends of a tee, a crossing or a contact blend, or of what it is the image of.
     pub tee_blends: Vec<TeeBlendFacts>,
     /// Where the balls of these are.
     pub ball_centers: Option<Box<BallCenters>>,
@@ -285,8 +285,9 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours): (Vec<_>, Vec<_>) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
-        if let (ObjectSpec::Transform(_), Some(source)) = (self.spec, self.sources.first()) {
+        if let (ObjectSpec::Transform(transform), Some(source)) = (self.spec, self.sources.first()) {
             self.names.clone_from(&source.provenance.names);
+            self.tee_blends = self.mapped_blends(transform);
         }
         self.check_block_count()?;
         let volumes = self.volumes()?;

@@ -10,6 +10,7 @@ use super::Builder;
 use super::curves::{Origin, Points};
 use super::nets::frame_of_axes;
 use super::refuse::Blame;
+use super::transform::map_of;
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, ContourFacts, Made};
 use crate::document::coordinates::Coordinates;
@@ -80,22 +81,43 @@ impl Builder<'_> {
             TorusSource::Here(spec) => frame_of_axes(spec.center, spec.axis, spec.x_direction)
                 .and_then(|frame| Torus::new(frame, spec.major_radius, spec.minor_radius))
                 .map_err(refused),
-            TorusSource::Named(name) => match self.document.objects.iter().find(|(other, _)| other == name) {
-                Some((_, ObjectSpec::Cyclide(CyclideSpec { a, c: 0.0, mu, center, axis, x_direction, .. }))) => {
-                    frame_of_axes(*center, *axis, *x_direction)
-                        .and_then(|frame| Torus::new(frame, *a, *mu))
-                        .map_err(refused)
+            TorusSource::Named(name) => self.named_torus(name),
+        }
+    }
+
+    /// The torus that an object is: a `cyclide` with `c` = 0, or its image under a `transform` that keeps it a torus.
+    fn named_torus(&self, name: &str) -> Result<Torus> {
+        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
+        let unfit = |message: String| Error::Input(self.diagnostic([Step::from("torus")], &message));
+        let named = self.document.objects.iter().find(|(other, _)| other == name).map(|(_, spec)| spec);
+        match named {
+            Some(ObjectSpec::Cyclide(CyclideSpec { a, c: 0.0, mu, center, axis, x_direction, .. })) => {
+                frame_of_axes(*center, *axis, *x_direction)
+                    .and_then(|frame| Torus::new(frame, *a, *mu))
+                    .map_err(refused)
+            }
+            Some(ObjectSpec::Cyclide(CyclideSpec { c, .. })) => {
+                Err(unfit(format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0")))
+            }
+            Some(ObjectSpec::Transform(spec)) => {
+                let mut torus = self.named_torus(&spec.of)?;
+                for (index, step) in spec.steps.iter().enumerate() {
+                    let map = map_of(step).map_err(refused)?;
+                    if !map.is_similarity() {
+                        return Err(unfit(format!(
+                            "step {index} of the `transform` `{name}` is no similarity: a torus stays one where it is moved, turned, scaled or mirrored"
+                        )));
+                    }
+                    torus = torus.similar(&map).map_err(refused)?;
                 }
-                Some((_, ObjectSpec::Cyclide(CyclideSpec { c, .. }))) => {
-                    let message = format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0");
-                    Err(Error::Input(self.diagnostic([Step::from("torus")], &message)))
-                }
-                other => {
-                    let kind = other.map_or("", |(_, spec)| spec.type_word());
-                    let message = format!("`{name}` is of type `{kind}`: a torus is a `cyclide` with `c` = 0");
-                    Err(Error::Input(self.diagnostic([Step::from("torus")], &message)))
-                }
-            },
+                Ok(torus)
+            }
+            other => {
+                let kind = other.map_or("", ObjectSpec::type_word);
+                Err(unfit(format!(
+                    "`{name}` is of type `{kind}`: a torus is a `cyclide` with `c` = 0, or a `transform` of one"
+                )))
+            }
         }
     }
 

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use cyclide::{
-    Conformal as _, CurveObject, ErrorItem, HPoint, Mobius, Point3, Quat, ShortNumber, SurfaceObject, Vec3, bounds,
-    closest_point,
+    Conformal as _, CurveObject, ErrorItem, HPoint, Mobius, Point3, Quat, ShortNumber, SurfaceObject, TeeBlendFacts,
+    Vec3, bounds, closest_point,
 };
 
 use super::Builder;
@@ -68,6 +68,26 @@ impl Builder<'_> {
             );
         }
         self.mapped(spec, 0..spec.steps.len(), surfaces, |surface, step| surface.transformed(&map_of(step)?), kept)
+    }
+
+    /// The blends of the source as they are in its image: radii and differences are as much larger as it is. How near they come to folding, where round its
+    /// branch, and the pieces stay. None where a step is no similarity: balls of other radii touch there.
+    pub(super) fn mapped_blends(&self, spec: &TransformSpec) -> Vec<TeeBlendFacts> {
+        let factor = |step: &StepSpec| {
+            let map = map_of(step).ok().filter(Mobius::is_similarity)?;
+            map.push_forward(Point3::ORIGIN, Vec3::X).map(Vec3::length)
+        };
+        let factor: Option<f64> = spec.steps.iter().map(factor).product();
+        let blends = self.sources.first().map_or(&[][..], |source| &source.tee_blends);
+        let scaled = |factor: f64| {
+            let scaled = move |blend: &TeeBlendFacts| TeeBlendFacts {
+                radii: blend.radii.map(|radius| radius * factor),
+                deviation: blend.deviation * factor,
+                ..*blend
+            };
+            blends.iter().map(scaled).collect()
+        };
+        factor.map_or_else(Vec::new, scaled)
     }
 
     /// Applies some of the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.

@@ -190,7 +190,7 @@ pub struct TeeLawSpec {
 #[schemars(rename = "TeeRadius")]
 #[non_exhaustive]
 pub struct TeeRadiusSpec {
-    /// Angle round a branch: 0 on the side of the end of the main pipe. Of a crossing that of the ball about the upward normal, 0 in the direction of the first axis.
+    /// Angle round a branch, counter-clockwise seen from its end: 0 on the side of the end of the main pipe, +x, 90 degrees on the side of a positive `offset`, +y if it goes up. Of a crossing that of the ball about the upward normal, 0 in the direction of the first axis.
     pub angle: Angle,
     /// The radius there.
     #[schemars(extend("exclusiveMinimum" = 0))]

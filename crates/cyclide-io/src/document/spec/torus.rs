@@ -43,7 +43,7 @@ pub struct TorusSplineSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
     pub torus: TorusSource,
     /// Points on or near the torus. Each is moved to the nearest point of the torus.
     pub points: Option<PointSource>,
@@ -116,7 +116,7 @@ pub struct TorusKnotSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
     pub torus: TorusSource,
     /// Turns round the axis and turns round the tube, without a common divisor; negative ones run the other way.
     pub turns: [i32; 2],
@@ -147,7 +147,7 @@ pub struct TorusQuarticSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
     pub torus: TorusSource,
     /// Two different families of circles: the type.
     pub families: [FamilySpec; 2],
@@ -185,7 +185,7 @@ pub struct TorusCircleSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
     pub torus: TorusSource,
     /// Which of the four circles through the point.
     #[serde(default)]
@@ -351,7 +351,7 @@ pub struct TorusSpec {
 pub enum TorusSource {
     /// Its radii and its place.
     Here(TorusSpec),
-    /// Name of a `cyclide` with `c` = 0.
+    /// Name of a `cyclide` with `c` = 0, or of a `transform` of one that is a similarity.
     Named(String),
 }
 
@@ -371,7 +371,9 @@ impl<'de> Deserialize<'de> for TorusSource {
         impl<'de> Visitor<'de> for TorusVisitor {
             type Value = TorusSource;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide`")
+                f.write_str(
+                    "`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide` or of its `transform`",
+                )
             }
             fn visit_str<E>(self, name: &str) -> Result<TorusSource, E> {
                 Ok(TorusSource::Named(name.to_owned()))

@@ -112,7 +112,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for PairsVisitor<T> {
     }
 }
 
-/// In radians; whole turns stay.
+/// In radians.
 fn in_radians(pair: [f64; 2], in_degrees: bool) -> [f64; 2] {
     if in_degrees { pair.map(f64::to_radians) } else { pair }
 }
@@ -120,7 +120,12 @@ fn in_radians(pair: [f64; 2], in_degrees: bool) -> [f64; 2] {
 impl<'de> Deserialize<'de> for AnglePairs {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let (pairs, in_degrees) = deserializer.deserialize_any(PairsVisitor::<[f64; 2]>(std::marker::PhantomData))?;
-        Ok(Self { pairs: pairs.into_iter().map(|pair| in_radians(pair, in_degrees)).collect(), in_degrees })
+        // Whole turns do not matter; in degrees they are left out before the conversion, which is exact.
+        let within_a_turn = |pair: [f64; 2]| if in_degrees { pair.map(|angle| angle % 360.0) } else { pair };
+        Ok(Self {
+            pairs: pairs.into_iter().map(|pair| in_radians(within_a_turn(pair), in_degrees)).collect(),
+            in_degrees,
+        })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::data::{Data, push_list, push_reference, real, string};
 use crate::export::exported::{PieceNotes, SMALLEST_RADIUS};
+use crate::export::scaled_weights::scaled_weights;
 use crate::text::number::push_step;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
 use std::fmt::Write as _;
@@ -145,7 +146,7 @@ pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
         out.push(',');
         push_list(out, &knots, |out, (knot, _)| push_step(out, *knot));
         out.push_str(",.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE(");
-        push_list(out, curve.weights(), |out, &weight| push_step(out, weight));
+        push_list(out, scaled_weights(curve.weights()), push_step);
         out.push_str(") REPRESENTATION_ITEM(''))");
     })
 }

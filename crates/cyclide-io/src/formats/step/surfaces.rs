@@ -12,6 +12,7 @@
 use super::data::{Data, push_list, push_reference};
 use super::polar_curves::PolarCurve;
 use crate::export::options::StepEdges;
+use crate::export::scaled_weights::scaled_weights;
 use crate::text::number::push_step;
 use cyclide::{
     Arc, CyclidePatch, EdgeCurve, Error, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3,
@@ -167,7 +168,7 @@ pub(super) fn rational(data: &mut Data, surface: &RationalBezierSurface) -> Resu
 
 /// A rational B-spline surface of one Bézier span, a complex instance; control points and weights with t fastest.
 fn b_spline(data: &mut Data, [p, q]: [usize; 2], points: &[Point3], weights: &[f64]) -> Result<usize> {
-    let weights = scaled(weights);
+    let weights = scaled_weights(weights);
     for (index, &weight) in weights.iter().enumerate() {
         if !(weight > 0.0) {
             return Err(Error::WeightNotPositive { index, weight });
@@ -195,27 +196,4 @@ fn b_spline(data: &mut Data, [p, q]: [usize; 2], points: &[Point3], weights: &[f
 pub(super) fn middle_point(arc: &Arc) -> Point3 {
     let ratio = arc.weight_ratio();
     arc.start().midpoint(arc.end()) + arc.chord().cross(ratio.vector()) * (0.5 / ratio.w)
-}
-
-/// The weights times a power of two, which is exact, so that the largest is in [1, 2).
-fn scaled(weights: &[f64]) -> Vec<f64> {
-    let largest = weights.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
-    if !(largest.is_normal()) {
-        return weights.to_vec();
-    }
-    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-    weights.iter().map(|w| w * 2.0_f64.powi(-exponent)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn weights_are_scaled_exactly() {
-        let weights = [3e-40, 1e-40, 2e-40];
-        let out = scaled(&weights);
-        assert!(out[0] >= 1.0 && out[0] < 2.0);
-        assert_eq!((out[1] / out[0]).to_bits(), (weights[1] / weights[0]).to_bits());
-    }
 }

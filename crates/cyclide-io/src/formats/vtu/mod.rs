@@ -60,6 +60,8 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         written.curves.push(contour.lowered(push_contour(&mut cells, &contour, lowered))?);
     }
     push_bodies(job, None, Halving::WhereNeeded, &mut cells, &mut written)?;
+    // Cells share no nodes: each has a scale of its own.
+    let cells: Vec<RationalCell> = cells.into_iter().map(RationalCell::with_scaled_weights).collect();
     let mut arrays = Arrays::new(job.options.vtu_encoding);
     let of_blocks = qualities(job.model, job.bodies, &written.volumes);
     let head = text(&mut arrays, &cells, &of_blocks, job);

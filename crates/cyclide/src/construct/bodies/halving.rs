@@ -33,11 +33,13 @@ impl Halving {
             }
             let middle = 0.5 * (from + to);
             // Each span left has two pieces or more.
-            if made.len() + 2 * left.len() + 4 > self.cap || !(from < middle && middle < to) || to - from < self.least {
+            let needed = made.len() + 2 * left.len() + 4;
+            let is_leap = !(from < middle && middle < to) || to - from < self.least;
+            if needed > self.cap || is_leap {
                 return Err(Error::TooManyPieces {
                     what: self.what,
                     segment: None,
-                    needed: 2.0 * self.cap as f64,
+                    needed: if is_leap { f64::INFINITY } else { needed as f64 },
                     cap: self.cap,
                     remedy: self.remedy,
                 });

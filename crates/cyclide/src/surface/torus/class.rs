@@ -5,12 +5,20 @@ use crate::base::complex::Complex;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
+use std::f64::consts::TAU;
 
 /// The directions of `A` and `B` as complex numbers of length 1, each up to its sign.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnitPair {
     pub(super) a: Complex,
     pub(super) b: Complex,
+}
+
+/// The same place of a torus with both angles within a turn, to the rounding of angles of this size: sines and cosines are those of the
+/// angle itself, however many turns it has. What is within a turn stays as it is.
+pub(crate) fn within_a_turn(place: Point2) -> Point2 {
+    let reduced = |angle: f64| if angle.abs() <= TAU { angle } else { Complex::at_angle(angle).arg() };
+    Point2::new(reduced(place.x), reduced(place.y))
 }
 
 impl UnitPair {

@@ -24,6 +24,7 @@ mod spline_curve;
 mod spline_edit;
 
 pub use class::TorusClasses;
+pub(crate) use class::within_a_turn;
 pub(crate) use crossing::PlaceAngle;
 pub use family::{CircleFamily, QuarticType};
 pub use junction::TorusJunction;

@@ -31,6 +31,9 @@ use torus_pair::TorusPair;
 /// Axes nearer to parallel than this, radians, are refused: the places of the blend, so much longer than wide, have lost their digits.
 const LEAST_ANGLE: f64 = 1e-5;
 
+/// The least ball that is told to do where one cannot be made, as part of the pipes and their distance (measured: lenses of pipes of 1 and 1000 down to a tenth of it are made).
+const LEAST_BALL: f64 = 1e-7;
+
 /// A pipe that passes another, a cylinder or a cone.
 ///
 /// ```
@@ -311,7 +314,20 @@ impl PipeCrossing {
             tightest_at: tight.angle,
         };
         let centers = balls.centers(&asked.pair, self.axes.half_gap())?;
-        Ok(MadeCrossing { body: self.sewn(&mantles, &balls)?, blend, centers })
+        let body = self.sewn(&mantles, &balls).map_err(|error| self.smaller_than_rounding(error))?;
+        Ok(MadeCrossing { body, blend, centers })
+    }
+
+    /// Of a crossing that cannot be sewn: its ball is so small beside the pipes that the rounding of these is the shape of the blend.
+    fn smaller_than_rounding(&self, error: Error) -> Error {
+        let sizes = self.pipes.iter().map(|pipe| pipe.radius).chain([2.0 * self.axes.half_gap()]);
+        let ([size, _], place) = (self.law.range(), sizes.fold(0.0, f64::max));
+        // What failed is too small, wherever the limit is.
+        let limit = (LEAST_BALL * place).max(2.0 * size);
+        match error {
+            Error::NotAShell { .. } => Error::BelowRoundingOfPlace { what: ErrorItem::Blend, size, place, limit },
+            other => other,
+        }
     }
 
     /// The faces of all skins, closed as asked.

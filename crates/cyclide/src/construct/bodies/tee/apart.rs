@@ -7,12 +7,17 @@ use super::arrangement::are_halves;
 use super::canal::Canal;
 use super::{PipeTee, Placed};
 use crate::base::bounds::Aabb;
+use crate::base::box_tree::BoxTree;
+use crate::base::segments::nearest_of_segments;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 
 /// Pairs of parts that are looked at before two branches are given up as too near to tell.
 const MOST_PAIRS: usize = 4_000_000;
+
+/// Boxes are grown by this part of the distance more than half of it: sums are rounded.
+const ROUNDING: f64 = 1e-9;
 
 /// A part of a face.
 struct Part {
@@ -57,17 +62,26 @@ struct Outside {
     parts: Vec<Part>,
     /// The box of all of them.
     hull: Aabb,
+    /// Their boxes, of which those of parts that are near enough meet.
+    tree: BoxTree,
     /// The axis where it has walls, and the largest radius there.
     spine: [Point3; 2],
     radius: f64,
 }
 
 impl Outside {
-    fn new(placed: &Placed) -> Result<Self> {
+    fn new(placed: &Placed, needed: f64) -> Result<Self> {
         let parts = parts(placed)?;
+        let grown: Vec<Aabb> = parts.iter().map(|part| part.hull.grown((0.5 + ROUNDING) * needed)).collect();
         let whole = parts.iter().map(|part| part.hull).reduce(Aabb::union);
         let (spine, radius) = spine(placed);
-        Ok(Self { hull: whole.unwrap_or(Aabb { min: spine[0], max: spine[0] }), parts, spine, radius })
+        Ok(Self {
+            hull: whole.unwrap_or(Aabb { min: spine[0], max: spine[0] }),
+            parts,
+            tree: BoxTree::new(&grown),
+            spine,
+            radius,
+        })
     }
 }
 
@@ -100,46 +114,35 @@ fn spine(placed: &Placed) -> ([Point3; 2], f64) {
     ([crossing.foot + crossing.axes[2] * low, placed.end()], radius[0].max(radius[1]))
 }
 
-/// The distance of two segments.
-fn distance([a, b]: [Point3; 2], [c, d]: [Point3; 2]) -> f64 {
-    let (u, v, w) = (b - a, d - c, a - c);
-    let (uu, uv, vv, uw, vw) = (u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w));
-    let to_second = |s: f64| ((uv * s + vw) / vv).clamp(0.0, 1.0);
-    let to_first = |t: f64| ((uv * t - uw) / uu).clamp(0.0, 1.0);
-    let across = uu * vv - uv * uv;
-    let inside = if across > 0.0 { ((uv * vw - vv * uw) / across).clamp(0.0, 1.0) } else { 0.0 };
-    // The least is inside both or at an end of one.
-    let starts = [inside, 0.0, 1.0].map(|s| (to_first(to_second(s)), to_second(s)));
-    let ends = [0.0, 1.0].map(|t| (to_first(t), t));
-    starts.into_iter().chain(ends).map(|(s, t)| (a + u * s).distance(c + v * t)).fold(f64::INFINITY, f64::min)
-}
-
 /// Whether all faces of two branches are proved to be farther apart than a distance; if not, the distance of the boxes of two small parts that are not.
 fn nearer_than(needed: f64, [first, second]: [&Outside; 2]) -> Option<f64> {
     if gap(&first.hull, &second.hull) > needed {
         return None;
     }
-    let walls_apart = distance(first.spine, second.spine) > first.radius + second.radius + needed;
+    let (spines, _) = nearest_of_segments([first.spine, second.spine]);
+    let walls_apart = spines > first.radius + second.radius + needed;
     let near = |a: &Part, b: &Part| gap(&a.hull, &b.hull) <= needed && !(walls_apart && a.of_wall && b.of_wall);
     let mut looked_at = 0;
-    for a in first.parts.iter().filter(|a| gap(&a.hull, &second.hull) <= needed) {
-        for b in second.parts.iter().filter(|b| near(a, b)) {
-            let mut waiting = vec![(a.halves(), b.halves())];
-            while let Some((a, b)) = waiting.pop() {
-                for a in &a {
-                    for b in b.iter().filter(|b| near(a, b)) {
-                        looked_at += 1;
-                        let sizes = [a, b].map(|part| part.hull.diagonal());
-                        if sizes[0] + sizes[1] <= needed || looked_at > MOST_PAIRS {
-                            return Some(gap(&a.hull, &b.hull));
-                        }
-                        waiting.push((a.halves(), b.halves()));
+    first.tree.find_between(&second.tree, |i, j| {
+        let (a, b) = (&first.parts[i], &second.parts[j]);
+        if !near(a, b) {
+            return None;
+        }
+        let mut waiting = vec![(a.halves(), b.halves())];
+        while let Some((a, b)) = waiting.pop() {
+            for a in &a {
+                for b in b.iter().filter(|b| near(a, b)) {
+                    looked_at += 1;
+                    let sizes = [a, b].map(|part| part.hull.diagonal());
+                    if sizes[0] + sizes[1] <= needed || looked_at > MOST_PAIRS {
+                        return Some(gap(&a.hull, &b.hull));
                     }
+                    waiting.push((a.halves(), b.halves()));
                 }
             }
         }
-    }
-    None
+        None
+    })
 }
 
 impl PipeTee {
@@ -148,7 +151,7 @@ impl PipeTee {
     /// # Errors
     /// `tee-branches-meet`.
     pub(super) fn check_apart(placed: &[Placed], needed: f64) -> Result<()> {
-        let outside = placed.iter().map(Outside::new).collect::<Result<Vec<_>>>()?;
+        let outside = placed.iter().map(|placed| Outside::new(placed, needed)).collect::<Result<Vec<_>>>()?;
         for second in 1..placed.len() {
             for first in 0..second {
                 if are_halves(&placed[first], &placed[second]) {

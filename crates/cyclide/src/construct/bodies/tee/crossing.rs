@@ -69,7 +69,8 @@ fn boosts(index: usize, [main, main_taper]: [f64; 2], branch: &TeeBranch) -> Res
     if !(room > LEAST_ROOM * main * own_cos && taus.iter().all(|tau| tau.abs() < 1.0 - LEAST_ROOM)) {
         let beside = ((own_cos - leans[0]) * (own_cos + leans[0])).max(0.0).sqrt() / own_cos;
         let reach = branch.radius + offset.abs() * beside;
-        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main * main_cos / own_cos, offset });
+        let limit = main * main_cos / own_cos;
+        return Err(Error::TeeBranchTooWide { branch: index, reach, limit, rest: LEAST_ROOM * limit, offset });
     }
     Ok([
         Boost::new(taus[0], [room / across[0], -offset * leans[0] / across[0]]),

@@ -11,12 +11,14 @@ use crate::rational::Polynomial;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Pieces of a loop at most.
-const HALVING: Halving = Halving {
-    what: "the loop of the ball",
-    cap: 2048,
-    least: 0.0,
-    remedy: "use a larger tolerance, or a law that changes less",
-};
+const HALVING: Halving =
+    Halving { what: "the loop of the ball", cap: 2048, least: 0.0, remedy: "use a larger tolerance" };
+/// What else helps where the radius changes; where the branch leaves less than this part of the width of the main pipe; and both.
+const OF_LAW: &str = "use a larger tolerance, or a law that changes less";
+const NEARLY_EQUAL: f64 = 0.01;
+const OF_NEARLY_EQUAL: &str =
+    "use a larger tolerance, or a thinner branch: this one is nearly as wide as the main pipe, which takes the pieces";
+const OF_LAW_ON_NEARLY_EQUAL: &str = "use a larger tolerance, a law that changes less, or a thinner branch: this one is nearly as wide as the main pipe, which takes pieces";
 /// A blend keeps to its law to this part of the radius where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 /// Places of a loop at which its least ball is looked for, and steps in which it is found.
@@ -31,8 +33,8 @@ const ROUNDING: f64 = 1e-12;
 
 /// The radius of the ball that blends a branch with its main pipe.
 ///
-/// Angles are counted round the branch, from the side of the end of the main pipe towards its `sideways` direction, so that the crotches of a branch are at
-/// 0 and π, its flanks at π/2 and -π/2. Every loop is exact: the ball touches both pipes everywhere.
+/// Angles are counted round the branch, counter-clockwise seen from its end: 0 is the side of the end of the main pipe, +x, and π/2 the side that a positive offset is to, +y for
+/// a branch that goes up. So the crotches of a branch are at 0 and π, its flanks at π/2 and -π/2. Every loop is exact: the ball touches both pipes everywhere.
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
@@ -147,8 +149,19 @@ fn along(crossing: &Crossing, law: &Law, tolerance: Option<f64>) -> Result<Loop>
     }
     let follow = Follow { crossing, law, tolerance };
     let mut made = Loop { pieces: Vec::new(), deviation: 0.0 };
+    let is_law = {
+        let [least, most] = law.range();
+        least < most
+    };
+    let remedy = match (is_law, crossing.unit < NEARLY_EQUAL * crossing.radii[1]) {
+        (false, false) => HALVING.remedy,
+        (true, false) => OF_LAW,
+        (false, true) => OF_NEARLY_EQUAL,
+        (true, true) => OF_LAW_ON_NEARLY_EQUAL,
+    };
+    let halving = Halving { remedy, ..HALVING };
     for span in follow.spans() {
-        HALVING.extend(&mut made.pieces, span, |part| {
+        halving.extend(&mut made.pieces, span, |part| {
             let pieces = LoopPiece::hermite(part, part.map(|angle| follow.node(angle)));
             let Some(deviation) = follow.deviation(&pieces) else { return Ok(None) };
             made.deviation = made.deviation.max(deviation);

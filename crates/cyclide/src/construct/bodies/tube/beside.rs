@@ -5,7 +5,7 @@ use crate::curve::{Arc, ArcPath, Correspondence, CurvePlace, ParamCurve, PieceFo
 use crate::error::Result;
 
 /// Chords of a part of the curve, at first and at most.
-const CHORDS: [usize; 2] = [8, 1 << 14];
+const CHORDS: [usize; 2] = [8, 1 << 17];
 /// The part of the limit that may be left open between places.
 const OPEN: f64 = 0.1;
 
@@ -26,8 +26,8 @@ struct Part<'a> {
     to: f64,
 }
 
-/// The bound for arcs and the parts of the curve that they stand for; infinite where there is no proof. Places are added until a tenth of
-/// the limit at most is open between them.
+/// The bound for arcs and the parts of the curve that they stand for; infinite where there is no proof. Places are added where more than a tenth of the limit is open
+/// between two: a parameter that runs unevenly has them where the way is.
 ///
 /// # Errors
 /// `too-many-pieces` (a curve whose hulls need too many parts).
@@ -54,22 +54,15 @@ pub(super) fn beside(
             lengths[0] = stretch.iter().map(|p| curve.piece_length(p.piece, p.from, p.to)).sum();
             lengths[1] = own.iter().map(Arc::length).sum();
         }
-        let mut chords = CHORDS[0];
-        loop {
-            let walk = Walk { stretch: &stretch, arcs: own, chords, with_lag };
-            let Walked { measured, open, lag } = walk.walked(&mut hull, limit)?;
-            if open <= OPEN * limit || !(measured <= limit) || chords >= CHORDS[1] {
-                found.distance = found.distance.max(measured + open);
-                // Both ends of the stretch, and what is between them.
-                let ahead = |ways: [f64; 2]| (ways[0] / whole[0] - ways[1] / whole[1]).abs();
-                let after = [ways[0] + lengths[0], ways[1] + lengths[1]];
-                if with_lag {
-                    let inner = (lag + (lengths[0] - lengths[1]).abs()) / whole[0].min(whole[1]);
-                    found.lag = found.lag.max(ahead(ways).max(ahead(after)) + inner);
-                }
-                break;
-            }
-            chords *= 2;
+        let Walked { measured, open, lag } =
+            Walk { stretch: &stretch, arcs: own, with_lag }.walked(&mut hull, limit)?;
+        found.distance = found.distance.max(measured + open);
+        if with_lag {
+            // Both ends of the stretch, and what is between them.
+            let ahead = |ways: [f64; 2]| (ways[0] / whole[0] - ways[1] / whole[1]).abs();
+            let after = [ways[0] + lengths[0], ways[1] + lengths[1]];
+            let inner = (lag + (lengths[0] - lengths[1]).abs()) / whole[0].min(whole[1]);
+            found.lag = found.lag.max(ahead(ways).max(ahead(after)) + inner);
         }
         ways = [ways[0] + lengths[0], ways[1] + lengths[1]];
         if !(found.distance <= limit) {
@@ -91,11 +84,10 @@ fn parts_between(curve: &dyn ParamCurve, start: CurvePlace, end: CurvePlace) -> 
     (start.piece..=end.piece).filter_map(part).collect()
 }
 
-/// A stretch of the curve beside its arcs, with so many chords on each part.
+/// A stretch of the curve beside its arcs.
 struct Walk<'a> {
     stretch: &'a [Part<'a>],
     arcs: &'a [Arc],
-    chords: usize,
     with_lag: bool,
 }
 
@@ -119,16 +111,30 @@ impl Walk<'_> {
         for (number, part) in self.stretch.iter().enumerate() {
             let mut before = part.curve.piece_point(part.piece, part.from);
             walked.measured = walked.measured.max(before.distance(foot));
-            for k in 1..=self.chords {
-                let at = |k: usize| part.from + (part.to - part.from) * (k as f64 / self.chords as f64);
-                let s = [at(k - 1), if k == self.chords { part.to } else { at(k) }];
-                let point = part.curve.piece_point(part.piece, s[1]);
-                let is_end = number + 1 == self.stretch.len() && k == self.chords;
-                // Points belong together in any order that rises; a foot that goes back, by rounding at a joint, costs distance.
-                let next = if is_end { self.arcs.len() as f64 } else { self.foot(point).max(place) };
+            let at = |k: usize| part.from + (part.to - part.from) * (k as f64 / CHORDS[0] as f64);
+            // Ends of chords that are ahead, the next one last.
+            let mut ends: Vec<f64> =
+                (1..=CHORDS[0]).rev().map(|k| if k == CHORDS[0] { part.to } else { at(k) }).collect();
+            let (mut chords, mut from) = (CHORDS[0], part.from);
+            while let Some(&to) = ends.last() {
+                let s = [from, to];
+                let point = part.curve.piece_point(part.piece, to);
+                let is_end = number + 1 == self.stretch.len() && ends.len() == 1;
+                // Points belong together in any order that rises.
+                let next = if is_end { self.arcs.len() as f64 } else { self.foot(point, place, limit) };
                 let next_foot = if is_end { last.end() } else { self.point(next) };
+                let distance = point.distance(next_foot);
+                walked.measured = walked.measured.max(distance);
+                if !(distance <= limit) {
+                    return Ok(walked);
+                }
                 let bends = [part.bend(s, [before, point], hull, limit)?, self.bend([place, next], [foot, next_foot])];
-                walked.measured = walked.measured.max(point.distance(next_foot));
+                let middle = 0.5 * (from + to);
+                if !(bends[0] + bends[1] <= OPEN * limit) && chords < CHORDS[1] && from < middle && middle < to {
+                    chords += 1;
+                    ends.push(middle);
+                    continue;
+                }
                 walked.open = walked.open.max(bends[0] + bends[1]);
                 if self.with_lag {
                     let lengths = [part.curve.piece_length(part.piece, s[0], s[1]), self.length([place, next])];
@@ -138,20 +144,30 @@ impl Walk<'_> {
                         walked.lag.max(ends + 2.0 * (more[0].max(0.0) + more[1].max(0.0)) + bends[0] + bends[1]);
                     way = [way[0] + lengths[0], way[1] + lengths[1]];
                 }
-                if !(walked.measured <= limit) {
-                    return Ok(walked);
-                }
-                (before, place, foot) = (point, next, next_foot);
+                ends.pop();
+                (before, place, foot, from) = (point, next, next_foot, to);
             }
         }
         Ok(walked)
     }
 
-    /// Number and parameter of the nearest point of the arcs.
-    fn foot(&self, point: Point3) -> f64 {
-        let feet = self.arcs.iter().enumerate().map(|(k, arc)| (k, arc.closest_point(point)));
-        let nearest = feet.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance));
-        nearest.map_or(0.0, |(k, foot)| k as f64 + foot.t)
+    /// Number and parameter of the nearest point of the arcs that is not before a place. From there on they are followed while they come nearer; only if that ends
+    /// beyond the limit all are looked at. Any place would do for the proof, and a bad one costs distance.
+    fn foot(&self, point: Point3, place: f64, limit: f64) -> f64 {
+        let first = self.arc_at(place).0;
+        let foot = |k: usize| (k, self.arcs[k].closest_point(point));
+        let mut best = foot(first);
+        for next in (first + 1..self.arcs.len()).map(foot) {
+            if next.1.distance > best.1.distance {
+                break;
+            }
+            best = next;
+        }
+        if best.1.distance > limit {
+            let all = (first..self.arcs.len()).map(foot);
+            best = all.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance)).unwrap_or(best);
+        }
+        (best.0 as f64 + best.1.t).max(place)
     }
 
     fn point(&self, place: f64) -> Point3 {

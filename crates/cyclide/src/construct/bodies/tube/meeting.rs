@@ -5,6 +5,7 @@ use super::ball::{Ball, Way};
 use super::ball_arc::{BallArc, Station};
 use crate::base::bounds::Aabb;
 use crate::base::box_tree::BoxTree;
+use crate::base::segments::nearest_of_segments;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use std::f64::consts::PI;
@@ -327,19 +328,4 @@ impl<'a> Tracked<'a> {
         let behind = if part.arc < last { Some(part.arc + 1) } else { self.course.closed.then_some(0) };
         start == 0.0 && behind == Some(next.arc)
     }
-}
-
-/// The distance of two segments, and where on each it is.
-fn nearest_of_segments([[a, b], [c, d]]: [[Point3; 2]; 2]) -> (f64, [f64; 2]) {
-    let (u, v, w) = (b - a, d - c, a - c);
-    let (uu, uv, vv, uw, vw) = (u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w));
-    let inside = |x: f64| if x.is_finite() { x.clamp(0.0, 1.0) } else { 0.0 };
-    let to_second = |s: f64| inside((uv * s + vw) / vv);
-    let to_first = |t: f64| inside((uv * t - uw) / uu);
-    // The least is inside both or at an end of one.
-    let starts = [inside((uv * vw - vv * uw) / (uu * vv - uv * uv)), 0.0, 1.0];
-    let starts = starts.map(|s| [to_first(to_second(s)), to_second(s)]);
-    let ends = [0.0, 1.0].map(|t| [to_first(t), t]);
-    let all = starts.into_iter().chain(ends).map(|[s, t]| ((a + u * s).distance(c + v * t), [s, t]));
-    all.min_by(|x, y| x.0.total_cmp(&y.0)).unwrap_or((0.0, [0.0; 2]))
 }

@@ -19,6 +19,7 @@ pub use ball::Ball;
 pub use radius_law::RadiusLaw;
 
 use super::PipeEnds;
+use crate::base::range;
 use crate::base::vector::Vec3;
 use crate::curve::{ArcPath, Correspondence, ParamCurve};
 use crate::error::{Error, ErrorItem, Result};
@@ -32,6 +33,10 @@ const LEAST_LEFT: f64 = 1e-7;
 
 /// Circles of neighbouring balls are told apart by so many times what they are uncertain by.
 const LEAST_TOLD: f64 = 1e9;
+
+/// The least radius as part of the coordinates: sides along the tube are known as well as the directions across it, a billionth (measured: tubes that are refused are
+/// below a tenth to an eighth of that rounding times a billion).
+const LEAST_IN_PLACE: f64 = 1e-7;
 
 /// Places this near to those of another ring, radians, are the same.
 const SAME_PLACES: f64 = 1e-11;
@@ -195,14 +200,14 @@ impl Tube {
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
-    /// `tube-radius-vanishes` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
+    /// `tube-radius-vanishes` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `below-rounding-of-place` (so thin for where it is), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
     /// proved apart, but where they are as near as their hulls: there balls are compared in the middle of parts half their radius long and where the chords of these are nearest), as
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
         self.check_arcs()?;
         meeting::check(self.course())?;
         let not_told_apart = |error| match error {
-            Error::NotAShell { .. } => self.nearest_balls().unwrap_or(error),
+            Error::NotAShell { .. } => self.nearest_balls().or_else(|| self.thinner_than_rounding()).unwrap_or(error),
             other => other,
         };
         self.sewn().map_err(not_told_apart)
@@ -219,6 +224,14 @@ impl Tube {
         let nearest = self.arcs.iter().map(reach).min_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
         let (distance, limit, first) = nearest.filter(|(distance, limit, _)| distance <= limit)?;
         Some(Error::CoincidentPoints { first, second: first + 1, distance, limit })
+    }
+
+    /// Of a tube that cannot be sewn: so thin for where it is that the rounding of its places is its shape.
+    fn thinner_than_rounding(&self) -> Option<Error> {
+        let far = |arc: &BallArc| arc.ends.iter().map(|ball| ball.center.to_vec().max_abs()).fold(0.0, f64::max);
+        let place = self.arcs.iter().map(far).fold(0.0, f64::max);
+        let size = self.radii()[0] - self.wall.unwrap_or(0.0);
+        range::check_size_in_place(ErrorItem::Radius, size, place, LEAST_IN_PLACE).err()
     }
 
     fn sewn(&self) -> Result<Body> {

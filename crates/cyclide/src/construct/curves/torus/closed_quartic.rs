@@ -8,7 +8,9 @@ use super::spline_data::check_angles;
 use crate::base::complex::Complex;
 use crate::base::planar::Point2;
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
+use crate::surface::{
+    CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn,
+};
 use std::f64::consts::PI;
 
 /// Steps of half a turn.
@@ -52,6 +54,7 @@ impl TorusSpline {
             let ratio = at(k + 1, ratio) * from.conj() * (1.0 / from.norm_squared());
             Course { step: ratio.im.atan2(ratio.re), ratio }
         };
+        let start = within_a_turn(start);
         let mut chain = TorusChain::starting_at(0.0);
         let mut moved = [0.0; 2];
         for k in 0..STEPS {

@@ -6,6 +6,7 @@
 
 use super::spline_span::Hermite;
 use crate::base::planar::Vec2;
+use crate::surface::within_a_turn;
 use std::f64::consts::{FRAC_PI_6, TAU};
 
 /// Radius of the arcs as part of the step, and at most, radians of the plane.
@@ -57,7 +58,7 @@ pub(super) fn detour(data: &Hermite) -> Vec<(Hermite, f64)> {
             gone += leg.length;
             if k + 1 == legs.len() { 1.0 } else { gone / whole }
         }));
-        (place, rate_per_length) = (place + step, next);
+        (place, rate_per_length) = (within_a_turn(place + step), next);
     }
     spans
 }

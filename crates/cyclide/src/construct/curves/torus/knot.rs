@@ -9,7 +9,9 @@ use super::spline_data::check_angles;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
+use crate::surface::{
+    CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn,
+};
 use std::f64::consts::PI;
 
 /// Largest step of a coordinate over one piece, radians: the speed varies by 6 % over it.
@@ -50,9 +52,12 @@ impl TorusSpline {
         let courses = kind.local(step).map(course);
         let rate = kind.back(courses.map(|c| c.ratio.im));
         let quality = super::spline_span::quality(kind, step, [rate; 2], 1.0);
+        let start = within_a_turn(start);
+        // Half turns are left out as whole numbers, so that the last piece of a long knot has the digits of the first.
+        let half_turns = |turns: i32, i: u32| (i64::from(turns) * i64::from(i) % n as i64) as f64 / n;
         let mut chain = TorusChain::starting_at(0.0);
         for i in 0..n as u32 {
-            let place = start + whole * (f64::from(i) / n);
+            let place = start + Vec2::new(PI * half_turns(turns[0], i), PI * half_turns(turns[1], i));
             chain.push(TorusPiece::new(kind, place, courses), f64::from(i + 1));
             chain.end_segment(SegmentMethod::Direct, quality);
         }

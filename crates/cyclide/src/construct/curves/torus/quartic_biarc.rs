@@ -4,7 +4,7 @@
 use super::projective_biarc::ProjectiveBiarc;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
+use crate::surface::{Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn};
 
 /// Step and slopes at both ends of each coordinate.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +56,7 @@ impl TorusSpline {
         if !start.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
         }
+        let start = within_a_turn(start);
         let [first, second] = LocalData::new(kind, step, rates).pieces(kind, start, lengths)?;
         let mut chain = TorusChain::starting_at(0.0);
         chain.push(first, lengths[0]);

@@ -4,13 +4,14 @@
 //! data, and where that does not help, joined by a detour of arcs and lines in the plane of the torus.
 
 use super::detour::detour;
-use super::spline_data::Data;
+use super::spline_data::{Data, shortest_step};
 use super::spline_options::TorusSplineOptions;
 use super::spline_span::{Hermite, TypedSpan};
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
 use crate::surface::{SegmentMethod, Torus, TorusChain, TorusSpline};
+use std::f64::consts::TAU;
 
 /// Types of a smaller quality are not taken where a segment can be halved: the curve would come nearly to a stop.
 const GOOD: f64 = 0.03;
@@ -66,13 +67,27 @@ fn append_segment(data: &Data, segment: usize, chain: &mut TorusChain) -> Result
     // The end of a segment is its knot to the bit.
     let knot = |part: f64| if part >= 1.0 { end } else { start + part * (end - start) };
     let whole = Hermite { start: data.places[segment], step: data.steps[segment], rates: data.ways(segment) };
-    let (spans, method) = join(&whole)?;
+    let (mut spans, method) = join(&whole)?;
+    if whole.step.length() > TAU {
+        share_rounding(&mut spans, data.places[(segment + 1) % data.places.len()]);
+    }
     let quality = spans.iter().map(|span| span.quality).fold(1.0, f64::min);
     for span in &spans {
         span.append(chain, knot, end - start)?;
     }
     chain.end_segment(method, quality);
     Ok(())
+}
+
+/// Shares among the spans what so many steps miss the end by: rounding of turns, which would be a gap at the next segment.
+fn share_rounding(spans: &mut [TypedSpan], end: Point2) {
+    let Some(last) = spans.last() else { return };
+    let missing = shortest_step(last.data.start + last.data.step, end);
+    for span in spans {
+        let [from, to] = span.part;
+        span.data.start = span.data.start + missing * from;
+        span.data.step = span.data.step + missing * (to - from);
+    }
 }
 
 /// The spans of a segment.

@@ -4,10 +4,10 @@ use super::projective_biarc::within;
 use super::spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::Torus;
+use crate::surface::{Torus, within_a_turn};
 use std::f64::consts::PI;
 
-/// Largest angle of a place, radians: it keeps ten digits modulo pi.
+/// Largest angle of a place, radians: as a number it is known to ten digits modulo pi. What is taken is reduced to a turn, so that the curve has all its own.
 const MAX_ANGLE: f64 = 1e6;
 
 /// Most half turns added to a step or asked for in all: far from the start places lose digits, a few with these.
@@ -31,7 +31,7 @@ const CUSP_SPEED: f64 = 0.3;
 /// Largest way of all segments together, radians: some hundred thousand pieces.
 const MOST_WAY: f64 = 2.5e4;
 
-/// Checked input: segment `i` goes from place `i` by step `i` within the knots `i` and `i + 1`.
+/// Checked input, places within a turn: segment `i` goes from place `i` by step `i` within the knots `i` and `i + 1`.
 #[derive(Debug)]
 pub(super) struct Data {
     pub(super) places: Vec<Point2>,
@@ -43,19 +43,21 @@ pub(super) struct Data {
 }
 
 impl Data {
-    pub(super) fn new(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -> Result<Self> {
-        let (n, closed) = (places.len(), options.closed);
-        check_places(places, if closed { 1 } else { 2 })?;
+    pub(super) fn new(torus: &Torus, given_places: &[Point2], options: &TorusSplineOptions) -> Result<Self> {
+        let (n, closed) = (given_places.len(), options.closed);
+        check_places(given_places, if closed { 1 } else { 2 })?;
+        let mut places: Vec<Point2> = given_places.iter().copied().map(within_a_turn).collect();
+        unite(&mut places, given_places, closed);
         let segments = if closed { n } else { n - 1 };
         let knots = knots(options, segments)?;
-        let given = given_rates(torus, places, options)?;
+        let given = given_rates(torus, &places, options)?;
         let mut steps: Vec<Vec2> = (0..segments).map(|i| shortest_step(places[i], places[(i + 1) % n])).collect();
         wind(&mut steps, options)?;
         for (i, step) in steps.iter_mut().enumerate() {
-            check_step(step, i, [places[i], places[(i + 1) % n]], (i + 1) % n, options.loops)?;
+            check_step(step, i, [given_places[i], given_places[(i + 1) % n]], (i + 1) % n, options.loops)?;
         }
         check_way(&steps)?;
-        let mut data = Self { places: places.to_vec(), steps, knots, rates: Vec::new(), closed };
+        let mut data = Self { places, steps, knots, rates: Vec::new(), closed };
         data.rates = (0..n).map(|i| given[i].unwrap_or_else(|| data.estimate(i))).collect();
         data.check_ways()?;
         Ok(data)
@@ -233,11 +235,32 @@ fn wind_component(steps: &mut [Vec2], asked: f64, component: impl Fn(&mut Vec2) 
     }
 }
 
+/// Makes neighbours the same that are so but for the rounding of the angles as they were given: what starts at one ends at the other.
+fn unite(places: &mut [Point2], given: &[Point2], closed: bool) {
+    let n = places.len();
+    // Once round is not enough where the last place is the first one.
+    for i in 0..if closed { 2 * n } else { n - 1 } {
+        let (first, second) = (i % n, (i + 1) % n);
+        if is_none(shortest_step(places[first], places[second]), [given[first], given[second]]) {
+            places[second] = places[first];
+        }
+    }
+}
+
+/// The largest step between two places that is the rounding of their angles.
+fn rounding(ends: [Point2; 2]) -> Vec2 {
+    let limit = |a: f64, b: f64| SAME_PLACE * (PI + a.abs() + b.abs());
+    Vec2::new(limit(ends[0].x, ends[1].x), limit(ends[0].y, ends[1].y))
+}
+
+fn is_none(step: Vec2, ends: [Point2; 2]) -> bool {
+    let limits = rounding(ends);
+    step.x.abs() <= limits.x && step.y.abs() <= limits.y
+}
+
 /// Refuses a step between equal points; where loops are asked for it becomes exactly none.
 fn check_step(step: &mut Vec2, first: usize, ends: [Point2; 2], second: usize, loops: bool) -> Result<()> {
-    let limit = |a: f64, b: f64| SAME_PLACE * (PI + a.abs() + b.abs());
-    let limits = Vec2::new(limit(ends[0].x, ends[1].x), limit(ends[0].y, ends[1].y));
-    if step.x.abs() > limits.x || step.y.abs() > limits.y {
+    if !is_none(*step, ends) {
         return Ok(());
     }
     if loops {
@@ -247,6 +270,6 @@ fn check_step(step: &mut Vec2, first: usize, ends: [Point2; 2], second: usize, l
     if first == second {
         return Err(Error::TooFewPoints { given: 1, needed: 2 });
     }
-    let (distance, limit) = (step.length(), limits.length());
+    let (distance, limit) = (step.length(), rounding(ends).length());
     Err(Error::CoincidentPoints { first, second, distance, limit })
 }

@@ -3,7 +3,7 @@
 use super::quartic_biarc::LocalData;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::Result;
-use crate::surface::{QuarticType, TorusChain};
+use crate::surface::{QuarticType, TorusChain, within_a_turn};
 
 /// Largest step of a coordinate in one span, radians.
 const LARGEST_STEP: f64 = 1.5;
@@ -35,7 +35,7 @@ impl Hermite {
         let rate = (self.step * 1.5 - (v0 + v1) * 0.25) * 0.5;
         [
             Self { start: self.start, step: first, rates: [v0 * 0.5, rate] },
-            Self { start: self.start + first, step: self.step - first, rates: [rate, v1 * 0.5] },
+            Self { start: within_a_turn(self.start + first), step: self.step - first, rates: [rate, v1 * 0.5] },
         ]
     }
 

@@ -5,7 +5,7 @@ use super::two_type::TwoTypeBiarc;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
 use crate::surface::CircleFamily::{Meridian, MirrorVillarceau, Parallel, Villarceau};
-use crate::surface::{CircleFamily, QuarticType, SegmentMethod, Torus, TorusChain, TorusSpline};
+use crate::surface::{CircleFamily, QuarticType, SegmentMethod, Torus, TorusChain, TorusSpline, within_a_turn};
 
 /// The types of a quarter, by their families: two for each sense of turning.
 const QUARTERS: [[[CircleFamily; 2]; 2]; 4] = [
@@ -40,6 +40,7 @@ impl TorusSpline {
             return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: rates.len(), needed: n });
         }
         rates.iter().enumerate().try_for_each(|(index, rate)| check_rate(index, *rate))?;
+        let places: Vec<Point2> = places.iter().copied().map(within_a_turn).collect();
         let mut chain = TorusChain::starting_at(0.0);
         for (segment, start) in places.iter().enumerate() {
             let next = (segment + 1) % n;
