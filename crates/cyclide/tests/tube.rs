@@ -319,6 +319,21 @@ fn long_thin_tubes_that_cross_themselves_are_refused() {
 }
 
 /// Neighbours are told by the radii between: a thin end that comes back to a thick one is none, and balls of a steep cone, which overlap, are.
+/// A way that crosses itself has the distance 0 from itself, however thin the tube.
+#[test]
+fn tubes_that_cross_themselves_are_told_where() {
+    let legs = [[10.0, 0.0, 0.0], [10.0, 30.0, 0.0], [-30.0, 30.0, 0.0], [-30.0, 3.0, 0.0], [40.0, 3.0, 0.0]];
+    let spine = ArcPath::rounded_polyline(&legs.map(Point3::from), false, &[0.0, 8.0, 8.0, 8.0, 0.0]).unwrap();
+    for radius in [2.0, 0.1, 1e-4] {
+        let tube = Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3).unwrap();
+        let error = tube.body().unwrap_err();
+        let Error::PipeMeetsItself { point, distance, limit, .. } = error else { panic!("{error}") };
+        assert!(distance < 1e-9 * limit && (limit - 2.0 * radius).abs() < 1e-12 * radius, "{error}");
+        // The last leg crosses the first one at (10, 3, 0): steps end a billionth of a radius apart.
+        assert!(Point3::from(point).distance(Point3::new(10.0, 3.0, 0.0)) < 1e-9 * radius.max(1e-3), "{error}");
+    }
+}
+
 #[test]
 fn thin_parts_that_run_into_thick_ones_are_refused() {
     let balls = |y: f64| {

@@ -590,10 +590,12 @@ pub enum Error {
     },
     /// Parts of a pipe that are no neighbours run into each other.
     PipeMeetsItself {
-        /// Which piece, from 0.
+        /// Which piece of the arcs and segments along it, or which ball, from 0.
         first: usize,
         /// The other one; the same if it is an arc that comes round.
         second: usize,
+        /// In the middle between both.
+        point: [f64; 3],
         /// Distance of both.
         distance: f64,
         /// Twice the radius.
@@ -874,6 +876,17 @@ pub enum Error {
         needed: f64,
         /// If they are, the angle round the main pipe from one to the other, below 0 if they overlap there too.
         round: f64,
+    },
+    /// Two branches of a tee, or their blends, run into each other or come too near, farther out than where they begin.
+    TeeBranchesTooNear {
+        /// The first branch, from 0.
+        first: usize,
+        /// The second.
+        second: usize,
+        /// Where that is, in the axes of the tee.
+        point: [f64; 3],
+        /// The distance that they need.
+        needed: f64,
     },
     /// Two branches as wide as the main pipe of a tee stand beside each other, but not opposite.
     TeeEqualBranchesNotOpposite {

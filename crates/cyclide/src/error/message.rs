@@ -9,6 +9,9 @@ use super::words::{
 use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
 
+/// What comes nearer to itself than this part of its width crosses itself.
+const CROSSING: f64 = 1e-6;
+
 impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -311,6 +314,14 @@ impl std::fmt::Display for Error {
                 if *round < 0.0 { "" } else { " apart" },
                 ShortNumber(*needed)
             ),
+            Self::TeeBranchesTooNear { first, second, point: [x, y, z], needed } => write!(
+                f,
+                "branches {first} and {second}, or their blends, run into each other at {}, {}, {}, or come nearer than {} there: take shorter ones, or turn or move one",
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z),
+                ShortNumber(*needed)
+            ),
             Self::TeeEqualBranchesNotOpposite { first, second, angle, along, needed } => write!(
                 f,
                 "branches {first} and {second} are as wide as the main pipe: two such stand exactly opposite each other at one place along it, and these are off that by {} \
@@ -545,11 +556,19 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*needed)
             ),
-            Self::PipeMeetsItself { first, second, distance, limit } => write!(
+            Self::PipeMeetsItself { first, second, point: [x, y, z], distance, limit } => write!(
                 f,
-                "the pipe meets itself: pieces {first} and {second} of its curve come as near as {}, twice the radius is {}; take a thinner pipe or move the curve apart",
+                "the pipe meets itself at {}, {}, {}: parts {first} and {second} of it, of the arcs and segments along it, come as near as {}, both radii are {}; {}",
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z),
                 ShortNumber(*distance),
-                ShortNumber(*limit)
+                ShortNumber(*limit),
+                if *distance > CROSSING * limit {
+                    "take a thinner pipe or move the curve apart"
+                } else {
+                    "they cross: move the curve apart"
+                }
             ),
             Self::SeamTooWide { piece, point: [x, y, z], width, limit } => write!(
                 f,

@@ -59,7 +59,7 @@ impl Error {
             Self::ContactLoopTurnsBack { .. } => "contact-loop-turns-back",
             Self::ContactBlendFolds { .. } => "contact-blend-folds",
             Self::ContactTubeTooShort { .. } => "contact-tube-too-short",
-            Self::TeeBranchesMeet { .. } => "tee-branches-meet",
+            Self::TeeBranchesMeet { .. } | Self::TeeBranchesTooNear { .. } => "tee-branches-meet",
             Self::TeeEqualBranchesNotOpposite { .. } => "tee-equal-branches-not-opposite",
             Self::TeeNoFreeLine { .. } => "tee-no-free-line",
             Self::EllipsesCross { .. } => "ellipses-cross",

@@ -2,9 +2,7 @@
 //! by quadrature.
 
 use super::{askew, canals, crossing, normal, off_axes};
-use cyclide::{
-    Body, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, Vec3, surface_joints,
-};
+use cyclide::{Body, CrossingPipe, CrossingSide, Error, MadeCrossing, PipeCrossing, Vec3, surface_joints};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Nodes and weights of Gauss and Legendre for six places of [-1, 1], those on one side.

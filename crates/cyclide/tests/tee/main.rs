@@ -514,8 +514,10 @@ fn branches_that_run_into_each_other_are_refused() {
     // The lying branch goes through the blend of the stub, and through its wall.
     for (blend, offset) in [(25.0, 4.5), (2.0, -10.0)] {
         let error = made(main, vec![stub(blend), lying(600.0, offset)], None, TeeEnds::Flat).expect_err("meet");
-        let Error::TeeBranchesMeet { first: 0, second: 1, distance, needed, .. } = error else { panic!("{error}") };
-        assert!(distance <= needed, "{distance}");
+        let Error::TeeBranchesTooNear { first: 0, second: 1, point, .. } = error else { panic!("{error}") };
+        // The stub is that wide with its blend, and that high.
+        let [x, y, z] = point;
+        assert!((x + 310.0).abs() < 9.0 + blend && (y + 12.0).abs() < 9.0 + blend && z > 30.0 && z < 91.0, "{error}");
     }
     // Long branches whose axes meet far out.
     let thin = TeeMain { radius: 10.0, taper: 0.0, ends: [-150.0, 300.0] };

@@ -301,6 +301,7 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         | E::ParameterOutOfRange { name: I::Taper, .. }
         | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
         E::TeeBranchesMeet { second, .. }
+        | E::TeeBranchesTooNear { second, .. }
         | E::TeeEqualBranchesNotOpposite { second, .. }
         | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
         E::NotFinite { index, .. } => Blame::Entry("branches", *index),

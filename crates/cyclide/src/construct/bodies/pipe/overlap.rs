@@ -186,8 +186,9 @@ impl<'a> Measured<'a> {
         if distance >= limit * (1.0 - TOUCHING) || !self.is_apart(&a, &b) || self.ends_part(&a, self, &b) {
             return Ok(());
         }
+        let point = a.point.midpoint(b.point).to_array();
         let [first, second] = [a, b].map(|place| self.spine.pieces[place.piece].source);
-        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
+        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), point, distance, limit })
     }
 
     /// Points of the tube that are farther than the radius from the spine, or at it beside an end, with the place they belong to.
@@ -223,8 +224,9 @@ impl<'a> Measured<'a> {
         if distance >= limit * (1.0 - TOUCHING) || before_end || !self.is_apart(own, &foot) {
             return Ok(());
         }
+        let point = foot.point.midpoint(p).to_array();
         let [first, second] = [own.piece, piece].map(|piece| self.spine.pieces[piece].source);
-        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
+        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), point, distance, limit })
     }
 
     fn nearest_on(&self, piece: usize, p: Point3) -> Place {

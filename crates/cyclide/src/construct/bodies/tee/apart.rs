@@ -114,8 +114,8 @@ fn spine(placed: &Placed) -> ([Point3; 2], f64) {
     ([crossing.foot + crossing.axes[2] * low, placed.end()], radius[0].max(radius[1]))
 }
 
-/// Whether all faces of two branches are proved to be farther apart than a distance; if not, the distance of the boxes of two small parts that are not.
-fn nearer_than(needed: f64, [first, second]: [&Outside; 2]) -> Option<f64> {
+/// Whether all faces of two branches are proved to be farther apart than a distance; if not, where two small parts are that are not.
+fn nearer_than(needed: f64, [first, second]: [&Outside; 2]) -> Option<Point3> {
     if gap(&first.hull, &second.hull) > needed {
         return None;
     }
@@ -135,7 +135,8 @@ fn nearer_than(needed: f64, [first, second]: [&Outside; 2]) -> Option<f64> {
                     looked_at += 1;
                     let sizes = [a, b].map(|part| part.hull.diagonal());
                     if sizes[0] + sizes[1] <= needed || looked_at > MOST_PAIRS {
-                        return Some(gap(&a.hull, &b.hull));
+                        let [a, b] = [a, b].map(|part| part.hull.min.midpoint(part.hull.max));
+                        return Some(a.midpoint(b));
                     }
                     waiting.push((a.halves(), b.halves()));
                 }
@@ -157,10 +158,11 @@ impl PipeTee {
                 if are_halves(&placed[first], &placed[second]) {
                     continue;
                 }
-                if let Some(distance) = nearer_than(needed, [&outside[first], &outside[second]]) {
+                if let Some(point) = nearer_than(needed, [&outside[first], &outside[second]]) {
                     let [first, second] = [first, second].map(|k| placed[k].crossing.branch);
                     let (first, second) = (first.min(second), first.max(second));
-                    return Err(Error::TeeBranchesMeet { first, second, distance, needed, round: 0.0 });
+                    let point = point.to_array();
+                    return Err(Error::TeeBranchesTooNear { first, second, point, needed });
                 }
             }
         }

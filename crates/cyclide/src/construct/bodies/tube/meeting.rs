@@ -15,6 +15,9 @@ use std::ops::Range;
 const MOST_PAIRS: usize = 20_000_000;
 /// Parts no longer than this many of their radii are not halved: balls of them are compared.
 const SHORT: f64 = 0.5;
+/// Steps in which the nearest balls beside two that meet are looked for, each half of the one before; and moves with one step.
+const NARROWINGS: usize = 60;
+const MOVES: usize = 64;
 /// Tubes may touch: distances that are short of the sum of radii by less than this part do.
 const TOUCHING: f64 = 1e-6;
 
@@ -29,6 +32,8 @@ pub(super) struct Course<'a> {
 /// A ball on a tube.
 #[derive(Clone, Copy)]
 struct Place {
+    /// Number of its arc, and parameter on it.
+    at: f64,
     ball: Ball,
     /// Conformal length before it.
     conformal: f64,
@@ -82,8 +87,23 @@ impl Section {
 pub(super) struct Meeting {
     pub(super) tubes: [usize; 2],
     sources: [usize; 2],
+    /// In the middle between both.
+    point: Point3,
     pub(super) distance: f64,
     limit: f64,
+}
+
+impl Meeting {
+    fn of(pair: [(usize, &Place); 2]) -> Self {
+        let [a, b] = pair.map(|(_, place)| place.ball);
+        Self {
+            tubes: pair.map(|(number, _)| number),
+            sources: pair.map(|(_, place)| place.source),
+            point: a.center.midpoint(b.center),
+            distance: a.center.distance(b.center),
+            limit: a.radius + b.radius,
+        }
+    }
 }
 
 /// Refuses a tube of which parts that are a conformal half turn or more apart along it run into each other.
@@ -95,8 +115,9 @@ pub(super) fn check(course: Course<'_>) -> Result<()> {
     let skip = |a: &Range<usize>, b: &Range<usize>| tube.conformal[b.end] - tube.conformal[a.start] <= PI;
     let mut left = MOST_PAIRS;
     let found = tube.tree.find_within(skip, |i, j| meeting([&tube, &tube], [i, j], &mut left));
-    found.map_or(Ok(()), |Meeting { sources: [first, second], distance, limit, .. }| {
-        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
+    found.map_or(Ok(()), |Meeting { sources: [first, second], point, distance, limit, .. }| {
+        let [first, second] = [first.min(second), first.max(second)];
+        Err(Error::PipeMeetsItself { first, second, point: point.to_array(), distance, limit })
     })
 }
 
@@ -236,18 +257,42 @@ fn compared(tubes: [&Tracked<'_>; 2], parts: [&Part; 2], nearest: [f64; 2], give
         for b in &places[1] {
             let apart = same && tubes[0].are_neighbours([a.conformal; 2], [b.conformal; 2]);
             if !apart && (given_up || share(a, b)) {
-                let mut pair = [(tubes[0].number, a), (tubes[1].number, b)];
+                let [a, b] = deepest(tubes, [a, b]);
+                let mut pair = [(tubes[0].number, &a), (tubes[1].number, &b)];
                 pair.sort_by_key(|(number, place)| (*number, place.source));
-                return Some(Meeting {
-                    tubes: pair.map(|(number, _)| number),
-                    sources: pair.map(|(_, place)| place.source),
-                    distance: a.ball.center.distance(b.ball.center),
-                    limit: a.ball.radius + b.ball.radius,
-                });
+                return Some(Meeting::of(pair));
             }
         }
     }
     None
+}
+
+/// The balls beside two that meet which reach deepest into each other: the first two found say little of how near the tubes come. Both are moved along their
+/// tubes, in steps that grow smaller, as long as that goes on and they are no neighbours.
+fn deepest(tubes: [&Tracked<'_>; 2], [a, b]: [&Place; 2]) -> [Place; 2] {
+    let same = tubes[0].number == tubes[1].number;
+    let room = |[a, b]: &[Place; 2]| a.ball.center.distance(b.ball.center) - a.ball.radius - b.ball.radius;
+    let mut best = [*a, *b];
+    let mut step = 0.5;
+    for _ in 0..NARROWINGS {
+        for _ in 0..MOVES {
+            let moved = (0..9).filter(|k| *k != 4).filter_map(|k| {
+                let by = [f64::from(k / 3) - 1.0, f64::from(k % 3) - 1.0].map(|way| way * step);
+                let pair = [tubes[0].place_at(best[0].at + by[0])?, tubes[1].place_at(best[1].at + by[1])?];
+                let conformal = [pair[0].conformal, pair[1].conformal];
+                let [before, behind] = [conformal[0].min(conformal[1]), conformal[0].max(conformal[1])];
+                let near = same && tubes[0].are_neighbours([before; 2], [behind; 2]);
+                (!near).then_some(pair)
+            });
+            let Some(next) = moved.min_by(|p, q| room(p).total_cmp(&room(q))).filter(|next| room(next) < room(&best))
+            else {
+                break;
+            };
+            best = next;
+        }
+        step *= 0.5;
+    }
+    best
 }
 
 /// True if what the tubes have of two balls shares space.
@@ -309,7 +354,15 @@ impl<'a> Tracked<'a> {
         let behind = self.ways[self.ways.len() - 1] - self.ways[arc + 1] + end.distance(ball.center);
         let cut = !self.course.closed && !self.course.round && before.min(behind) < ball.radius;
         let conformal = self.conformal_length(arc, s);
-        Place { ball, conformal, source: own.source, section: Section::of(station), cut }
+        Place { at: arc as f64 + s, ball, conformal, source: own.source, section: Section::of(station), cut }
+    }
+
+    /// The ball at a number of an arc and a parameter on it; round and round on a closed tube, none beyond the ends of an open one.
+    fn place_at(&self, at: f64) -> Option<Place> {
+        let count = self.course.arcs.len() as f64;
+        let at = if self.course.closed { at.rem_euclid(count) } else { at };
+        let arc = at.floor().min(count - 1.0);
+        (0.0..=count).contains(&at).then(|| self.place(arc as usize, at - arc))
     }
 
     /// True if all places of a part are less than a conformal half turn before those of one behind it, or, round the other way, behind them.
