@@ -93,10 +93,10 @@ impl Closing {
         let grid = QuadGrid::new(points.to_vec(), self.size, self.closed)?;
         let limit = closing_limit(&grid);
         for direction in 0..2 {
-            if let Some(GridClosing { angle, stretch }) = grid.closing(direction)? {
-                if !(angle.max(stretch) <= limit) {
-                    return Err(Error::NetDoesNotClose { direction, angle, stretch, limit });
-                }
+            if let Some(GridClosing { angle, stretch }) = grid.closing(direction)?
+                && !(angle.max(stretch) <= limit)
+            {
+                return Err(Error::NetDoesNotClose { direction, angle, stretch, limit });
             }
         }
         Ok(())
