@@ -129,7 +129,7 @@ pub enum Command {
     Build(BuildArgs),
     /// Turn a list of points into a curve and write it to files.
     #[command(after_help = CURVE_EXAMPLES)]
-    Curve(CurveArgs),
+    Curve(Box<CurveArgs>),
     /// Set all kinds of curve through or near the same points side by side.
     #[command(after_help = compare::EXAMPLES)]
     Compare(CompareArgs),

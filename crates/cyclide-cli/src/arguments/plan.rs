@@ -13,7 +13,7 @@ use cyclide_io::{
 use crate::arguments::args::{
     Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, Kind, ManArgs, NewArgs, OutputArgs, ReportArgs,
 };
-use crate::arguments::compare::{CompareArgs, ComparePlan};
+use crate::arguments::compare::ComparePlan;
 use crate::arguments::effect;
 use crate::arguments::mistaken::{Wanted, refuse_suffix};
 use crate::arguments::sample::{SampleArgs, SamplePlan};
@@ -96,9 +96,8 @@ impl Args {
             | Command::Report(ReportArgs { model: path, .. }) => {
                 refuse_suffix(path, Wanted::Document)?;
             }
-            Command::Curve(CurveArgs { points: path, .. }) | Command::Compare(CompareArgs { points: path, .. }) => {
-                refuse_suffix(path, Wanted::Points)?;
-            }
+            Command::Curve(args) => refuse_suffix(&args.points, Wanted::Points)?,
+            Command::Compare(args) => refuse_suffix(&args.points, Wanted::Points)?,
             Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
         }
         match self.command {

@@ -213,7 +213,7 @@ fn degrees_that_mfem_reads_wrongly_are_refused() {
 fn weights_are_of_the_size_of_one() {
     let document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 30, "ends": [-120, 120]}, "branches": [{"radius": 0.5, "length": 120, "blend": 0.2}]}}}"#;
     let document: cyclide_io::Document = document.parse().unwrap();
-    let model = cyclide::Model { items: vec![document.build().unwrap().remove(0).item], units: Units::Millimetre };
+    let model = Model { items: vec![document.build().unwrap().remove(0).item], units: Units::Millimetre };
     let file = export(&model, Format::Vtu, &ExportOptions::default()).unwrap();
     let text = String::from_utf8(file.bytes.clone()).unwrap();
     let array = |name: &str| -> Vec<f64> {

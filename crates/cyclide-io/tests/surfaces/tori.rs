@@ -149,9 +149,9 @@ fn an_image_of_a_torus_is_named() {
     assert!((torus.major_radius() - 80.0).abs() < 1e-12 && (torus.minor_radius() - 24.0).abs() < 1e-12);
     let start = |made: &BuiltObject| splines(made)[0].point(0.0);
     let maps = [
-        cyclide::Mobius::rotation(Point3::ORIGIN, cyclide::Vec3::new(1.0, 2.0, 0.0), 0.7),
-        cyclide::Mobius::similarity(cyclide::Quat::ONE, 2.0, cyclide::Vec3::ZERO),
-        cyclide::Mobius::reflection(Point3::ORIGIN, cyclide::Vec3::new(0.0, 1.0, 3.0)),
+        cyclide::Mobius::rotation(Point3::ORIGIN, Vec3::new(1.0, 2.0, 0.0), 0.7),
+        cyclide::Mobius::similarity(cyclide::Quat::ONE, 2.0, Vec3::ZERO),
+        cyclide::Mobius::reflection(Point3::ORIGIN, Vec3::new(0.0, 1.0, 3.0)),
     ];
     let moved = maps.into_iter().fold(start(&on_ring), |p, map| map.unwrap().map_point(p).unwrap());
     assert!(moved.distance(start(&on_image)) < 1e-12, "{moved:?}");
