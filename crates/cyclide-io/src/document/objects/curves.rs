@@ -1,6 +1,8 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, Vec3, Warning, bounds};
+use cyclide::{
+    Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, ShortNumber, Vec3, Warning, bounds,
+};
 
 use super::idle::{Idle, idle_fields};
 use super::{Builder, Remark};
@@ -197,7 +199,15 @@ impl Builder<'_> {
         for (contour, curve) in curves.iter().enumerate() {
             let (path, facts, warnings) = arc_fit_of_curve(spec, curve).map_err(|e| match e {
                 // The places of its own polyline say nothing to anybody.
-                cyclide::Error::NoG1SplineInTube { .. } => self.refused_at(["tolerance".into()], &e),
+                cyclide::Error::NoG1SplineInTube { .. } => {
+                    let words = format!(
+                        "no arcs that meet smoothly were found within {} of the curve: a larger tolerance, or arcs by halving, as `-o FILE.dxf` has them of the \
+                         curve itself",
+                        ShortNumber(spec.tolerance)
+                    );
+                    self.refused_in_words(["tolerance".into()], e.reason(), words)
+                }
+                cyclide::Error::ToleranceNotPositive { .. } => self.refused_at(["tolerance".into()], &e),
                 e => self.refused_at(["of".into()], &e),
             })?;
             let of_contour = several.then_some(contour);
