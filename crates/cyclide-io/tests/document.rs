@@ -588,6 +588,9 @@ fn arcs_of_arcs_are_themselves() {
     let refused = of(&wave, r#""tolerance": -1"#).unwrap_err();
     assert!(refused.contains("objects.a.tolerance") && refused.contains("-1"), "{refused}");
     assert!(refused.contains("[tolerance-not-positive]") && !refused.contains("0.1"), "{refused}");
+    let refused = of(&wave, r#""tolerance": 1e-12"#).unwrap_err();
+    assert!(refused.contains("objects.a.tolerance: a polyline a tenth of 1e-12 from the curve"), "{refused}");
+    assert!(refused.contains("[too-many-pieces]"), "{refused}");
 }
 
 /// The deviation of arcs from a curve is what was reached, measured; that of its polyline has the tenth of the tolerance by which this may be off.

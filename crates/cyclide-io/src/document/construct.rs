@@ -111,7 +111,7 @@ const POLYLINE_SHARE: f64 = 0.1;
 /// Points of the curve on each edge of the polyline whose distance from the arcs is measured.
 const MEASURED: u32 = 4;
 /// Vertices of this polyline at most.
-const MOST_VERTICES: usize = 200_000;
+pub(super) const MOST_VERTICES: usize = 200_000;
 
 fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     let mut options = ArcFitOptions::new(spec.tolerance);

@@ -8,7 +8,8 @@ use super::idle::{Idle, idle_fields};
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::construct::{
-    Contour, ContourFacts, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
+    Contour, ContourFacts, MOST_VERTICES, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit,
+    fair_spline, polyline,
 };
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::interpolate::{moebius_spline, qb_interpolation};
@@ -203,6 +204,13 @@ impl Builder<'_> {
                     let words = format!(
                         "no arcs that meet smoothly were found within {} of the curve: a larger tolerance, or arcs by halving, as `-o FILE.dxf` has them of the \
                          curve itself",
+                        ShortNumber(spec.tolerance)
+                    );
+                    self.refused_in_words(["tolerance".into()], e.reason(), words)
+                }
+                cyclide::Error::TooManyPieces { .. } => {
+                    let words = format!(
+                        "a polyline a tenth of {} from the curve has more than {MOST_VERTICES} vertices, and arcs are searched along one: a larger tolerance",
                         ShortNumber(spec.tolerance)
                     );
                     self.refused_in_words(["tolerance".into()], e.reason(), words)
