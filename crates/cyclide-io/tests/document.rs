@@ -555,3 +555,55 @@ fn what_cannot_be_cut_is_refused_at_its_step() {
         assert!(error.contains(words), "{steps}: {error}");
     }
 }
+
+/// Arcs fitted to arcs are these, an arc and a circle to the bit; more effort never takes more of them, and what is refused is said of the tolerance.
+#[test]
+fn arcs_of_arcs_are_themselves() {
+    let of = |curve: &str, fields: &str| {
+        let text = format!(
+            r#"{{"cyclide": 1, "objects": {{"c": {curve}, "a": {{"type": "arc-fit", "of": "c", {fields}}}}}}}"#
+        );
+        let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+        let built = document.build().map_err(|e| e.to_string())?;
+        Ok::<_, String>(built.into_iter().map(|b| b.item.curves()[0].clone()).collect::<Vec<_>>())
+    };
+    for curve in [
+        r#"{"type": "circle", "center": [1, 2, 3], "radius": 4, "normal": [1, 1, 1]}"#,
+        r#"{"type": "arc", "through": [[0, 0], [1, 1], [2, 0.5]]}"#,
+        r#"{"type": "biarc", "from": [0, 0], "to": [10, 3], "from_tangent": [1, 1], "to_tangent": [1, -0.3]}"#,
+    ] {
+        for tolerance in ["0.05", "1e-9"] {
+            let made = of(curve, &format!(r#""tolerance": {tolerance}"#));
+            let made = made.unwrap();
+            assert_eq!(made[0], made[1], "{tolerance}");
+        }
+    }
+    let wave: Vec<String> = (0..11).map(|k| format!("[{}, {}]", 10 * k, 8.0 * f64::from(7 * k % 5 - 2))).collect();
+    let wave = format!(r#"{{"type": "fair-spline", "points": [{}]}}"#, wave.join(", "));
+    let arcs = |effort: &str| {
+        of(&wave, &format!(r#""tolerance": 0.02, "effort": "{effort}""#)).unwrap()[1].as_curve().piece_count()
+    };
+    let [fast, default, best] = ["fast", "default", "best"].map(arcs);
+    assert!(best <= default && best <= fast, "{fast} {default} {best}");
+    let refused = of(&wave, r#""tolerance": -1"#).unwrap_err();
+    assert!(refused.contains("objects.a.tolerance") && refused.contains("-1"), "{refused}");
+    assert!(refused.contains("[tolerance-not-positive]") && !refused.contains("0.1"), "{refused}");
+    let refused = of(&wave, r#""tolerance": 1e-12"#).unwrap_err();
+    assert!(refused.contains("objects.a.tolerance: a polyline a tenth of 1e-12 from the curve"), "{refused}");
+    assert!(refused.contains("[too-many-pieces]"), "{refused}");
+}
+
+/// The deviation of arcs from a curve is what was reached, measured; that of its polyline has the tenth of the tolerance by which this may be off.
+#[test]
+fn arcs_of_a_curve_say_what_they_reached() {
+    let text = r#"{"cyclide": 1, "objects": {"c": {"type": "fair-spline", "points": [[0, 0], [10, 4], [20, -3], [33, 1], [40, 12]]},
+        "a": {"type": "arc-fit", "of": "c", "tolerance": 0.05}}}"#;
+    let built = Document::parse("m.json", text.as_bytes()).unwrap().build().unwrap();
+    let Some(Fitted::Arcs(certificate)) = built[1].contours[0].fit else { unreachable!("by its type") };
+    let (curve, arcs) = (built[0].item.curves()[0].as_curve(), built[1].item.curves()[0].as_curve());
+    let off = |k: u32| cyclide::closest_point(arcs, curve.point(f64::from(k) / 4000.0)).distance;
+    let reached = (0..=4000).map(off).fold(0.0, f64::max);
+    // Measured at four points of each edge, on which the distance is nearly a parabola.
+    assert!((certificate.deviation / reached - 1.0).abs() < 0.01, "{} {reached}", certificate.deviation);
+    assert!(certificate.polyline_deviation >= reached && certificate.polyline_deviation <= 0.05);
+}

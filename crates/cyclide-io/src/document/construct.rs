@@ -1,9 +1,10 @@
 //! Constructions that run on lists of points, from the fields of a document to the kernel's options.
 
 use cyclide::{
-    ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, ErrorItem,
-    FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate, FitTarget,
-    Point3, RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle, fairness, flatten_within, wavering,
+    Arc, ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, CurvePlace,
+    ErrorItem, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate,
+    FitTarget, ParamCurve, Point3, RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle, fairness,
+    flatten_within, wavering,
 };
 
 use super::angle::Angle;
@@ -107,8 +108,10 @@ pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
 
 /// The part of the tolerance by which a polyline may leave the curve that arcs are fitted to.
 const POLYLINE_SHARE: f64 = 0.1;
+/// Points of the curve on each edge of the polyline whose distance from the arcs is measured.
+const MEASURED: u32 = 4;
 /// Vertices of this polyline at most.
-const MOST_VERTICES: usize = 200_000;
+pub(super) const MOST_VERTICES: usize = 200_000;
 
 fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     let mut options = ArcFitOptions::new(spec.tolerance);
@@ -119,15 +122,41 @@ fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     options
 }
 
-/// Arcs within the tolerance of a curve, by way of a polyline that is ten times as near.
+/// Arcs of a path meet smoothly where their tangents differ by no more than this angle: rounding, as between two fitted arcs.
+const SMOOTH: f64 = 1e-9;
+
+/// Arcs within the tolerance of a curve, by way of a polyline that is ten times as near. An arc or a circle is itself, and so are arcs that meet smoothly
+/// and are no more than what would be fitted to them.
 pub(super) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
+    if !(spec.tolerance > 0.0 && spec.tolerance.is_finite()) {
+        return Err(cyclide::Error::ToleranceNotPositive { tolerance: spec.tolerance });
+    }
+    if let CurveObject::Arc(_) | CurveObject::Circle(_) = curve {
+        return Ok((curve.clone(), ContourFacts::default(), Vec::new()));
+    }
+    let made = arcs_near(spec, curve);
+    let CurveObject::ArcPath(path) = curve else { return made };
+    let own = path.arcs();
+    let smooth = |pair: [&Arc; 2]| match (pair[0].end_tangent(), pair[1].start_tangent()) {
+        (Some(before), Some(after)) => before.angle(after) <= SMOOTH,
+        _ => false,
+    };
+    let closing = curve.as_curve().is_closed().then(|| [&own[own.len() - 1], &own[0]]);
+    if !own.windows(2).map(|pair| [&pair[0], &pair[1]]).chain(closing).all(smooth) {
+        return made;
+    }
+    let fewer = matches!(&made, Ok((CurveObject::ArcPath(fitted), ..)) if fitted.arcs().len() < own.len());
+    if fewer { made } else { Ok((curve.clone(), ContourFacts::default(), Vec::new())) }
+}
+
+fn arcs_near(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
     let within = POLYLINE_SHARE * spec.tolerance;
     let mut options = fit_options(spec);
     options.closed = curve.as_curve().is_closed();
     options.target = FitTarget::Polyline;
     options.tolerance -= within;
-    let mut points: Vec<Point3> =
-        flatten_within(curve.as_curve(), within, MOST_VERTICES)?.into_iter().map(|(_, point)| point).collect();
+    let places = flatten_within(curve.as_curve(), within, MOST_VERTICES)?;
+    let mut points: Vec<Point3> = places.iter().map(|(_, point)| *point).collect();
     if options.closed {
         points.pop();
     }
@@ -138,8 +167,40 @@ pub(super) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
     {
         *deviation += within;
     }
+    // What is proved is of the polyline, with the tenth besides; what was reached is measured.
+    certificate.deviation = certificate.deviation.min(measured(curve.as_curve(), &places, fit.path().arcs()));
     let facts = ContourFacts { fit: Some(Fitted::Arcs(certificate)), ..ContourFacts::default() };
     Ok((CurveObject::ArcPath(fit.path().clone()), facts, fit.warnings().to_vec()))
+}
+
+/// The largest distance of points of a curve, the vertices of its polyline and some between them, from the arcs, which run with it.
+fn measured(curve: &dyn ParamCurve, places: &[(CurvePlace, Point3)], arcs: &[Arc]) -> f64 {
+    let between = places.windows(2).flat_map(|pair| {
+        let [(from, _), (to, _)] = [pair[0], pair[1]];
+        // The end of a piece may be told as the start of the next one.
+        let end = if to.piece == from.piece { to.s } else { 1.0 };
+        (0..MEASURED).map(move |k| {
+            let part = f64::from(k) / f64::from(MEASURED);
+            curve.piece_point(from.piece, from.s + (end - from.s) * part)
+        })
+    });
+    let distance = |arc: usize, p: Point3| arcs[arc % arcs.len()].closest_point(p).distance;
+    // A closed path may have its seam elsewhere.
+    let first = places.first().map_or(Point3::ORIGIN, |(_, point)| *point);
+    let mut at = (0..arcs.len()).min_by(|a, b| distance(*a, first).total_cmp(&distance(*b, first))).unwrap_or(0);
+    let mut largest = 0.0_f64;
+    for p in between.chain(places.last().map(|(_, point)| *point)) {
+        let mut nearest = distance(at, p);
+        loop {
+            let next = distance(at + 1, p);
+            if !(next < nearest) {
+                break;
+            }
+            (at, nearest) = (at + 1, next);
+        }
+        largest = largest.max(nearest);
+    }
+    largest
 }
 
 pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {

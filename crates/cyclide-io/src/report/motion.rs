@@ -1,6 +1,8 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MotionPlace, MotionReversal, MovingBody, Schedule, SpeedPeak, TimeLaw, Vec3};
+use cyclide::{
+    Motion, MotionJet, MotionPlace, MotionReversal, MovingBody, PoseTimes, Schedule, SpeedPeak, TimeLaw, Vec3,
+};
 use serde::Serialize;
 
 use super::RangeReport;
@@ -39,7 +41,7 @@ pub struct MotionReport {
     pub spans: usize,
     /// How long it takes.
     pub duration: f64,
-    /// When it passes its poses, seconds from the start, where a law, a duration or a motion of one span may have changed that.
+    /// When it passes its poses, seconds from the start, where a law, a duration, `times` or a motion of one span may have changed that.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pose_times: Option<Vec<f64>>,
     /// Length of the way of the tool.
@@ -191,7 +193,8 @@ impl MotionReport {
             let as_given = body.law() == TimeLaw::AsGiven && (last - first - body.duration()).abs() <= 0.0;
             let times = motion.pose_times();
             // One span through more than its ends may have chosen their times itself.
-            if times.len() > 2 && (!as_given || spans == 1) {
+            let chosen = body.pose_times() != PoseTimes::Uniform || spans == 1;
+            if times.len() > 2 && (!as_given || chosen) {
                 // The inverse of a law that begins at rest is off by a rounding there.
                 let passed = |time: &f64| {
                     if *time <= first { 0.0 } else { schedule.timing().fraction_at(*time) * body.duration() }

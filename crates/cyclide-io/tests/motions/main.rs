@@ -5,6 +5,7 @@
 mod animations;
 mod extremes;
 mod sources;
+mod swept;
 mod times;
 mod told;
 

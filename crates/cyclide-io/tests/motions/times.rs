@@ -80,6 +80,22 @@ fn times_follow_from_chords() {
     }
 }
 
+/// When poses are passed is said wherever their times were not given: by chords, not of uniform steps.
+#[test]
+fn times_that_follow_are_reported() {
+    let poses =
+        r#""poses": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [10, 0]}, {"position": [11, 0]}]"#;
+    let (found, text) = reported(&format!(r#""times": "chord", {poses}"#));
+    let times = found.pose_times.unwrap();
+    for (time, way) in times.iter().zip([0.0, 1.0, 10.0, 11.0]) {
+        assert!((time - way * 3.0 / 11.0).abs() < 1e-12, "{times:?}");
+    }
+    assert!(text.contains("passed at 0, 0.27273, 2.7273, 3 s"), "{text}");
+    let roots = reported(&format!(r#""times": "centripetal", {poses}"#)).0.pose_times.unwrap();
+    assert!((roots[1] - 3.0 / 5.0).abs() < 1e-12, "{roots:?}");
+    assert_eq!(reported(poses).0.pose_times, None);
+}
+
 /// Places that are too fast are parts of the time, over joints and round peaks, told in the report.
 #[test]
 fn places_faster_than_limits_are_named() {

@@ -65,6 +65,35 @@ fn half_and_whole_turns_are_told() {
     };
     assert_eq!(table([0.0, 360.0]), [("whole-turns", Some("poses.csv:3".to_owned()))]);
     assert!(table([350.0, 10.0]).is_empty());
+    // A whole turn of six digits is one, in either notation; a millionth more than what digits leave unknown is not.
+    let six = |angle: &str| told(&to(&format!(r#""rpy": [0, 0, {angle}]"#)));
+    assert_eq!(six("6.283185").iter().map(|(reason, _)| *reason).collect::<Vec<_>>(), ["whole-turns"]);
+    assert!(six("6.28318").is_empty());
+    assert_eq!(table([-179.99995, 180.0]), []);
+    assert_eq!(table([0.0, 359.9999]).len(), 1);
+}
+
+/// Motions whose times begin apart play together, and that is said; poses of a curve without frames are told how to get them.
+#[test]
+fn clocks_and_frames_are_told() {
+    let notes = |start: u32| {
+        let body = |name: &str, from: u32| {
+            let [a, b] = [from, from + 5].map(|time| format!(r#"{{"position": [{time}, 0], "time": {time}}}"#));
+            format!(r#""{name}": {{"type": "motion", "poses": [{a}, {b}]}}"#)
+        };
+        let model = crate::model(&format!("{}, {}", body("a", 0), body("b", start)));
+        let exporter = cyclide_io::Exporter::new(&model).unwrap();
+        exporter.export(cyclide_io::Format::Glb, &cyclide_io::ExportOptions::default()).unwrap().notes
+    };
+    assert!(notes(0).is_empty());
+    let [note] = &notes(5)[..] else { panic!("one") };
+    assert!(
+        note.contains("the times of a begin at 0 and those of b at 5") && note.contains("[clocks-differ]"),
+        "{note}"
+    );
+    let table = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion\n0,0,0,0,1,0,0,0,0,,\n1,5,0,0,1,0,0,0,5,,\n";
+    let error = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
+    assert!(error.contains("`cyclide sample --frames KIND`"), "{error}");
 }
 
 /// What is too fast for its keys is told what helps: an arm, where a law goes by the way already.

@@ -1,12 +1,15 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, Vec3, Warning, bounds};
+use cyclide::{
+    Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, ShortNumber, Vec3, Warning, bounds,
+};
 
 use super::idle::{Idle, idle_fields};
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::construct::{
-    Contour, ContourFacts, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
+    Contour, ContourFacts, MOST_VERTICES, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit,
+    fair_spline, polyline,
 };
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::interpolate::{moebius_spline, qb_interpolation};
@@ -197,7 +200,22 @@ impl Builder<'_> {
         for (contour, curve) in curves.iter().enumerate() {
             let (path, facts, warnings) = arc_fit_of_curve(spec, curve).map_err(|e| match e {
                 // The places of its own polyline say nothing to anybody.
-                cyclide::Error::NoG1SplineInTube { .. } => self.refused_at(["tolerance".into()], &e),
+                cyclide::Error::NoG1SplineInTube { .. } => {
+                    let words = format!(
+                        "no arcs that meet smoothly were found within {} of the curve: a larger tolerance, or arcs by halving, as `-o FILE.dxf` has them of the \
+                         curve itself",
+                        ShortNumber(spec.tolerance)
+                    );
+                    self.refused_in_words(["tolerance".into()], e.reason(), words)
+                }
+                cyclide::Error::TooManyPieces { .. } => {
+                    let words = format!(
+                        "a polyline a tenth of {} from the curve has more than {MOST_VERTICES} vertices, and arcs are searched along one: a larger tolerance",
+                        ShortNumber(spec.tolerance)
+                    );
+                    self.refused_in_words(["tolerance".into()], e.reason(), words)
+                }
+                cyclide::Error::ToleranceNotPositive { .. } => self.refused_at(["tolerance".into()], &e),
                 e => self.refused_at(["of".into()], &e),
             })?;
             let of_contour = several.then_some(contour);

@@ -128,7 +128,8 @@ impl Builder<'_> {
     /// The body with its tool, law and shape; it takes so long if the document does not say.
     fn body(&mut self, spec: &MotionSpec, motion: Motion, duration: f64) -> Result<MovingBody> {
         let tool = spec.tool.unwrap_or_default().point();
-        let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
+        let pose_times = spec.times.unwrap_or_default();
+        let made = MovingBody::new(motion).with_pose_times(pose_times).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| match e {
             cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(&e),

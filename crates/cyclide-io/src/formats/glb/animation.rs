@@ -11,7 +11,7 @@ use crate::export::exported::Promise;
 use crate::export::mesh::single;
 use crate::export::moving::MovingRoom;
 use crate::export::ready::ReadyModel;
-use cyclide::{BodyMesh, Item, MovingBody, Point3, Schedule, TimeLaw, Vec3};
+use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, ShortNumber, TimeLaw, Vec3};
 use serde_json::{Value, json};
 
 /// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.
@@ -93,6 +93,19 @@ pub(super) fn animated(
     let first = json!({"translation": track.translations[0][1], "rotation": track.rotations[0][1]});
     clip.add(node, &item.name, [input, translation, rotation]);
     Ok(Animated { center, first, primitives, materials, promise })
+}
+
+/// What is said of motions that start at different times: all of them play from the start.
+pub(super) fn other_clocks(model: &Model) -> Option<String> {
+    let starts = || model.items.iter().filter_map(|item| Some((&item.name, item.motion()?.motion().domain()[0])));
+    let (first, start) = starts().next()?;
+    let (other, later) = starts().find(|(_, other)| (other - start).abs() > 0.0)?;
+    Some(format!(
+        "all motions play from the start of the animation: the times of {first} begin at {} and those of {other} at {}, and a body that is to wait for the other has its \
+         first pose twice, at both times [clocks-differ]",
+        ShortNumber(start),
+        ShortNumber(later)
+    ))
 }
 
 /// What makes a body slower that is too fast for its keys.

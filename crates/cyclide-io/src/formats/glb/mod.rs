@@ -153,7 +153,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
         ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
     })?;
-    Ok(written.exported(bytes, Vec::new()))
+    Ok(written.exported(bytes, animation::other_clocks(job.model).into_iter().collect()))
 }
 
 /// The parts of the document as they grow.

@@ -102,6 +102,12 @@ impl PoseColumns {
         // Beside a quaternion a matrix says the same again.
         let by_matrix = any(&is_matrix) && !any(&is_quaternion);
         let placed = any(&|m| matches!(m, Meaning::Position(_)));
+        let is_of = |axis: &str| table.header.iter().any(|field| is_of(field, axis));
+        if by_matrix && is_of(AXES[0]) && !is_of(AXES[1]) {
+            return Err(table.header_refused(
+                "these are points of a curve with its tangents, and poses need frames: `cyclide sample --frames KIND` writes them, and `along` runs on the curve itself",
+            ));
+        }
         if by_matrix && placed && any(&|m| matches!(m, Meaning::Matrix(0..=2, 3))) {
             return Err(table.header_refused(
                 "the positions are there twice, as x, y, z and as m14, m24, m34: leave the columns of one of them",
@@ -188,9 +194,13 @@ fn seconds_of(words: &[&str]) -> Option<f64> {
     }
 }
 
+/// Whether a column is one of the coordinates of an axis.
+fn is_of(field: &Field<'_>, axis: &str) -> bool {
+    words_of(field.text).0.first().is_some_and(|word| word == axis)
+}
+
 /// Where frames look at a point, their tangent is no axis of the body.
 fn leave_tangents(table: &Table<'_>, meanings: &mut [Option<Meaning>]) {
-    let is_of = |field: &Field<'_>, axis: &str| words_of(field.text).0.first().is_some_and(|word| word == axis);
     if table.header.iter().any(|field| is_of(field, LOOK)) {
         for (field, meaning) in table.header.iter().zip(meanings) {
             if is_of(field, AXES[0]) {

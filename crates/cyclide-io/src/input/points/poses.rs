@@ -36,11 +36,14 @@ pub(crate) struct PoseTable {
     pub(crate) unit_not_applied: Option<String>,
 }
 
+/// What six decimals leave unknown of the difference of two angles, radians: as much as for half a turn.
+const TURN_DIGITS: f64 = 2e-6;
+
 /// Which of three angles, in radians, differs by a turn or more from that of the pose before, and by how much: turns that no pose can say. Angles within half
 /// a turn of 0 that do so come round there, as headings do.
 pub(crate) fn whole_turns(before: [f64; 3], angles: [f64; 3]) -> Option<(usize, f64)> {
-    let rounded = 1.0 - 1e-9;
-    let differs = |k: &usize| angles[*k].abs() > PI / rounded && (angles[*k] - before[*k]).abs() >= TAU * rounded;
+    let differs =
+        |k: &usize| angles[*k].abs() > PI + TURN_DIGITS && (angles[*k] - before[*k]).abs() >= TAU - TURN_DIGITS;
     (0..3).find(differs).map(|k| (k, angles[k] - before[k]))
 }
 

@@ -92,7 +92,7 @@ impl ArcFit {
         let mut died = None;
         for effort in options.effort.and_above() {
             match Self::with_effort(points, options, *effort) {
-                Ok(fit) if fit.certificate.turning <= fit.certificate.turning_limit => return Ok(fit),
+                Ok(fit) if fit.turns_as_data() => return Ok(fit.or_shorter(points, options, *effort)),
                 Ok(fit) => {
                     if best.as_ref().is_none_or(|b| fit.certificate.excess_turning() < b.certificate.excess_turning()) {
                         best = Some(fit);
@@ -109,6 +109,19 @@ impl ArcFit {
         let FitCertificate { turning, turning_limit: limit, .. } = fit.certificate;
         fit.warnings.push(Warning::TurnsMoreThanData { turning, limit });
         Ok(fit)
+    }
+
+    /// Whether it turns no more than its data.
+    fn turns_as_data(&self) -> bool {
+        self.certificate.turning <= self.certificate.turning_limit
+    }
+
+    /// It, or one of fewer arcs by one of the efforts beside that.
+    fn or_shorter(self, points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Self {
+        let others = effort.beside().iter().filter_map(|effort| Self::with_effort(points, options, *effort).ok());
+        others
+            .filter(Self::turns_as_data)
+            .fold(self, |best, other| if other.path.arcs().len() < best.path.arcs().len() { other } else { best })
     }
 
     fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {

@@ -62,16 +62,21 @@ pub(super) fn turn_back(curve: &QbCurve, parameters: &[f64]) -> Option<TurnBack>
 
 /// Where the curve turns back between two places, if it does so on a length up to `short`: halved on the side that turns more.
 fn sharpest(curve: &QbCurve, [mut from, mut to]: [(f64, Vec3); 2], short: f64) -> Option<(f64, f64)> {
+    let mut found = None;
     for _ in 0..HALVINGS {
         let turn = from.1.angle(to.1);
-        if !(turn > SUSPECT) {
-            return None;
+        // Once it is one, it is followed to where it is sharpest.
+        if !(turn > if found.is_some() { BACK } else { SUSPECT }) {
+            return found;
         }
         let middle = direction(curve, 0.5 * (from.0 + to.0));
         let [a, b, c] = [from.0, middle.0, to.0].map(|t| curve.point(t));
         let length = a.distance(b) + b.distance(c);
         if length <= short {
-            return (turn > BACK).then_some((middle.0, length));
+            if !(turn > BACK) {
+                return found;
+            }
+            found = Some((middle.0, length));
         }
         if from.1.angle(middle.1) > middle.1.angle(to.1) {
             to = middle;
@@ -79,7 +84,7 @@ fn sharpest(curve: &QbCurve, [mut from, mut to]: [(f64, Vec3); 2], short: f64) -
             from = middle;
         }
     }
-    None
+    found
 }
 
 /// A parameter and the direction of the curve there.
