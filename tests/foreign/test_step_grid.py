@@ -93,6 +93,37 @@ COLLAPSED = {
 }
 
 
+def by_corners(at, frame):
+    """A block of eight corners of which some coincide."""
+    corners = [list(at(k & 1, k >> 1 & 1, k >> 2)) for k in range(8)]
+    return {"grid": {"type": "cyclide-volume", "corners": corners, **({"frame": frame} if frame else {})}}
+
+
+def pie(angle, height):
+    def at(inwards, around, up):
+        return (1 - inwards) * np.cos(angle * around), (1 - inwards) * np.sin(angle * around), height * up
+
+    return at
+
+
+def to_the_pole(angle, latitude, radius):
+    def at(around, up, out):
+        cosine, sine = (0, 1) if up else (np.cos(latitude), np.sin(latitude))
+        return radius(out) * cosine * np.cos(angle * around), radius(out) * cosine * np.sin(angle * around), radius(out) * sine
+
+    return at
+
+
+POLE_SHELL, BALL = to_the_pole(1.3, -0.4, lambda out: 5 + out), to_the_pole(0.8, 0.2, lambda out: 3 * (1 - out))
+# The same by their corners, one of which follows from the others.
+COLLAPSED |= {
+    "slice of a pie": (by_corners(pie(np.pi / 2, 1), None), np.pi / 4),
+    "thin slice": (by_corners(pie(0.36, 1.5), [[-1, 0, 0], [0, 1, 0]]), 0.27),
+    "shell to the pole": (by_corners(POLE_SHELL, [[0, 1, 0], [np.sin(0.4), 0, np.cos(0.4)]]), 1.3 / 3 * (6**3 - 5**3) * (1 + np.sin(0.4))),
+    "part of a ball": (by_corners(BALL, [[0, 1, 0], [-np.sin(0.2), 0, np.cos(0.2)]]), 0.8 / 3 * 27 * (1 - np.sin(0.2))),
+}
+
+
 @pytest.mark.parametrize("name", COLLAPSED)
 def test_blocks_with_sides_of_one_point_are_valid_solids(name, program, tmp_path):
     objects, exact = COLLAPSED[name]

@@ -100,6 +100,11 @@ impl SphericalCube {
         };
         let corner = corner.filter(|way| way.max_abs() <= range::MAX_COORDINATE);
         let corner = seven[0] + corner.ok_or_else(|| Error::at_infinity(ErrorItem::Corner, 7))?;
+        // A neighbour that it is on up to rounding is its place: sides of one point have the same corner twice, bit for bit.
+        let (corner, last) = match neighbour_at(&seven, corner, scale) {
+            Some(k) => (seven[k], [way, Quat::from(inverses[k]) * way]),
+            None => (corner, last),
+        };
         let corners = std::array::from_fn(|k| if k == 7 { corner } else { seven[k] });
         Ok(Self { corners, scale, inverses, last })
     }
@@ -229,6 +234,10 @@ impl SphericalCube {
 const ROUNDING: f64 = 1e-12;
 /// Points closer than this part of the largest distance coincide.
 const COINCIDENT: f64 = 1e-12;
+/// The same beside a side of one point: what the corners of a face may be off their circle.
+const BESIDE_POINT: f64 = 1e-9;
+/// Rounding of the last corner beside that, relative to the largest coordinate.
+const POINT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Share of the range of turns that is used: at its ends a corner would fall onto its neighbour.
 const INSIDE: f64 = 0.98;
 
@@ -292,6 +301,18 @@ fn last_pair(b: &[Vec3; 7]) -> [Quat; 2] {
     let farthest = orders.into_iter().min_by(|x, y| x[0].length_squared().total_cmp(&y[0].length_squared()));
     let [b1, b2, b3, b12, b13] = farthest.unwrap_or(orders[0]);
     [w, q(b1) * w - q(b1 - b2) * q(b13 - b12) * q(b1 - b3)]
+}
+
+/// The neighbour that the last corner is on, up to rounding; where a side in the same direction is one point already, as at the axis of a wedge, within
+/// what the faces that are given may be off their circles.
+fn neighbour_at(seven: &[Point3; 7], last: Point3, scale: f64) -> Option<usize> {
+    let place = seven.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+    let is_point =
+        |axis: usize| (1..7).any(|k| k >> axis & 1 == 0 && k != 7 ^ 1 << axis && seven[k] == seven[k | 1 << axis]);
+    (0..3).map(|axis| (7 ^ 1 << axis, is_point(axis))).find_map(|(k, beside)| {
+        let limit = if beside { BESIDE_POINT } else { COINCIDENT } * scale + POINT_ROUNDING * place;
+        (seven[k].distance(last) <= limit).then_some(k)
+    })
 }
 
 /// The last corner as the common point of the planes of its [circles](LAST_CIRCLES), from the ways of the seven others from the first; none where

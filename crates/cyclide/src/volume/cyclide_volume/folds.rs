@@ -1,10 +1,14 @@
 //! Folds: where a speed is not positive (`docs/math/volumes.md#folds`).
 
 use super::super::fold::{FoldVerdict, Sign, sign};
-use super::{CyclideVolume, others};
+use super::{CyclideVolume, corners_at_start, others};
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::warning::Warning;
+
+/// Faces whose lines in one direction all start and end as points are lines themselves where these are shorter than that, relative to the
+/// rounding of the speeds: corners are on their circles to 1e-9.
+const LINE: f64 = 1e5;
 
 /// Rounding of a speed in units of the products it is a sum of.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -67,4 +71,24 @@ pub(super) fn speed_rounding(corners: &[Point3; 8], weights: &[Quat; 8], scale: 
     let weight = weights.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);
     let place = corners.iter().map(|p| p.to_vec().max_abs()).fold(scale, f64::max);
     ROUNDING * weight * place
+}
+
+/// Speeds in a direction, those of sides of one point exactly zero; so are those over a face between two such sides that is a line.
+pub(super) fn still_at_points(
+    mut q: [[f64; 3]; 3],
+    corners: &[Point3; 8],
+    axis: usize,
+    rounding: f64,
+) -> [[f64; 3]; 3] {
+    let is_point = corners_at_start(axis).map(|k| corners[k] == corners[k | 1 << axis]);
+    for (k, _) in is_point.iter().enumerate().filter(|(_, point)| **point) {
+        q[2 * (k & 1)][2 * (k >> 1)] = 0.0;
+    }
+    for (k, l) in [(0, 1), (2, 3), (0, 2), (1, 3)] {
+        let between = &mut q[(k & 1) + (l & 1)][(k >> 1) + (l >> 1)];
+        if is_point[k] && is_point[l] && between.abs() <= LINE * rounding {
+            *between = 0.0;
+        }
+    }
+    q
 }

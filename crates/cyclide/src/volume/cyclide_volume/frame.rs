@@ -56,7 +56,7 @@ pub(in crate::volume) fn frame_at(cube: &SphericalCube, frame: VolumeFrame) -> R
             let sides = Sides::new(cube)?;
             let nearest = sides.nearest_frame()?;
             let of_nearest = CyclideVolume::of_frame(cube, nearest).straight_directions();
-            if of_nearest == 3 {
+            if of_nearest[0] == 3 {
                 return Ok(nearest);
             }
             // The first of the best; none is better than the nearest one in general.
@@ -154,9 +154,11 @@ fn rounding(corners: &[Vec3; 8]) -> f64 {
 }
 
 impl CyclideVolume {
-    /// In how many of its directions all four sides are straight.
-    fn straight_directions(&self) -> usize {
+    /// In how many of its directions all four sides are straight or points, and how many straight sides these have: a slice of a pie has two more
+    /// than the wedge with straight sides over its corners.
+    fn straight_directions(&self) -> [usize; 2] {
         let rounding = rounding(&self.corners.map(|p| p.to_vec()));
+        let is_point = |axis: usize, start: usize| self.corners[start | 1 << axis] == self.corners[start];
         let is_straight = |axis: usize, start: usize| {
             let chord = self.corners[start | 1 << axis] - self.corners[start];
             let w = self.weights[start];
@@ -165,6 +167,14 @@ impl CyclideVolume {
             let limit = EXACT * chord.length() + rounding;
             along.cross(chord).length() <= limit * w.norm_squared() && along.dot(chord) > 0.0
         };
-        (0..3).filter(|&axis| corners_at_start(axis).into_iter().all(|start| is_straight(axis, start))).count()
+        let straight_of = |axis: usize| {
+            let sides = corners_at_start(axis).into_iter().filter(|start| !is_point(axis, *start));
+            sides
+                .map(|start| is_straight(axis, start).then_some(()))
+                .collect::<Option<Vec<()>>>()
+                .map(|sides| sides.len())
+        };
+        let counts: Vec<usize> = (0..3).filter_map(straight_of).collect();
+        [counts.len(), counts.iter().sum()]
     }
 }

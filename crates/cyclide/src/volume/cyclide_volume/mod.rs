@@ -66,8 +66,11 @@ impl CyclideVolume {
     pub(in crate::volume) fn from_weights_unchecked(corners: [Point3; 8], weights: [Quat; 8], v: [Vec3; 3]) -> Self {
         let scale = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
         let n = std::array::from_fn(|k| Quat::from((corners[k] - corners[0]) / scale) * weights[k]);
-        let speeds = std::array::from_fn(|axis| speed(&corners, &weights, axis, v[axis]));
         let rounding = folds::speed_rounding(&corners, &weights, scale);
+        let speeds = std::array::from_fn(|axis| {
+            let q = speed(&corners, &weights, axis, v[axis]);
+            folds::still_at_points(q, &corners, axis, rounding)
+        });
         Self { corners, weights, n, scale, v, speeds, rounding }
     }
 

@@ -114,7 +114,13 @@ impl CyclideVolume {
         }
         let places: [[f64; 3]; 8] = std::array::from_fn(|k| std::array::from_fn(|axis| ranges[axis][k >> axis & 1]));
         let weights: [Quat; 8] = places.map(|at| trilinear(&self.weights, at));
-        Ok(Self::from_weights_unchecked(places.map(|at| self.corner_point(at)), weights, self.v))
+        let mut corners = places.map(|at| self.corner_point(at));
+        // Ends of lines that are one point are that, bit for bit: forth along all sides, and back.
+        let sides = (0..3).flat_map(|axis| corners_at_start(axis).map(|start| (axis, start)));
+        let points: Vec<_> = sides.filter(|&(axis, start)| self.standing_lines(places[start])[axis]).collect();
+        points.iter().for_each(|(axis, start)| corners[start | 1 << axis] = corners[*start]);
+        points.iter().rev().for_each(|(axis, start)| corners[*start] = corners[start | 1 << axis]);
+        Ok(Self::from_weights_unchecked(corners, weights, self.v))
     }
 
     /// The two parts on both sides of `x` in direction `axis`.
