@@ -14,10 +14,14 @@ mod motions;
 mod net_hints;
 mod nets;
 #[cfg(not(feature = "circular-mesh"))]
+mod no_principal;
+#[cfg(not(feature = "circular-mesh"))]
 mod not_circular;
 mod nurbs;
 mod polygon_mesh;
 mod polyhedra;
+#[cfg(feature = "circular-mesh")]
+mod principal;
 mod references;
 mod refuse;
 mod remark;
@@ -33,9 +37,10 @@ mod volumes;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use cyclide::TeeBlendFacts;
+use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Grading, Item, Point3, QuadGrid, Seam, SurfaceObject};
 #[cfg(feature = "circular-mesh")]
-use cyclide::CircularMeshReport;
-use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -76,6 +81,11 @@ pub struct BuiltObject {
     /// What it took to make a net circular.
     #[cfg(feature = "circular-mesh")]
     pub circular: Option<CircularMeshReport>,
+    /// Grids along lines of curvature, for nets.
+    pub grids: Vec<QuadGrid>,
+    /// What was found where they were laid.
+    #[cfg(feature = "circular-mesh")]
+    pub principal: Option<Box<PrincipalGridReport>>,
     /// Where opposite borders of the grid of a net nearly coincide, as given.
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
@@ -174,6 +184,9 @@ impl<'a> ModelBuilder<'a> {
                     mesh: None,
                     #[cfg(feature = "circular-mesh")]
                     circular: None,
+                    grids: Vec::new(),
+                    #[cfg(feature = "circular-mesh")]
+                    principal: None,
                     seams: Vec::new(),
                     polyhedron: None,
                     tee_blends: Vec::new(),
@@ -215,6 +228,7 @@ impl Document {
                     Some(file.obj.as_str())
                 }
                 (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+                (ObjectSpec::PrincipalGrid(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
                 (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
                 (ObjectSpec::Motion(spec), _) => return spec.files().collect(),
                 _ => None,
@@ -241,6 +255,11 @@ struct Builder<'a> {
     /// What it took to make the net of the object circular.
     #[cfg(feature = "circular-mesh")]
     circular: Option<CircularMeshReport>,
+    /// The grids that it lays along lines of curvature.
+    grids: Vec<QuadGrid>,
+    /// What was found there.
+    #[cfg(feature = "circular-mesh")]
+    principal: Option<Box<PrincipalGridReport>>,
     /// The seams of its grid as given.
     seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
@@ -303,6 +322,7 @@ impl Builder<'_> {
         let construction = self.spec.is_construction();
         let Self {
             data,
+            grids,
             seams,
             polyhedron,
             tee_blends,
@@ -323,6 +343,9 @@ impl Builder<'_> {
             bodies,
             #[cfg(feature = "circular-mesh")]
             circular: self.circular,
+            grids,
+            #[cfg(feature = "circular-mesh")]
+            principal: self.principal,
             seams,
             polyhedron,
             tee_blends,
