@@ -15,7 +15,7 @@
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
 //! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`] |
-//! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
+//! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`LaidGrid`], [`FrameSpec`]), [`PrincipalGridSpec`], [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
@@ -25,7 +25,7 @@
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`DEFAULT_MOST_PIECES`]), [`Provenance`], [`vtk_multi_block`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
-//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
+//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
@@ -58,15 +58,15 @@ pub use document::{
     CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec,
     DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
     FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GradedCellsSpec,
-    GridSource, LayersSpec, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind,
+    GridSource, LaidGrid, LayersSpec, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind,
     MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
     PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile,
-    PoseSource, PoseSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
-    RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec,
-    StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec,
-    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
-    TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord,
-    UnrolledPlane, UnrolledSpec, WholeCyclideSpec, WindingSpec, document_schema,
+    PoseSource, PoseSpec, PrincipalGridSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec,
+    RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec,
+    SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec,
+    TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec,
+    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec,
+    TypeWord, UnrolledPlane, UnrolledSpec, WholeCyclideSpec, WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
@@ -95,12 +95,12 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,
     CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FASTER_THAN_LIMIT, FairnessReport,
-    FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport, JointReport,
-    MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace, PeakReport, PlaceReport,
-    PolyhedronReport, QbReport, RangeReport, Report, ReversalReport, SampleOptions, SamplePlaces, SeamReport,
-    SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits, SurfaceReport,
-    TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
-    VolumeReport, WarningReport, sample, sample_cells,
+    FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport, GridPieceReport,
+    JointReport, MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace, PeakReport,
+    PlaceReport, PolyhedronReport, PrincipalReport, QbReport, RangeReport, Report, ReversalReport, SampleOptions,
+    SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits,
+    SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport,
+    UmbilicReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -83,6 +83,7 @@
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves` |
+//! | grids along lines of curvature | `principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, closed quartics, circles: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
@@ -92,7 +93,7 @@
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -138,6 +139,11 @@ pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
+pub use construct::{GridBorder, UmbilicRule};
+#[cfg(feature = "circular-mesh")]
+pub use construct::{
+    GridPiece, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic, principal_grids,
+};
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, SweptSurface, TorusSeam};
@@ -158,7 +164,7 @@ pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, ErrorItem, FoldRemedy, Result, reasons};
+pub use error::{Error, ErrorItem, FoldRemedy, Result, SurfaceFault, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,

@@ -20,7 +20,7 @@ pub enum Wanted {
 }
 
 /// What the program reads, said where a file is none of it.
-const READS: &str = "it reads model documents ('cyclide new' starts one), lists of points as CSV ('cyclide curve') and, for documents, meshes of quads as OBJ ('cyclide new cyclidic-net') and of any polygons as OBJ, STL, PLY and GLB ('cyclide new smooth-mesh', 'cyclide new smooth-polyhedron')";
+const READS: &str = "it reads model documents ('cyclide new' starts one), lists of points as CSV ('cyclide curve') and, for documents, meshes of quads as OBJ ('cyclide new cyclidic-net') and of any polygons as OBJ, STL, PLY and GLB ('cyclide new smooth-mesh', 'cyclide new principal-grid', 'cyclide new smooth-polyhedron')";
 
 /// Refuses an input that its suffix says to be of another kind, before its first line is called a mistake.
 pub fn refuse_suffix(path: &Path, wanted: Wanted) -> Result<(), Failure> {
@@ -34,7 +34,7 @@ pub fn refuse_content(path: &Path, bytes: &[u8], wanted: Wanted) -> Result<(), F
 
 fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> {
     let net = "'cyclide new cyclidic-net' prints a document for it";
-    let polygons = "'cyclide new smooth-mesh' prints a document that makes it smooth, 'cyclide new smooth-polyhedron' one that rounds a convex one";
+    let polygons = "'cyclide new smooth-mesh' prints a document that makes it smooth, 'cyclide new principal-grid' one that lays a net on it, 'cyclide new smooth-polyhedron' one that rounds a convex one";
     let path = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
     let answer = match (found, wanted) {
         (InputKind::Document, Wanted::Document) | (InputKind::Points, Wanted::Points) => return Ok(()),

@@ -117,6 +117,9 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
         "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
+        "remesh" | "quad-mesh" | "curvature-lines" | "curvature-grid" | "principal-mesh" => {
+            "a grid along the lines of curvature of a mesh is a `principal-grid`"
+        }
         "tube" | "hose" | "rod" | "wire" => "the tube about a curve is a `pipe`",
         "revolve" | "lathe" | "rotate-extrude" => "what a curve sweeps about an axis is a `revolution`",
         "thicken" | "thick" | "solid" | "shell" => "an `offset` with `thick` makes the solid",

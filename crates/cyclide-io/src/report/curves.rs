@@ -4,7 +4,7 @@ use cyclide::{Aabb, ArcLength, CORNER_ANGLE, CurveObject, Lower, bounds, extreme
 use serde::Serialize;
 
 use super::qb::QbReport;
-use super::{FairnessReport, RangeReport, TightReport, TorusReport, UnrolledReport};
+use super::{FairnessReport, PrincipalReport, RangeReport, TightReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
 
@@ -56,6 +56,9 @@ pub struct CurvesReport {
     /// Of curves laid flat with their torus: what became of their lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unrolled: Option<UnrolledReport>,
+    /// Of the lines of grids along lines of curvature: what was found and laid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub principal: Option<Box<PrincipalReport>>,
 }
 
 /// Continuity, measured at every joint (the closing one included).
@@ -223,6 +226,7 @@ impl CurvesReport {
             qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
             unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
+            principal: PrincipalReport::new(built),
         }
     }
 }

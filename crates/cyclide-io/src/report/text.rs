@@ -152,6 +152,9 @@ impl CurvesReport {
         if let Some(unrolled) = &self.unrolled {
             unrolled.lines(units, line)?;
         }
+        if let Some(principal) = &self.principal {
+            principal.lines(units, line)?;
+        }
         if let Some(fit) = &self.fit {
             let made = match fit.made {
                 FitPieces::Arcs { arcs, lines, .. } => format!("{} and {}", plural(arcs, "arc"), plural(lines, "line")),

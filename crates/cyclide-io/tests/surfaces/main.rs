@@ -10,6 +10,8 @@ mod nets;
 mod offsets;
 mod patches;
 mod pipes;
+#[cfg(feature = "circular-mesh")]
+mod principal_grids;
 mod rails;
 mod refusals;
 mod revolutions;

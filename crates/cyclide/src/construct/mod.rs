@@ -1,9 +1,15 @@
-//! Recipes of several steps: curves through and near points, bodies, quad grids made circular.
+//! Recipes of several steps: curves through and near points, bodies, grids along lines of curvature, quad grids made
+//! circular.
 
 mod bodies;
 #[cfg(feature = "circular-mesh")]
 mod circular_mesh;
 mod curves;
+#[cfg(feature = "circular-mesh")]
+mod principal;
+mod principal_rules;
+#[cfg(feature = "circular-mesh")]
+mod sparse_solver;
 
 pub use bodies::{
     Ball, ConvexPolyhedron, CrossingPipe, CrossingSide, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody,
@@ -26,3 +32,8 @@ pub use curves::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
     UnrolledSpline,
 };
+#[cfg(feature = "circular-mesh")]
+pub use principal::{
+    GridPiece, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic, principal_grids,
+};
+pub use principal_rules::{GridBorder, UmbilicRule};

@@ -1,6 +1,6 @@
 //! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
 
-use super::{ErrorItem, FoldRemedy};
+use super::{ErrorItem, FoldRemedy, SurfaceFault};
 use crate::shape_change::ShapeChange;
 
 /// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
@@ -1110,6 +1110,52 @@ pub enum Error {
         vertices: [usize; 2],
         /// The triangles, from 0.
         triangles: [usize; 2],
+    },
+    /// Triangles are not one piece of a surface with a border.
+    NotASurface {
+        /// What is wrong.
+        fault: SurfaceFault,
+        /// A triangle where it is, from 0.
+        index: usize,
+    },
+    /// A surface has no lines of curvature: it is a plane or a sphere.
+    FlatSurface {
+        /// Median difference of the principal curvatures.
+        difference: f64,
+        /// Least difference that shows directions.
+        limit: f64,
+    },
+    /// However much the directions are smoothed, umbilics are left.
+    UmbilicsRemain {
+        /// How many.
+        count: usize,
+        /// Where the first is.
+        at: [f64; 3],
+        /// How many half turns the lines of curvature make round it.
+        halves: i32,
+        /// The smoothing that was tried last with so few left.
+        smoothing: f64,
+    },
+    /// Lines of curvature come back turned over after a way round a hole: no coordinates follow them all round.
+    FieldNotOrientable {
+        /// A place on the border of the hole.
+        at: [f64; 3],
+        /// How many half turns the lines make round in the hole.
+        halves: i32,
+    },
+    /// The lines of curvature of a tube come back so much higher that closing them would be a shape of its own.
+    SpiralLines {
+        /// By how much they come back higher.
+        shift: f64,
+        /// Length of an edge of the grid, the limit.
+        edge: f64,
+    },
+    /// No grid finds room on a surface.
+    NoGrid {
+        /// Length of its edges.
+        edge: f64,
+        /// Cells along each side at least.
+        least: usize,
     },
 
     // Tori and curves on them.

@@ -3,8 +3,8 @@
 use super::motion_message::of_motion;
 use super::volume_message::of_volume;
 use super::words::{
-    at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
-    speed_ratio, through_infinity, turn, zero_axis,
+    at_infinity, at_least, clockwise, count_differs, index_of_halves, numbered, opposed, outside, place,
+    points_in_words, size_in_place, speed_ratio, through_infinity, turn, zero_axis,
 };
 use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
@@ -775,6 +775,41 @@ impl std::fmt::Display for Error {
                 f,
                 "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over, or left out if it is there twice",
                 triangles[0], triangles[1], vertices[0], vertices[1]
+            ),
+            Self::NotASurface { fault, index } => {
+                write!(f, "the mesh is not one piece of a surface with a border: {}", fault.words(*index))
+            }
+            Self::FlatSurface { difference, limit } => write!(
+                f,
+                "the surface is flat, or a sphere: its principal curvatures differ by {} (median), and more than {} is needed to tell \
+                 lines of curvature; any grid of a plane or a sphere has circles as it is",
+                ShortNumber(*difference),
+                ShortNumber(*limit)
+            ),
+            Self::UmbilicsRemain { count, at, halves, smoothing } => write!(
+                f,
+                "{count} umbilic(s) are left after smoothing by {}, the first at {} (index {}): take \"umbilics\": \"pieces\", or cut a hole round them",
+                ShortNumber(*smoothing),
+                place(*at),
+                index_of_halves(*halves)
+            ),
+            Self::FieldNotOrientable { at, halves } => write!(
+                f,
+                "lines of curvature come back turned over after a way round the hole at {} (index {}): take \"umbilics\": \"pieces\"",
+                place(*at),
+                index_of_halves(*halves)
+            ),
+            Self::SpiralLines { shift, edge } => write!(
+                f,
+                "the lines of curvature are spirals, which come back {} higher or lower (an edge is {}): closing them gives the \
+                 surface another shape; \"closed\": true closes them all the same, \"closed\": false leaves the grid open",
+                ShortNumber(*shift),
+                ShortNumber(*edge)
+            ),
+            Self::NoGrid { edge, least } => write!(
+                f,
+                "no grid of {least} by {least} cells with edges of {} finds room on the surface: take shorter edges",
+                ShortNumber(*edge)
             ),
             Self::InBranch { branch, what, cause } => write!(f, "branch {branch}, {what}: {cause}"),
             Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),

@@ -10,12 +10,14 @@ mod message;
 mod motion_message;
 mod reason;
 pub mod reasons;
+mod surface_fault;
 mod volume_message;
 mod words;
 
 pub use fold_remedy::FoldRemedy;
 pub use item::ErrorItem;
 pub use kinds::Error;
+pub use surface_fault::SurfaceFault;
 
 /// Result of a fallible kernel call.
 ///

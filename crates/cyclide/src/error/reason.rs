@@ -135,6 +135,12 @@ impl Error {
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
+            Self::NotASurface { .. } => "not-a-surface",
+            Self::FlatSurface { .. } => "flat-surface",
+            Self::UmbilicsRemain { .. } => "umbilics-remain",
+            Self::FieldNotOrientable { .. } => "field-not-orientable",
+            Self::SpiralLines { .. } => "spiral-lines",
+            Self::NoGrid { .. } => "no-grid",
             Self::ConcircularCube { .. } => "concircular-cube",
             Self::CrossingFace { .. } => "crossing-face",
             Self::VolumeThroughInfinity { .. } => "volume-through-infinity",
@@ -229,7 +235,8 @@ impl Error {
             Self::InBranch { branch, .. } => Some(branch),
             Self::InTriangle { triangle, .. }
             | Self::NoSuchVertex { triangle, .. }
-            | Self::NonManifoldEdge { triangle, .. } => Some(triangle),
+            | Self::NonManifoldEdge { triangle, .. }
+            | Self::NotASurface { index: triangle, .. } => Some(triangle),
             Self::InconsistentOrientation { triangles: [_, second], .. } => Some(second),
             Self::ZeroCoordinate { index }
             | Self::PointOnAxis { index, .. }

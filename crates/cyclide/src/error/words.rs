@@ -85,6 +85,19 @@ pub(super) fn opposed(index: usize, angle: f64, limit: f64) -> String {
 /// Limits up to here are the rounding of an angle, about which nothing else can be said.
 const ROUNDING_OF_ANGLES: f64 = 64.0 * f64::EPSILON;
 
+/// A place in words.
+pub(super) fn place(p: [f64; 3]) -> String {
+    let [x, y, z] = p.map(|x| ShortNumber(x).to_string());
+    format!("({x}, {y}, {z})")
+}
+
+/// The index of a place that lines turn round, by the half turns they make.
+pub(crate) fn index_of_halves(halves: i32) -> String {
+    let sign = if halves < 0 { "-" } else { "+" };
+    let size = halves.unsigned_abs();
+    if size % 2 == 0 { format!("{sign}{}", size / 2) } else { format!("{sign}{size}/2") }
+}
+
 /// What goes to infinity, or near it.
 pub(super) fn at_infinity(what: ErrorItem, distance: f64, limit: f64) -> String {
     if limit <= 0.0 {

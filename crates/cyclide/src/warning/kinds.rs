@@ -338,6 +338,36 @@ pub enum Warning {
         /// Index of the first one dropped.
         index: usize,
     },
+    /// Directions of curvature were smoothed further than usual to be rid of umbilics.
+    UmbilicsSmoothed {
+        /// How many are gone.
+        count: usize,
+        /// By how much that turned the directions in the mean, radians.
+        turn: f64,
+    },
+    /// A surface is covered by several grids, or not as far as it could be by one.
+    GridPieces {
+        /// How many.
+        count: usize,
+        /// The part of the surface that they cover.
+        coverage: f64,
+    },
+    /// The lines of curvature of a tube are spirals: a grid that is closed along them leaves them.
+    SpiralLines {
+        /// By how much they come back higher.
+        shift: f64,
+        /// Length of an edge of the grid.
+        edge: f64,
+    },
+    /// The edges of a grid along lines of curvature are of very different lengths.
+    UnevenEdges {
+        /// Which grid, from 0.
+        piece: usize,
+        /// The shortest and the longest.
+        edges: [f64; 2],
+        /// Largest ratio that is not reported.
+        limit: f64,
+    },
     /// The lines of a grid to be made circular run across the curvature lines of its surface.
     AcrossCurvatureLines {
         /// Mean angle to the curvature lines, weighted by the difference of the principal curvatures, radians.

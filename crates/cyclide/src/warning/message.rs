@@ -272,6 +272,31 @@ impl std::fmt::Display for Warning {
             Self::ClosingPointMerged { index } => {
                 write!(f, "point {index} repeats the first point of the closed curve: merged with it")
             }
+            Self::UmbilicsSmoothed { count, turn } => write!(
+                f,
+                "{count} umbilic(s) were smoothed away, which turned the directions by {} degrees in the mean: a net over the grid \
+                 leaves the surface there",
+                degrees(*turn)
+            ),
+            Self::GridPieces { count, coverage } => write!(
+                f,
+                "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
+                ShortNumber((1000.0 * coverage).round() / 10.0)
+            ),
+            Self::SpiralLines { shift, edge } => write!(
+                f,
+                "the lines of curvature are spirals, which come back {} higher or lower (an edge is {}): a closed net leaves the \
+                 surface by about half of that",
+                ShortNumber(*shift),
+                ShortNumber(*edge)
+            ),
+            Self::UnevenEdges { piece, edges: [shortest, longest], limit } => write!(
+                f,
+                "edges of grid {piece} are {} to {} long, more than {} times apart: lines of curvature run together there",
+                ShortNumber(*shortest),
+                ShortNumber(*longest),
+                ShortNumber(*limit)
+            ),
             Self::AcrossCurvatureLines { angle, limit } => write!(
                 f,
                 "the grid lines run {} degrees off the curvature lines of the surface on average (more than {} is across them): quads with circles follow curvature lines",

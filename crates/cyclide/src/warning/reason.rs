@@ -45,6 +45,10 @@ impl Warning {
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
+            Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
+            Self::GridPieces { .. } => "pieces",
+            Self::SpiralLines { .. } => "spiral-lines",
+            Self::UnevenEdges { .. } => "uneven-edges",
             Self::AcrossCurvatureLines { .. } => "across-curvature-lines",
             Self::ShapeChanged { .. } => "shape-changed",
             Self::MovedFar { .. } => "moved-far",
@@ -98,6 +102,7 @@ impl Warning {
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
+            Self::UnevenEdges { piece, .. } => Some(piece),
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::SweptSurfaceFolds { face, .. } => Some(face),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
@@ -115,6 +120,9 @@ impl Warning {
             | Self::Wavers { .. }
             | Self::DataWaver { .. }
             | Self::TurnsMoreThanData { .. }
+            | Self::UmbilicsSmoothed { .. }
+            | Self::GridPieces { .. }
+            | Self::SpiralLines { .. }
             | Self::AcrossCurvatureLines { .. }
             | Self::ShapeChanged { .. }
             | Self::OpenSeam { .. }

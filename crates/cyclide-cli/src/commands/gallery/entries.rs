@@ -59,6 +59,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "",
     },
     Entry {
+        name: "principal_grid",
+        title: "A hypar along its lines of curvature",
+        text: "The mesh runs along the straight lines of a hypar, where quads with circles would lose its shape: a grid along the lines of curvature keeps it, and its vertices move by less than a millimetre.",
+        document: example!("principal_grid.json"),
+        inputs: &[input!("hypar.obj")],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
         name: "patch",
         title: "A patch with its parameter circles",
         text: "Four corners on one circle and one frame: every parameter line is a circular arc and a line of curvature.",

@@ -172,6 +172,7 @@ impl Builder<'_> {
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
             ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
+            ObjectSpec::PrincipalGrid(s) => Ok(without_facts(self.principal_grid(s)?)),
             _ => Ok(Vec::new()),
         }
     }

@@ -14,10 +14,14 @@ mod motions;
 mod net_hints;
 mod nets;
 #[cfg(not(feature = "circular-mesh"))]
+mod no_principal;
+#[cfg(not(feature = "circular-mesh"))]
 mod not_circular;
 mod nurbs;
 mod polygon_mesh;
 mod polyhedra;
+#[cfg(feature = "circular-mesh")]
+mod principal;
 mod references;
 mod refuse;
 mod remark;
@@ -33,11 +37,12 @@ mod volumes;
 use std::io;
 use std::path::{Path, PathBuf};
 
-#[cfg(feature = "circular-mesh")]
-use cyclide::CircularMeshReport;
 use cyclide::{
-    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts,
+    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, Item, Point3, QuadGrid, Seam, SurfaceObject,
+    TeeBlendFacts,
 };
+#[cfg(feature = "circular-mesh")]
+use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -80,6 +85,11 @@ pub struct BuiltObject {
     /// What it took to make a net circular.
     #[cfg(feature = "circular-mesh")]
     pub circular: Option<CircularMeshReport>,
+    /// Grids along lines of curvature, for nets.
+    pub grids: Vec<QuadGrid>,
+    /// What was found where they were laid.
+    #[cfg(feature = "circular-mesh")]
+    pub principal: Option<Box<PrincipalGridReport>>,
     /// Where opposite borders of the grid of a net nearly coincide, as given.
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
@@ -180,6 +190,9 @@ impl<'a> ModelBuilder<'a> {
                     mesh: None,
                     #[cfg(feature = "circular-mesh")]
                     circular: None,
+                    grids: Vec::new(),
+                    #[cfg(feature = "circular-mesh")]
+                    principal: None,
                     seams: Vec::new(),
                     polyhedron: None,
                     tee_blends: Vec::new(),
@@ -222,6 +235,7 @@ impl Document {
                     Some(file.obj.as_str())
                 }
                 (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+                (ObjectSpec::PrincipalGrid(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
                 (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
                 (ObjectSpec::Motion(spec), _) => return spec.files().collect(),
                 _ => None,
@@ -257,6 +271,11 @@ struct Builder<'a> {
     /// What it took to make the net of the object circular.
     #[cfg(feature = "circular-mesh")]
     circular: Option<CircularMeshReport>,
+    /// The grids that it lays along lines of curvature.
+    grids: Vec<QuadGrid>,
+    /// What was found there.
+    #[cfg(feature = "circular-mesh")]
+    principal: Option<Box<PrincipalGridReport>>,
     /// The seams of its grid as given.
     seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
@@ -322,6 +341,7 @@ impl Builder<'_> {
         let construction = self.spec.is_construction();
         let Self {
             data,
+            grids,
             seams,
             polyhedron,
             tee_blends,
@@ -344,6 +364,9 @@ impl Builder<'_> {
             bodies,
             #[cfg(feature = "circular-mesh")]
             circular: self.circular,
+            grids,
+            #[cfg(feature = "circular-mesh")]
+            principal: self.principal,
             seams,
             polyhedron,
             tee_blends,

@@ -12,7 +12,7 @@ use super::{Builder, Remark};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularSpec, MeshFile, ObjectSpec,
+    CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, LaidGrid, MakeCircularSpec, MeshFile, ObjectSpec,
 };
 use crate::error::{Error, Result};
 use crate::formats::{InputKind, read_quad_grid};
@@ -89,6 +89,14 @@ impl<'a> Builder<'a> {
                 }
                 return self.mesh_file(file);
             }
+            GridSource::Laid(laid) => {
+                if spec.closed.is_some() {
+                    return Err(
+                        self.unfit("`closed` goes with a grid inline: a `principal-grid` says itself what is closed")
+                    );
+                }
+                return self.laid_grid(laid);
+            }
         };
         let columns = rows.first().map_or(0, Vec::len);
         if let Some(row) = rows.iter().position(|row| row.len() != columns) {
@@ -99,6 +107,22 @@ impl<'a> Builder<'a> {
         let size = [columns, rows.len()];
         QuadGrid::new(points, size, spec.closed.unwrap_or_default())
             .map_err(|e| self.refused_at([Step::from("grid")], &e))
+    }
+
+    /// One of the grids of another object.
+    fn laid_grid(&self, laid: &LaidGrid) -> Result<QuadGrid> {
+        let Some(source) = self.sources.last() else { return Err(self.unfit("`grid` names no object")) };
+        let LaidGrid { of, piece } = laid;
+        if source.grids.is_empty() {
+            let kind = source.provenance.kind;
+            let message = format!("`{of}` is of type `{kind}`: a grid is laid by a `principal-grid`");
+            return Err(Error::Input(self.diagnostic(["grid".into(), "of".into()], &message)));
+        }
+        source.grids.get(*piece as usize).cloned().ok_or_else(|| {
+            let count = source.grids.len();
+            let message = format!("`{of}` has {count} grid(s), counted from 0: there is no grid {piece}");
+            Error::Input(self.diagnostic(["grid".into(), "piece".into()], &message))
+        })
     }
 
     /// The grid of a mesh in a file of its own.
@@ -177,7 +201,10 @@ impl<'a> Builder<'a> {
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::ShapeLost { .. } = error {
-            let words = format!("{error}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
+            let laid = matches!(self.spec, ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(_), .. }));
+            let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on any mesh)" };
+            let words =
+                format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::CollapsedOnCurve { .. } = error {
@@ -218,6 +245,10 @@ impl<'a> Builder<'a> {
         }
         let columns = grid.size()[0];
         let [row, column] = [vertices[0] / columns, vertices[0] % columns];
+        if let ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(laid), .. }) = self.spec {
+            let words = format!("{words} (at row {row}, column {column} of grid {} of `{}`)", laid.piece, laid.of);
+            return self.refused_in_words([Step::from("grid")], reason, words);
+        }
         self.refused_in_words(["grid".into(), row.into(), column.into()], reason, words)
     }
 }

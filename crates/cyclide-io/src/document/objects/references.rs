@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::document::Document;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{BorderCurves, ObjectSpec, TorusSource};
+use crate::document::spec::{BorderCurves, GridSource, ObjectSpec, TorusSource};
 use crate::error::{Error, Result};
 use crate::text::suggest::did_you_mean;
 
@@ -161,7 +161,13 @@ impl ObjectSpec {
             Self::CyclidicNet(s) => {
                 let sides = s.make_circular.border_curves().map(BorderCurves::sides).into_iter().flatten();
                 let path = |field| vec![Step::from("make_circular"), Step::from("border"), Step::from(field)];
-                sides.filter_map(|(field, name)| name.map(|name| (path(field), name))).collect()
+                let sides = sides.filter_map(|(field, name)| name.map(|name| (path(field), name)));
+                // After the curves of the sides, which are counted.
+                let grid = match &s.grid {
+                    GridSource::Laid(laid) => Some((vec![Step::from("grid"), Step::from("of")], laid.of.as_str())),
+                    _ => None,
+                };
+                sides.chain(grid).collect()
             }
             _ => Vec::new(),
         }

@@ -35,14 +35,16 @@ pub struct SmoothChoice {
 }
 
 /// Polygons as they are given.
-struct Given {
-    mesh: PolygonMesh,
+pub(super) struct Given {
+    pub(super) mesh: PolygonMesh,
     /// The file.
-    file: Option<String>,
+    pub(super) file: Option<String>,
+    /// The field of the document that has the polygons.
+    pub(super) field: &'static str,
     /// Whether triangles share vertices there by their numbers.
-    shared: bool,
+    pub(super) shared: bool,
     /// Whether normals are listed beside the vertices.
-    lists_normals: bool,
+    pub(super) lists_normals: bool,
 }
 
 impl Builder<'_> {
@@ -98,6 +100,7 @@ impl Builder<'_> {
                 Given {
                     mesh: PolygonMesh { points, faces, ..PolygonMesh::default() },
                     file: None,
+                    field: "triangles",
                     shared: true,
                     lists_normals: false,
                 }
@@ -134,14 +137,14 @@ impl Builder<'_> {
         Ok(given)
     }
 
-    fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
+    pub(super) fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
         let (name, mesh) = self.mesh_of_file(file)?;
         let shared = file.format.entry().shares_vertices;
-        Ok(Given { mesh, file: Some(name), shared, lists_normals: false })
+        Ok(Given { mesh, file: Some(name), field: "mesh", shared, lists_normals: false })
     }
 
     /// Says what was changed between the file and the triangles.
-    fn remark_on_mesh(&mut self, given: &Given, mesh: &TriangleMesh) {
+    pub(super) fn remark_on_mesh(&mut self, given: &Given, mesh: &TriangleMesh) {
         let place = given.file.clone();
         let (cut, collapsed) = (mesh.cut, mesh.collapsed);
         if cut.count > 0 {
@@ -163,13 +166,12 @@ impl Builder<'_> {
         }
     }
 
-    fn uncut(&self, given: &Given, uncut: Uncut) -> Error {
+    pub(super) fn uncut(&self, given: &Given, uncut: Uncut) -> Error {
         let Uncut { polygon, corners } = uncut;
         let message = format!(
             "polygon {polygon} of {corners} corners cannot be cut into triangles: it crosses itself, is not nearly plane, or has more than 256 corners"
         );
-        let field = if given.file.is_some() { "mesh" } else { "triangles" };
-        self.refused_in_words([field.into()], "polygon-not-simple", message)
+        self.refused_in_words([given.field.into()], "polygon-not-simple", message)
     }
 
     /// The message for what the kernel said about the mesh, in the numbers of the file.
@@ -179,8 +181,7 @@ impl Builder<'_> {
             (KernelError::AngleOutOfRange { .. }, _) => "crease_angle",
             (KernelError::NotFinite { what: ErrorItem::Normal, .. }, _) => "normals",
             (KernelError::UndefinedNormal { .. }, None) if given.lists_normals => "normals",
-            (_, Some(_)) => "mesh",
-            (_, None) => "triangles",
+            _ => given.field,
         };
         let mut words = error.to_string();
         if field == "mesh" {

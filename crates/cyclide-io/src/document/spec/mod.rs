@@ -15,6 +15,7 @@ mod nets;
 mod nurbs;
 mod polygon_mesh_file;
 mod polyhedra;
+mod principal;
 mod radii;
 mod radius_laws;
 mod smooth;
@@ -53,10 +54,11 @@ pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, Para
 pub use motions::{
     MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
 };
-pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
+pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, LaidGrid, MeshFile};
 pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
+pub use principal::PrincipalGridSpec;
 pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
@@ -150,6 +152,8 @@ pub enum ObjectSpec {
     Cyclide(CyclideSpec),
     /// A smooth surface of patches over a grid of points.
     CyclidicNet(CyclidicNetSpec),
+    /// Regular grids along the lines of curvature of a mesh.
+    PrincipalGrid(PrincipalGridSpec),
     /// A block whose coordinate surfaces are cyclides that cross at right angles.
     CyclideVolume(CyclideVolumeSpec),
     /// Blocks in a grid.
@@ -293,6 +297,7 @@ object_types! {
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
+    "principal-grid" => PrincipalGrid,
     "cyclide-volume" => CyclideVolume,
     "cyclide-grid" => CyclideGrid,
     "layers" => Layers,

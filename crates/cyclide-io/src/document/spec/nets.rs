@@ -109,6 +109,29 @@ pub enum GridSource {
     Rows(#[schemars(length(min = 2))] Vec<Vec<Coordinates>>),
     /// A mesh of quads in a file of its own.
     File(MeshFile),
+    /// A grid that another object lays along the lines of curvature of a mesh.
+    Laid(LaidGrid),
+}
+
+/// A grid of a `principal-grid`.
+///
+/// ```
+/// use cyclide_io::{Document, GridSource, LaidGrid, ObjectSpec};
+/// let text = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": {"of": "lattice", "piece": 1}}}}"#;
+/// let document = Document::parse("n.json", text.as_bytes())?;
+/// let ObjectSpec::CyclidicNet(net) = &document.objects[0].1 else { unreachable!("the type says so") };
+/// assert_eq!(net.grid, GridSource::Laid(LaidGrid { of: "lattice".to_owned(), piece: 1 }));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LaidGrid {
+    /// The name of a `principal-grid`.
+    pub of: String,
+    /// Which of its grids, from 0, the largest. Default 0.
+    #[serde(default)]
+    #[schemars(range(max = 3))]
+    pub piece: u32,
 }
 
 /// A mesh of quads in a file of its own.
@@ -130,19 +153,37 @@ pub struct MeshFile {
     pub obj: String,
 }
 
+/// The fields of both kinds of grid that are no rows.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GridFields {
+    obj: Option<String>,
+    of: Option<String>,
+    piece: Option<u32>,
+}
+
 impl<'de> Deserialize<'de> for GridSource {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct GridVisitor;
         impl<'de> serde::de::Visitor<'de> for GridVisitor {
             type Value = GridSource;
             fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("rows of points `[[[x, y, z], …], …]`, or `{\"obj\": \"FILE\"}`")
+                f.write_str("rows of points `[[[x, y, z], …], …]`, `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`")
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<GridSource, A::Error> {
                 Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(GridSource::Rows)
             }
             fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<GridSource, A::Error> {
-                MeshFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(GridSource::File)
+                let fields = GridFields::deserialize(serde::de::value::MapAccessDeserializer::new(map))?;
+                match fields {
+                    GridFields { obj: Some(obj), of: None, piece: None } => Ok(GridSource::File(MeshFile { obj })),
+                    GridFields { obj: None, of: Some(of), piece } => {
+                        Ok(GridSource::Laid(LaidGrid { of, piece: piece.unwrap_or_default() }))
+                    }
+                    _ => Err(serde::de::Error::custom(
+                        "a grid is `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`, the latter with `piece` or without",
+                    )),
+                }
             }
         }
         deserializer.deserialize_any(GridVisitor)

@@ -1,0 +1,111 @@
+//! Grids along the lines of curvature of meshes.
+
+use cyclide::{
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalGridOptions, PrincipalStage, QuadGrid, ShortNumber,
+    principal_grids,
+};
+
+use super::smooth::Given;
+use super::{Builder, Remark};
+use crate::document::spec::PrincipalGridSpec;
+use crate::error::{Error, Result};
+use crate::input::polygon_mesh::PolygonMesh;
+use crate::input::triangle_mesh::{Counted, TriangleMesh};
+
+impl Builder<'_> {
+    /// Lays the grids; their lines are the curves of the object.
+    pub(super) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
+        let given = self.mesh_to_lay_on(spec)?;
+        let mut mesh = TriangleMesh::new(&given.mesh).map_err(|uncut| self.uncut(&given, uncut))?;
+        // Nothing but vertices and neighbours is taken of a mesh: how polygons are cut is nobody's matter.
+        mesh.cut = Counted::default();
+        self.remark_on_mesh(&given, &mesh);
+        let options = PrincipalGridOptions {
+            umbilics: spec.umbilics,
+            border: spec.border,
+            closed: spec.closed,
+            columns: spec.columns.map(|n| n as usize),
+            most_pieces: spec.most_pieces.map(|n| n as usize),
+            denoise: spec.denoise,
+            ..PrincipalGridOptions::new(spec.edge_length)
+        };
+        let progress = &mut *self.progress;
+        let laid = principal_grids(&mesh.points, &mesh.triangles, &options, &mut |stage| progress(words(stage)));
+        let laid = laid.map_err(|e| self.refused_grid(spec, &given, &mesh, e))?;
+        self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
+        let lines = laid.grids.iter().map(lines).collect::<cyclide::Result<Vec<_>>>();
+        let lines = lines.map_err(|e| self.refused(&e, None))?;
+        self.grids = laid.grids;
+        self.principal = Some(Box::new(laid.report));
+        Ok(lines.into_iter().flatten().collect())
+    }
+
+    fn mesh_to_lay_on(&mut self, spec: &PrincipalGridSpec) -> Result<Given> {
+        match (&spec.mesh, &spec.vertices, &spec.faces) {
+            (Some(file), None, None) => self.polygon_file(file),
+            (None, Some(vertices), Some(faces)) => {
+                let count = vertices.len();
+                let faces: Vec<Vec<usize>> = faces.iter().map(|f| f.iter().map(|v| *v as usize).collect()).collect();
+                for (index, face) in faces.iter().enumerate() {
+                    if let Some(place) = face.iter().position(|v| *v >= count) {
+                        let error = KernelError::NoSuchVertex { triangle: index, vertex: face[place], count };
+                        return Err(self.refused_at(["faces".into(), index.into(), place.into()], &error));
+                    }
+                }
+                let points = vertices.iter().map(|p| p.point()).collect();
+                let mesh = PolygonMesh { points, faces, ..PolygonMesh::default() };
+                Ok(Given { mesh, file: None, field: "faces", shared: true, lists_normals: false })
+            }
+            _ => Err(self.unfit("a mesh is given by exactly one of `mesh` (a file), or `vertices` with `faces`")),
+        }
+    }
+
+    /// The message for what the kernel said, in the numbers of the mesh as given.
+    fn refused_grid(&self, spec: &PrincipalGridSpec, given: &Given, mesh: &TriangleMesh, error: KernelError) -> Error {
+        let error = match error {
+            KernelError::NotASurface { fault, index } => {
+                KernelError::NotASurface { fault, index: mesh.polygons.get(index).copied().unwrap_or(index) }
+            }
+            other => other,
+        };
+        let field = match &error {
+            KernelError::ParameterOutOfRange { name: ErrorItem::EdgeLength, .. } | KernelError::NoGrid { .. } => {
+                "edge_length"
+            }
+            KernelError::ParameterOutOfRange { name: ErrorItem::Columns, .. } => "columns",
+            KernelError::ParameterOutOfRange { name: ErrorItem::MostPieces, .. } => "most_pieces",
+            KernelError::NotFinite { .. } if spec.vertices.is_some() => "vertices",
+            _ => given.field,
+        };
+        match (&error, &given.file) {
+            (_, Some(file)) if field == given.field && !self.document.text.is_empty() => {
+                self.refused_in_words([field.into()], error.reason(), format!("{error} (of {file})"))
+            }
+            (KernelError::NotASurface { index, .. }, None) => self.refused_at([field.into(), (*index).into()], &error),
+            _ => self.refused_at([field.into()], &error),
+        }
+    }
+}
+
+/// What is being done, for a line of progress.
+fn words(stage: PrincipalStage) -> String {
+    match stage {
+        PrincipalStage::Directions { smoothing, umbilics } => {
+            format!("lines of curvature: smoothed by {}, {umbilics} umbilic(s)", ShortNumber(smoothing))
+        }
+        PrincipalStage::Coordinates => "coordinates along the lines of curvature".to_owned(),
+        PrincipalStage::Lattice { grids } => format!("grid {grids}"),
+        _ => "curvatures of the mesh".to_owned(),
+    }
+}
+
+/// The lines of a grid, those along s first.
+fn lines(grid: &QuadGrid) -> cyclide::Result<Vec<CurveObject>> {
+    let ([columns, rows], [closed, _]) = (grid.size(), grid.closed());
+    let along = (0..rows).map(|j| ((0..columns).map(|i| grid.point(i, j)).collect::<Vec<_>>(), closed));
+    let across = (0..columns).map(|i| ((0..rows).map(|j| grid.point(i, j)).collect::<Vec<_>>(), false));
+    let path = |(points, closed): (Vec<_>, bool)| {
+        ArcPath::rounded_polyline(&points, closed, &vec![0.0; points.len()]).map(CurveObject::ArcPath)
+    };
+    along.chain(across).map(path).collect()
+}

@@ -1,0 +1,75 @@
+//! Grids along the lines of curvature of meshes, field by field.
+
+use cyclide::{GridBorder, UmbilicRule};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use super::comment::Comment;
+use super::polygon_mesh_file::PolygonMeshFile;
+use crate::document::coordinates::Coordinates;
+
+/// Regular grids along the lines of curvature of a surface: what a `cyclidic-net` with `make_circular` follows without losing the
+/// shape. The surface is a mesh in a file (`mesh`), or given by `vertices` and `faces`: one piece with a border, a roof with holes or
+/// without, or a tube. A net takes a grid by name: `"grid": {"of": NAME}`. By itself the object is the lines of its grids.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
+/// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
+/// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
+/// let grid = format!(r#"{{"type": "principal-grid", "vertices": {vertices:?}, "faces": {faces:?}, "edge_length": 0.7}}"#);
+/// let net = r#"{"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true}"#;
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}, "n": {net}}}}}"#);
+/// let built = text.parse::<cyclide_io::Document>()?.build()?;
+/// assert!(built[0].grids.len() == 1 && built[1].bodies[0].outer.faces().len() > 20);
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["mesh"], "properties": { "vertices": false, "faces": false } },
+    { "required": ["vertices", "faces"], "properties": { "mesh": false } }
+]))]
+#[non_exhaustive]
+pub struct PrincipalGridSpec {
+    /// The word `principal-grid`.
+    #[schemars(with = "String", extend("const" = "principal-grid"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// A mesh of polygons, which are cut into triangles. Points that are equal are one.
+    pub mesh: Option<PolygonMeshFile>,
+    /// The vertices.
+    #[schemars(length(min = 3))]
+    pub vertices: Option<Vec<Coordinates>>,
+    /// The faces: lists of vertices by their number from 0, counter-clockwise from one side.
+    #[schemars(length(min = 1), inner(length(min = 3)))]
+    pub faces: Option<Vec<Vec<u32>>>,
+    /// Length of the edges of the grid, in the mean; edges of the mesh should not be longer.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub edge_length: f64,
+    /// What becomes of umbilics, where the surface bends alike in all directions: `pieces` cuts the surface from each of them to the
+    /// border and lays several grids, `smooth` smooths the directions until none is left.
+    #[serde(default)]
+    pub umbilics: UmbilicRule,
+    /// `inside`: the largest rectangle of whole cells; `cover`: all of the surface and more, continued smoothly, to be trimmed.
+    #[serde(default)]
+    pub border: GridBorder,
+    /// Whether a tube gets a grid that is closed along s. Default: yes, unless its lines of curvature are spirals that come back
+    /// higher than an edge; `true`: also then.
+    pub closed: Option<bool>,
+    /// Columns of a closed grid. Default: by the edge length.
+    #[schemars(range(min = 3, max = 10000))]
+    pub columns: Option<u32>,
+    /// Grids laid at most, the largest first. Default: 1, or 4 where umbilics are cut.
+    #[schemars(range(min = 1, max = 4))]
+    pub most_pieces: Option<u32>,
+    /// Whether noise of the vertices is smoothed away first. Default: where there is more than a thousandth of an edge.
+    pub denoise: Option<bool>,
+}

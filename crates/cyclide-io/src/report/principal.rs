@@ -1,0 +1,160 @@
+//! The report on grids along lines of curvature.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::RangeReport;
+use super::text::{Line, plural, short};
+use crate::document::BuiltObject;
+
+/// What was found of a surface and laid on it.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
+/// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
+/// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
+/// let grid = format!(r#"{{"type": "principal-grid", "vertices": {vertices:?}, "faces": {faces:?}, "edge_length": 0.7}}"#);
+/// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}}}}}"#).parse()?;
+/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let laid = found.principal.expect("by its type");
+/// assert!(laid.coverage > 0.4 && laid.umbilics.is_empty() && laid.pieces[0].edges.max < 0.75);
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PrincipalReport {
+    /// The grids, the largest first.
+    pub pieces: Vec<GridPieceReport>,
+    /// The part of the surface's area that they cover.
+    pub coverage: f64,
+    /// Distance of the vertices from a smooth surface: the median over fits to neighbours.
+    pub noise: f64,
+    /// Whether that was smoothed away.
+    pub denoised: bool,
+    /// How much the directions were smoothed.
+    pub smoothing: f64,
+    /// By how much smoothing turned the directions, radians, in the mean.
+    pub turn: f64,
+    /// Umbilics before directions were smoothed any further than they always are.
+    pub umbilics_found: usize,
+    /// Umbilics that are left, which grids keep away from.
+    pub umbilics: Vec<UmbilicReport>,
+    /// Of a tube: by how much its lines of curvature come back higher or lower.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub return_shift: Option<f64>,
+    /// Borders of the surface besides the outer one.
+    pub holes: usize,
+}
+
+/// One grid.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
+/// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
+/// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
+/// let grid = format!(r#"{{"type": "principal-grid", "vertices": {vertices:?}, "faces": {faces:?}, "edge_length": 0.7}}"#);
+/// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}}}}}"#).parse()?;
+/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let piece = &found.principal.expect("by its type").pieces[0];
+/// assert!(piece.columns > 5 && piece.rows > 5 && !piece.closed);
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct GridPieceReport {
+    /// Points along s.
+    pub columns: usize,
+    /// Points along t.
+    pub rows: usize,
+    /// Whether it is closed along s.
+    pub closed: bool,
+    /// The part of the surface's area that it covers.
+    pub coverage: f64,
+    /// The lengths of its edges.
+    pub edges: RangeReport,
+}
+
+/// A place where a surface bends alike in all directions.
+///
+/// ```
+/// let report = cyclide_io::UmbilicReport { point: [0.0; 3], index: -0.5 };
+/// assert!(report.index < 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct UmbilicReport {
+    /// Where it is.
+    pub point: [f64; 3],
+    /// How often the lines of curvature turn round it: a half or minus a half.
+    pub index: f64,
+}
+
+/// So many umbilics are shown as text.
+const SHOWN: usize = 6;
+
+impl PrincipalReport {
+    /// Of an object that lays grids.
+    #[cfg(feature = "circular-mesh")]
+    pub(super) fn new(built: &BuiltObject) -> Option<Box<Self>> {
+        let found = built.principal.as_ref()?;
+        let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide::GridPiece)| GridPieceReport {
+            columns: grid.size()[0],
+            rows: grid.size()[1],
+            closed: grid.closed()[0],
+            coverage: piece.coverage,
+            edges: RangeReport { min: piece.edges[0], max: piece.edges[1] },
+        };
+        let umbilic =
+            |u: &cyclide::Umbilic| UmbilicReport { point: u.point.to_array(), index: 0.5 * f64::from(u.halves) };
+        Some(Box::new(Self {
+            pieces: built.grids.iter().zip(&found.pieces).map(piece).collect(),
+            coverage: found.coverage,
+            noise: found.noise,
+            denoised: found.denoised,
+            smoothing: found.smoothing,
+            turn: found.turn,
+            umbilics_found: found.umbilics_found,
+            umbilics: found.umbilics.iter().map(umbilic).collect(),
+            return_shift: found.return_shift,
+            holes: found.holes,
+        }))
+    }
+
+    /// Nothing is laid here.
+    #[cfg(not(feature = "circular-mesh"))]
+    pub(super) fn new(_: &BuiltObject) -> Option<Box<Self>> {
+        None
+    }
+
+    /// The lines of the text.
+    pub(super) fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let closed = if piece.closed { ", closed along s" } else { "" };
+            let [min, max, part] = [piece.edges.min, piece.edges.max, 100.0 * piece.coverage].map(short);
+            let size = format!("{} by {} points{closed}", piece.columns, piece.rows);
+            line(&format!("grid {index}"), format!("{size}, edges {min} to {max} {units}, {part} % of the surface"))?;
+        }
+        let smoothing = short(self.smoothing);
+        let mut text = format!("smoothed by {smoothing}, which turned them by {} rad in the mean", short(self.turn));
+        if self.denoised {
+            text += &format!("; noise of {} {units} was smoothed away first", short(self.noise));
+        }
+        if let Some(shift) = self.return_shift {
+            text += &format!("; round the tube they come back {} {units} higher or lower", short(shift));
+        }
+        line("directions", text)?;
+        for umbilic in self.umbilics.iter().take(SHOWN) {
+            line("umbilic", format!("at {}, index {}", umbilic.point.map(short).join(", "), short(umbilic.index)))?;
+        }
+        match self.umbilics.len().checked_sub(SHOWN) {
+            Some(more) if more > 0 => line("", format!("and {} (--json has all)", plural(more, "more umbilic"))),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What becomes of umbilics and of the border where grids are laid along lines of curvature; documents read these words also where
+//! nothing lays grids.
+
+/// What becomes of umbilics, the places where a surface bends alike in all directions and lines of curvature part.
+///
+/// ```
+/// assert_eq!(cyclide::UmbilicRule::default(), cyclide::UmbilicRule::Pieces);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "UmbilicRule", description = "What becomes of umbilics.")
+)]
+pub enum UmbilicRule {
+    /// The surface is cut from each of them to the border, and several grids are laid beside them.
+    #[default]
+    Pieces,
+    /// The directions are smoothed until no umbilic is left: one grid, which leaves the lines of curvature.
+    Smooth,
+}
+
+/// How far a grid along lines of curvature goes.
+///
+/// ```
+/// assert_eq!(cyclide::GridBorder::default(), cyclide::GridBorder::Inside);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "GridBorder", description = "How far a grid along lines of curvature goes.")
+)]
+pub enum GridBorder {
+    /// The largest rectangle of whole cells on the surface.
+    #[default]
+    Inside,
+    /// All of the surface: where the box of its points is larger, the grid is continued smoothly, and the net is to be trimmed.
+    Cover,
+}

@@ -1,0 +1,57 @@
+//! Why triangles are not one piece of a surface with a border.
+
+/// What is wrong with triangles that shall be one piece of a surface with a border.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{Error, Point3, PrincipalGridOptions, SurfaceFault, principal_grids};
+/// let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [5.0, 0.0], [6.0, 0.0], [5.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+/// let error = principal_grids(&points, &[[0, 1, 2], [3, 4, 5]], &PrincipalGridOptions::new(0.1), &mut |_| ());
+/// assert_eq!(error.unwrap_err(), Error::NotASurface { fault: SurfaceFault::Apart, index: 1 });
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SurfaceFault {
+    /// The corners of a triangle are on a line, or two of them are one.
+    NoArea,
+    /// More than two triangles share an edge.
+    EdgeOfMany,
+    /// A triangle is seen from another side than its neighbour.
+    TurnedOver,
+    /// Triangles meet in a vertex alone.
+    Pinched,
+    /// A triangle has no way to the first one.
+    Apart,
+    /// The surface is closed.
+    NoBorder,
+    /// The surface has handles.
+    Handles,
+}
+
+impl SurfaceFault {
+    /// The fault of a triangle in words, with what helps.
+    pub(super) fn words(self, triangle: usize) -> String {
+        match self {
+            Self::NoArea => format!("triangle {triangle} has no area: leave it out"),
+            Self::EdgeOfMany => {
+                format!("triangle {triangle} shares an edge with more than one other: leave out what branches off")
+            }
+            Self::TurnedOver => {
+                format!(
+                    "triangle {triangle} is seen from another side than its neighbour: turn it over (or leave it out, if it is there twice)"
+                )
+            }
+            Self::Pinched => {
+                format!("triangle {triangle} meets others in a vertex alone: give each a vertex of its own")
+            }
+            Self::Apart => {
+                format!(
+                    "triangle {triangle} has no way to the first one: give each piece a mesh of its own, and weld points that are one"
+                )
+            }
+            Self::NoBorder => "it has no border: cut it open, with a hole round a pole".to_owned(),
+            Self::Handles => "it has handles: cut it open".to_owned(),
+        }
+    }
+}
