@@ -70,6 +70,7 @@ impl Warning {
             Self::SpheresNearlyOpposite { .. } => "spheres-nearly-opposite",
             Self::VolumeFolds { .. } => "volume-folds",
             Self::VolumeFoldUndecided { .. } => "volume-fold-undecided",
+            Self::CellsInverted { .. } => "cells-inverted",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -139,6 +140,7 @@ impl Warning {
             | Self::SpheresNearlyOpposite { .. }
             | Self::VolumeFolds { .. }
             | Self::VolumeFoldUndecided { .. }
+            | Self::CellsInverted { .. }
             | Self::FlatRevolution => None,
         }
     }

@@ -35,7 +35,7 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Grading, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{BallCenters, Body, Geometry, Grading, GridQuality, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -92,6 +92,8 @@ pub struct BuiltObject {
     pub unrolled: Option<UnrolledPlane>,
     /// The laws by which blocks are divided along s, t and u, with what was found for a first cell.
     pub gradings: Option<[Grading; 3]>,
+    /// The quality of these cells.
+    pub quality: Option<GridQuality>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -185,6 +187,7 @@ impl<'a> ModelBuilder<'a> {
                     data: Vec::new(),
                     names: Vec::new(),
                     gradings: None,
+                    quality: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -261,6 +264,8 @@ struct Builder<'a> {
     names: Vec<String>,
     /// The laws by which its blocks are divided along s, t and u.
     gradings: Option<[Grading; 3]>,
+    /// The quality of these cells.
+    quality: Option<GridQuality>,
 }
 
 impl Builder<'_> {
@@ -275,9 +280,9 @@ impl Builder<'_> {
         let places = self.places(&volumes)?;
         let moving = self.moving_body()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
-        let blocks = volumes.iter().map(CyclideVolume::to_body).collect::<cyclide::Result<Vec<_>>>();
+        let blocks = self.block_bodies(&volumes)?;
         let mut bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
-        bodies.extend(blocks.map_err(|e| self.refused(&e, None))?);
+        bodies.extend(blocks);
         match self.spec {
             ObjectSpec::CyclidicNet(net) => {
                 self.warn_of_folds(net, &surfaces, &bodies);
@@ -313,6 +318,7 @@ impl Builder<'_> {
             remarks,
             names,
             gradings,
+            quality,
             ..
         } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data, places, names };
@@ -331,6 +337,7 @@ impl Builder<'_> {
             smooth,
             unrolled,
             gradings,
+            quality,
             construction,
             contours,
             remarks,
