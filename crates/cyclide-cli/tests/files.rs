@@ -321,7 +321,8 @@ fn each_object_has_a_file_of_its_own() {
     let folder = Folder::with(&[("m.json", &document("left side", "right"))]);
     let report = folder.json("build m.json -o o.vtu -o o.dxf --per-object --json");
     let files: Vec<&str> = report["files"].as_array().unwrap().iter().map(|f| f["path"].as_str().unwrap()).collect();
-    assert_eq!(files, ["o-left_side.vtu", "o-left_side.dxf", "o-right.vtu", "o-right.dxf"]);
+    assert_eq!(files, ["o-left_side.vtu", "o-left_side.dxf", "o-right.vtu", "o-right.dxf", "o.vtm"]);
+    assert_eq!(report["files"][4]["bytes"].as_u64(), Some(folder.read("o.vtm").len() as u64));
     // As the document with that object alone.
     folder.write("one.json", &format!(r#"{{"cyclide": 1, "objects": {{"right": {}}}}}"#, circle(5)));
     folder.ok("build one.json -o one.vtu");

@@ -311,6 +311,37 @@ fn layers_of_a_ring_cyclide_close_and_are_orthogonal() {
     assert!((sum - between.abs()).abs() < 1e-10 * sum, "{sum} {between}");
 }
 
+/// The limit of layers is that of the whole net: whatever is asked for it is the same, and what is just nearer is made.
+#[test]
+fn the_limit_of_layers_is_that_of_the_nearest_patch() {
+    // Inwards the tube is thinnest where its radius is mu - c = 1.
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
+    let limit = |h: f64| match CyclideGrid::layers(&ring, &[h, 0.0]).unwrap_err() {
+        Error::InQuad { cause, .. } => match *cause {
+            Error::OffsetNotRegular { limit, .. } => limit,
+            other => panic!("{other}"),
+        },
+        other => panic!("{other}"),
+    };
+    let all: Vec<f64> = [-1.02, -1.2, -1.7, -2.5, -2.9].map(limit).to_vec();
+    assert!(all.iter().all(|found| (found + 1.0).abs() < 1e-9), "{all:?}"); // mu - c
+    assert!(CyclideGrid::layers(&ring, &[-1.0 + 1e-6, 0.0]).is_ok());
+    // What the message says can be taken, in its few digits.
+    let (mut refused, mut made) = (0, 0);
+    for (c, mu) in [(0.712_345_6, 1.987_654_3), (0.3, 1.123_456_7), (1.0 / 3.0, 10.0 / 3.0)] {
+        let net = DupinCyclide::new(4.0, c, mu).unwrap().nets([8, 6]).unwrap().remove(0);
+        for h in [-9.0, -3.5, 3.5, 9.0] {
+            let layers = |h: f64| CyclideGrid::layers(&net, &[h.min(0.0), h.max(0.0)]);
+            let Err(error) = layers(h) else { continue };
+            refused += 1;
+            let text = error.to_string();
+            let words = text.split("limit ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+            made += usize::from(layers(words.parse().unwrap()).is_ok());
+        }
+    }
+    assert!(refused >= 6 && made == refused, "{made} of {refused}");
+}
+
 #[test]
 fn grids_follow_from_their_coordinate_planes() {
     // A grid of boxes of uneven sizes, inverted: the last corner of every cube is the image of that of the box.

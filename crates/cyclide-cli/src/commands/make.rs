@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cyclide_io::{
-    CheckError, ExportError, ExportOptions, Exporter, GeometryReport, NO_EFFECT, ObjectReport, Report,
+    CheckError, ExportError, ExportOptions, Exporter, FileReport, GeometryReport, NO_EFFECT, ObjectReport, Report,
     TIGHTER_THAN_RADIUS,
 };
 
@@ -54,7 +54,10 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     for part in &parts {
         push_files(part, &options, &progress, &mut files, &mut report)?;
     }
-    files.extend(indices);
+    for (path, bytes) in indices {
+        report.files.push(FileReport::of_index(&path, bytes.len()));
+        files.push((path, bytes));
+    }
     drop(progress);
     let model = per_object::joined(parts);
     for message in effect::without_effect(plan, &model, &report) {

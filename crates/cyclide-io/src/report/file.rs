@@ -38,9 +38,9 @@ pub struct FileReport {
     pub path: String,
     /// Name of the format.
     pub format: &'static str,
-    /// True if the file's curves are the objects' curves up to rounding.
+    /// True if the file's curves are the objects' curves up to rounding, or if it only names other files.
     pub exact: bool,
-    /// Distance between the file's curves or meshes and the objects, recomputed from the bytes; `None` for a picture.
+    /// Distance between the file's curves or meshes and the objects, recomputed from the bytes; `None` for a picture and for what names other files.
     pub deviation: Option<f64>,
     /// The distance that was promised; 0 if exact.
     pub bound: f64,
@@ -143,6 +143,13 @@ impl Exporter<'_> {
 }
 
 impl FileReport {
+    /// Of a file that only names others, as the index of VTU files (`vtm`).
+    #[must_use]
+    pub fn of_index(path: &Path, bytes: usize) -> Self {
+        let (path, notes) = (path.display().to_string(), Vec::new());
+        Self { path, format: "vtm", exact: true, deviation: None, bound: 0.0, proof: "exact", bytes, notes }
+    }
+
     /// Reads the bytes of a file back, measures how far its curves are from the model's, and holds that against the
     /// promise. Of a file of [`Exporter::with_provenance`] it is [`Exporter::check`] that knows what the objects are called.
     ///
@@ -192,7 +199,12 @@ impl FileReport {
         let size = ready.bounds.diagonal();
         if let Some(deviation) = deviation.filter(|deviation| *deviation > FAR_OFF * size) {
             let (deviation, size) = (ShortNumber(deviation), ShortNumber(size));
-            notes.push(format!("the file is off by {deviation}, the model is {size} large: use a smaller tolerance"));
+            let remedy = if exported.written.plain_cells {
+                "divide its blocks into more `cells`"
+            } else {
+                "use a smaller tolerance"
+            };
+            notes.push(format!("the file is off by {deviation}, the model is {size} large: {remedy}"));
         }
         let asked = exported.written.asked;
         if let Some(asked) = asked.filter(|asked| !exact && bound > (1.0 + ABOVE_ASKED) * asked) {

@@ -228,7 +228,7 @@ impl ObjectReport {
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
             Geometry::Volumes(volumes) => {
-                let mut found = VolumeReport::new(volumes, built.provenance.places.as_ref());
+                let mut found = VolumeReport::of(volumes, built.provenance.places.as_ref().zip(built.quality));
                 if let (Some(cells), Some(laws)) = (&mut found.cells, &built.gradings) {
                     cells.laws = laws.each_ref().map(CellLawReport::new).to_vec();
                 }

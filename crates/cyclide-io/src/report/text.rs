@@ -334,7 +334,11 @@ impl FileReport {
             Some(d) => format!("deviation {} {units}", short(d)),
             None => String::new(),
         };
-        let kept = if self.deviation.is_none() { "picture".to_owned() } else { kept };
+        let kept = match (self.deviation, self.exact) {
+            (None, true) => "names the others".to_owned(),
+            (None, false) => "picture".to_owned(),
+            _ => kept,
+        };
         [self.path.clone(), self.format.to_owned(), kept, deviation, size_text(self.bytes)]
     }
 }

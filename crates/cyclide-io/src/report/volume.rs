@@ -1,6 +1,6 @@
 //! What is reported of volumes.
 
-use cyclide::{CyclideVolume, FoldVerdict, Point3, Shell, StructuredGrid, Vec3};
+use cyclide::{CyclideVolume, FoldVerdict, GridQuality, ParamVolume as _, Point3, Shell, StructuredGrid, Vec3};
 use serde::Serialize;
 
 use super::surface::number;
@@ -38,7 +38,8 @@ pub struct VolumeReport {
     pub not_known: Vec<String>,
     /// Whether blocks fold: the worst of them.
     pub folds: FoldsReport,
-    /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 places of each block: negative where it is left-handed or folds.
+    /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 places of each block, corners and middles of its sides among them, and where it
+    /// [folds](Self::folds): negative where it is left-handed or folds. It is less and more between these places.
     pub jacobian: RangeReport,
     /// Largest cosine between two parameter lines at these places: zero, up to rounding.
     pub orthogonality: f64,
@@ -177,17 +178,15 @@ impl CellPlace {
 }
 
 impl CellsReport {
-    fn new(volumes: &[CyclideVolume], places: &[Vec<f64>; 3]) -> Option<Self> {
-        let grid = StructuredGrid::new(volumes, places.clone()).ok()?;
-        let quality = grid.quality();
-        let place = |cell: usize| {
-            let (block, at) = grid.cell_place(cell);
-            CellPlace { block, at }
-        };
-        Some(Self {
-            divisions: grid.divisions(),
-            count: grid.cell_count(),
-            nodes: grid.nodes().len(),
+    fn new(places: &[Vec<f64>; 3], quality: &GridQuality) -> Self {
+        let divisions = places.each_ref().map(|places| places.len() - 1);
+        let [m, n, l] = divisions;
+        let place =
+            |cell: usize| CellPlace { block: cell / (m * n * l), at: [cell % m, cell / m % n, cell / (m * n) % l] };
+        Self {
+            divisions,
+            count: quality.cells,
+            nodes: quality.nodes,
             orthogonality: quality.orthogonality,
             scaled_jacobian: quality.scaled_jacobian,
             worst: place(quality.worst_cell),
@@ -197,7 +196,7 @@ impl CellsReport {
             first_inverted: quality.first_inverted.map(place),
             collapsed: quality.collapsed,
             laws: Vec::new(),
-        })
+        }
     }
 
     fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
@@ -231,6 +230,12 @@ impl VolumeReport {
     /// Measures volumes, and the cells at these parameters.
     #[must_use]
     pub fn new(volumes: &[CyclideVolume], places: Option<&[Vec<f64>; 3]>) -> Self {
+        let grid = places.and_then(|places| StructuredGrid::new(volumes, places.clone()).ok());
+        Self::of(volumes, places.zip(grid.map(|grid| grid.quality())))
+    }
+
+    /// As [`new`](Self::new), with cells that were measured.
+    pub(super) fn of(volumes: &[CyclideVolume], cells: Option<(&[Vec<f64>; 3], GridQuality)>) -> Self {
         let origin = volumes.first().map_or(Point3::ORIGIN, |volume| volume.corners()[0]);
         let mut report = Self {
             blocks: volumes.len(),
@@ -245,7 +250,7 @@ impl VolumeReport {
             shortest_side: f64::INFINITY,
             point_sides: 0,
             weights: RangeReport::EMPTY,
-            cells: places.and_then(|places| CellsReport::new(volumes, places)),
+            cells: cells.map(|(places, quality)| CellsReport::new(places, &quality)),
             parts: Some(0),
             residual: 0.0,
         };
@@ -264,6 +269,10 @@ impl VolumeReport {
             }
             let parts = volume.to_rational_parts().ok().map(|parts| parts.len());
             report.parts = report.parts.zip(parts).map(|(sum, parts)| sum + parts);
+        }
+        if let FoldsReport::Folded { block, at } | FoldsReport::Undecided { block, at } = report.folds {
+            let found = volumes[block].jacobian(at);
+            report.jacobian = report.jacobian.with(found, found);
         }
         // Of no volume, and so of one that is not known, there is none.
         if report.volume != 0.0 {
@@ -309,7 +318,11 @@ impl VolumeReport {
             line("not known", reason.clone())?;
         }
         line("folds", self.folds.text())?;
-        line("cells", format!("Jacobian {}, aspect ratio up to {}", range(&self.jacobian), short(self.aspect_ratio)))?;
+        let jacobian = range(&self.jacobian);
+        line(
+            "cells",
+            format!("Jacobian {jacobian}, aspect ratio up to {}, at 9 x 9 x 9 places", short(self.aspect_ratio)),
+        )?;
         line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;
         let points = match self.point_sides {
             0 => String::new(),

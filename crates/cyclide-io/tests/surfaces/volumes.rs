@@ -128,6 +128,11 @@ fn what_comes_too_near_infinity_is_right_or_not_known() {
     // A ball of diameter 1000 but for what five faces of the box are.
     assert!((found.volume / (std::f64::consts::PI / 6.0 * 1e9) - 1.0).abs() < 1e-7, "{}", found.volume);
     assert!(found.not_known.is_empty());
+    // A picture has a coarser mesh where the right one has too many pieces.
+    let model = cyclide::Model { units: cyclide::Units::Millimetre, items: vec![build(&near).unwrap().item] };
+    let options = cyclide_io::ExportOptions { max_pieces: Some(200_000), ..cyclide_io::ExportOptions::default() };
+    let drawn = |format| cyclide_io::export(&model, format, &options);
+    assert!(drawn(cyclide_io::Format::Png).is_ok_and(|picture| picture.bytes.len() > 1000));
 }
 
 #[test]
@@ -287,6 +292,124 @@ fn numbers_that_ask_for_nothing_are_named() {
     );
     // Falling values are other surfaces: each of four rows round the tube twice.
     assert_eq!(build(&twice.replace("0.5, 0.2]", "0.1]")).unwrap().item.surfaces().len(), 8);
+}
+
+/// Cells whose ends are one point but for rounding are refused; inverted ones are told, with what helps.
+#[test]
+fn cells_are_there_and_inverted_ones_are_told() {
+    let corners = "[[0,0,0], [6,1,-0.6], [-1,5,0.5], [0.5,-0.6,4.5]]";
+    let block = |cells: &str| {
+        format!(r#""b": {{"type": "cyclide-volume", "corners": {corners}, "inside": [1, 1.2, 0.8], "cells": {cells}}}"#)
+    };
+    let (reason, message) = refused(&block(r#"[2, 2, {"count": 20, "ratio": 10}]"#));
+    assert_eq!(reason.as_deref(), Some("below-rounding-of-place"), "{message}");
+    assert!(message.contains("b.cells[2]") && message.contains("cells are as short as"), "{message}");
+    let reasons = |objects: &str| build(objects).unwrap().remarks.iter().map(|r| r.reason).collect::<Vec<_>>();
+    assert!(reasons(&block(r#"[2, 2, {"count": 20, "ratio": 4}]"#)).is_empty());
+    // Inverted a ninth of its size below a face the block is too round for cells of a third of it.
+    let image = |cells: &str| {
+        let steps = r#"[{"inversion": {"center": [2.7, 2.9, -0.5], "radius": 5}}]"#;
+        format!(r#"{}, "i": {{"type": "transform", "of": "b", "steps": {steps}}}"#, block(cells))
+    };
+    let coarse = build(&image("[3, 4, 6]")).unwrap();
+    let told = coarse.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
+    assert!(told.place.as_deref() == Some("objects.i.of") && told.message.contains("more cells help"), "{told:?}");
+    let inverted = report(&image("[3, 4, 6]")).cells.unwrap().inverted;
+    assert!(inverted > 0 && told.message.starts_with(&format!("{inverted} of 72 cells are inverted")), "{told:?}");
+    assert!(!reasons(&image("[24, 24, 24]")).contains(&"cells-inverted"));
+    let folded = r#""f": {"type": "cyclide-volume", "corners": [[0,0,0], [2,0,0], [0,3,0], [0,0,1]], "frame": [[0,1,0], [0,0,1]], "cells": 3}"#;
+    let built = build(folded).unwrap();
+    let told = built.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
+    assert!(told.message.contains("the block folds there"), "{told:?}");
+}
+
+/// The place of a fold is among those whose Jacobian is reported.
+#[test]
+fn the_range_of_the_jacobian_has_the_fold() {
+    let found = report(r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [2,0,0], [0,0,1]]}"#);
+    assert!(matches!(found.folds, cyclide_io::FoldsReport::Folded { .. }), "{:?}", found.folds);
+    assert!(found.jacobian.min <= 1e-12, "{:?}", found.jacobian);
+}
+
+#[test]
+fn what_is_wrong_with_a_block_is_said_of_its_field() {
+    let block = |fields: &str| {
+        format!(r#""b": {{"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]{fields}}}"#)
+    };
+    let ring = r#""w": {"type": "cyclide", "a": 3, "c": 1, "mu": 1.5}"#;
+    let layers = |fields: &str| format!(r#"{ring}, "l": {{"type": "layers", "of": "w", {fields}}}"#);
+    let inverted = |center: &str| {
+        let steps = format!(r#"[{{"inversion": {{"center": {center}, "radius": 1}}}}]"#);
+        format!(r#"{}, "i": {{"type": "transform", "of": "b", "steps": {steps}}}"#, block(""))
+    };
+    for (objects, reason, words) in [
+        (
+            block(r#", "inside": [1, 0, 1]"#),
+            "parameter-out-of-range",
+            "b.inside[1]: the last corner is where three positive weights put it, and 0 is none",
+        ),
+        (block(r#", "inside": [1, 2, -1]"#), "parameter-out-of-range", "b.inside[2]: "),
+        (block(r#", "inside": [1e308, 1e308, 1]"#), "parameter-out-of-range", "b.inside: the weights are too large"),
+        (
+            block(r#", "frame": [[0,0,0], [0,1,0]]"#),
+            "frame-not-orthonormal",
+            "b.frame: the directions of the frame must not be zero",
+        ),
+        (block(r#", "frame": [[1,0,0], [0.1,1,0]]"#), "frame-not-orthonormal", "must be perpendicular"),
+        (layers(r#""distances": [0, 0.2, 0.1]"#), "parameters-not-increasing", "l.distances[2]: 0.1 is not above 0.2"),
+        (layers(r#""first": 0, "count": 3"#), "parameters-not-increasing", "l.first: a layer has a height"),
+        (
+            layers(r#""first": 0.1, "growth": 1e-9, "count": 3"#),
+            "parameters-not-increasing",
+            "l.growth: layer 2 is so thin",
+        ),
+        (layers(r#""distances": [0, 1e-17, 0.2]"#), "below-rounding-of-place", "the layer is 1e-17"),
+        (layers(r#""first": 1e-12, "count": 2"#), "below-rounding-of-place", "l.first: "),
+        (
+            inverted("[0.4, 0.5, 0.5]"),
+            "volume-through-infinity",
+            "the centre of the inversion is in the block, or nearer",
+        ),
+        (inverted("[0.4, 0.5, -1e-7]"), "volume-through-infinity", "near s = 0.4, t = 0.49999, u = "),
+    ] {
+        let (found, message) = refused(&objects);
+        assert!(found.as_deref() == Some(reason) && message.contains(words), "{message}");
+    }
+    let (_, message) = refused(&block(r#", "cells": [2, 2, {"count": 2, "first": 0.1, "fine": "both"}]"#));
+    assert!(message.contains("b.cells[2]: two cells that are fine at both ends are equal"), "{message}");
+    let solid = r#""o": {"type": "offset", "of": "w", "distance": 0.1, "thick": true}, "l": {"type": "layers", "of": "o", "distances": [0, 0.1]}"#;
+    assert!(refused(&format!("{ring}, {solid}")).1.contains("the offset itself has, without `thick`"));
+    let huge =
+        report(r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1e120,0,0], [0,1e120,0], [0,0,1e120]]}"#);
+    assert!(huge.not_known.iter().any(|reason| reason.contains("volume = ")), "{:?}", huge.not_known);
+    let flat = refused(r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [0,1,0], [1,1,1e-9]]}"#);
+    assert!(flat.1.contains("nearly on one circle"), "{}", flat.1);
+}
+
+/// Wedges and parts of balls by their corners go into STEP, and a slice of a pie needs no frame.
+#[test]
+fn slices_of_pies_and_parts_of_balls_are_solids() {
+    let pie = "[[1,0,0],[0,0,0],[0,1,0],[0,0,0],[1,0,1],[0,0,1],[0,1,1],[0,0,1]]";
+    let ball = "[[1,0,0],[0,0,0],[0,1,0],[0,0,0],[0,0,1],[0,0,0],[0,0,1],[0,0,0]]";
+    let quarter = std::f64::consts::FRAC_PI_4;
+    for (corners, frame, volume, points) in [
+        (pie, r#", "frame": [[-1,0,0], [0,1,0]]"#, quarter, 2),
+        (pie, "", quarter, 2),
+        (ball, r#", "frame": [[-1,0,0], [0,1,0]]"#, quarter * 2.0 / 3.0, 5),
+    ] {
+        let block = format!(r#""b": {{"type": "cyclide-volume", "corners": {corners}, "cells": 4{frame}}}"#);
+        let built = build(&block).unwrap();
+        assert!(built.remarks.is_empty() && built.bodies[0].is_solid(), "{:?}", built.remarks);
+        let found = report(&block);
+        assert!((found.volume - volume).abs() < 1e-13 && found.point_sides == points, "{found:?}");
+        assert_eq!(found.cells.unwrap().inverted, 0);
+        let model = cyclide::Model { units: cyclide::Units::Millimetre, items: vec![built.item] };
+        let exporter = cyclide_io::Exporter::new(&model).unwrap();
+        for format in [cyclide_io::Format::Step, cyclide_io::Format::Stl, cyclide_io::Format::Vtu] {
+            let file = exporter.export(format, &cyclide_io::ExportOptions::default()).unwrap();
+            assert!(exporter.check("b".as_ref(), format, &file).is_ok());
+        }
+    }
 }
 
 /// A frame far from the sides: what folds has no outer boundary, and no object is empty.

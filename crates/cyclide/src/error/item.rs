@@ -76,6 +76,7 @@ items! {
     Knot => "knot",
     L1 => "l1",
     LargestBarycentricCoordinate => "largest barycentric coordinate",
+    Layer => "layer",
     Levels => "levels",
     MainPipe => "main pipe",
     Margin => "margin",

@@ -3,7 +3,7 @@
 use super::motion_message::of_motion;
 use super::volume_message::of_volume;
 use super::words::{
-    at_infinity, at_least, clockwise, count_differs, index_of_halves, numbered, opposed, outside, place,
+    at_infinity, at_least, clockwise, count_differs, index_of_halves, nearer, numbered, opposed, outside, place,
     points_in_words, size_in_place, speed_ratio, through_infinity, turn, zero_axis,
 };
 use super::{Error, ErrorItem};
@@ -401,6 +401,13 @@ impl std::fmt::Display for Error {
                 numbered(*segment),
                 at_least(*needed)
             ),
+            Self::BelowRoundingOfPlace { what: ErrorItem::Cells, size, place, limit } => write!(
+                f,
+                "cells are as short as {} at coordinates of up to {}, which are rounded: below {} their ends are one point; take fewer, or lengths that differ less",
+                ShortNumber(*size),
+                ShortNumber(*place),
+                ShortNumber(*limit)
+            ),
             Self::BelowRoundingOfPlace { what, size, place, limit } => write!(
                 f,
                 "the {what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; make it larger, or move it to the origin",
@@ -689,7 +696,7 @@ impl std::fmt::Display for Error {
                 f,
                 "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them, limit {} (`report` gives the radii)",
                 ShortNumber(*distance),
-                ShortNumber(*limit)
+                ShortNumber(nearer(*limit))
             ),
             Self::NotAShell { item, index, detail } => write!(f, "not a shell: {item} {index}: {detail}"),
             Self::ShortEdge { edge, length, limit } => write!(

@@ -142,3 +142,11 @@ pub(super) fn zero_axis(what: ErrorItem, length: f64, limit: f64) -> String {
     let (length, limit) = (ShortNumber(length), ShortNumber(limit));
     format!("the {what} runs along the chord: {length} of it is across, limit {limit}")
 }
+
+/// A limit as it is shown, rounded towards zero unless it is as short as that: what is read can be taken.
+pub(super) fn nearer(limit: f64) -> f64 {
+    let shown = |x: f64| ShortNumber(x).to_string().parse::<f64>().map_or(x.abs(), f64::abs);
+    let parts = [0.0, 1e-4, 1e-3, 1e-2].into_iter().map(|part| limit * (1.0 - part));
+    // What is off by less is rounding of the limit itself.
+    parts.into_iter().find(|x| shown(*x) <= limit.abs() * (1.0 + 1e-9)).unwrap_or(limit)
+}

@@ -61,14 +61,10 @@ impl CyclidicNet {
     /// Refuses distances beyond a curvature centre, and nets whose patches do not all have `f_s × f_t` on the same side.
     fn check_between(&self, h: f64) -> Result<()> {
         let flipped = self.patch(0, 0).is_flipped();
-        for (quad, patch) in self.patches().enumerate() {
-            let folded = patch.is_flipped() != flipped;
-            if folded || !patch.offset_is_regular(h) {
-                let limit = if folded { 0.0 } else { patch.offset_limit(h) };
-                return Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad));
-            }
+        if let Some(quad) = self.patches().position(|patch| patch.is_flipped() != flipped) {
+            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 }.in_quad(quad));
         }
-        Ok(())
+        self.check_offset_regular(h)
     }
 
     /// Which of the open sides s = 0, s = 1 and t = 0, t = 1 are one point.

@@ -38,8 +38,8 @@ impl CyclideGrid {
     ///
     /// # Errors
     /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; with the quad `offset-on-focal-set` where an offset shrinks
-    /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with its distance;
-    /// `volume-through-infinity`.
+    /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with the nearest and its distance;
+    /// `below-rounding-of-place` of a layer thinner than 1.5e-11 of the coordinates; `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
         if distances.len() < 2 {
             return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
@@ -52,16 +52,16 @@ impl CyclideGrid {
         }
         let [m, n] = net.size();
         let ends = [distances[0], distances[distances.len() - 1]];
-        for (quad, patch) in net.patches().enumerate() {
-            // What is regular as far as the outermost skins is so between.
-            if let Some(h) = ends.into_iter().find(|&h| h != 0.0 && !patch.offset_is_regular(h)) {
-                let limit = if patch.offset_is_regular(0.0) { patch.offset_limit(h) } else { 0.0 };
-                return Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad));
-            }
-        }
+        // What is regular as far as the outermost skins is so between.
+        ends.into_iter().filter(|&h| h != 0.0).try_for_each(|h| net.check_offset_regular(h))?;
         let skins = distances.iter().map(|&h| net.offset(h)).collect::<Result<Vec<_>>>()?;
         let vertices = || (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
-        let points = skins.iter().flat_map(|skin| vertices().map(|(i, j)| skin.grid().point(i, j))).collect();
+        let points: Vec<Point3> =
+            skins.iter().flat_map(|skin| vertices().map(|(i, j)| skin.grid().point(i, j))).collect();
+        let place = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        for height in distances.windows(2).map(|pair| pair[1] - pair[0]) {
+            range::check_size_in_place(ErrorItem::Layer, height, place, range::SMALLEST_IN_PLACE)?;
+        }
         // Offsets have the weights of their net.
         let weights = distances.iter().flat_map(|_| vertices().map(|(i, j)| net.weight(i, j))).collect();
         Self { size: [m, n, distances.len() - 1], points, weights, v: net.frame() }.checked()

@@ -605,4 +605,17 @@ pub enum Warning {
         /// How often squares of parameters about it were quartered.
         depth: u32,
     },
+    /// Cells of a grid are inverted: the hexahedra with straight sides, or those of the block itself where it folds.
+    CellsInverted {
+        /// How many.
+        count: usize,
+        /// Of so many.
+        cells: usize,
+        /// The block of the first one, from 0.
+        block: usize,
+        /// Its place in the block along s, t and u, from 0.
+        at: [usize; 3],
+        /// Whether that block folds, or may do so.
+        folds: bool,
+    },
 }

@@ -75,6 +75,7 @@ impl Warning {
             Self::SpheresNearlyOpposite { .. } => "spheres-nearly-opposite",
             Self::VolumeFolds { .. } => "volume-folds",
             Self::VolumeFoldUndecided { .. } => "volume-fold-undecided",
+            Self::CellsInverted { .. } => "cells-inverted",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -149,6 +150,7 @@ impl Warning {
             | Self::SpheresNearlyOpposite { .. }
             | Self::VolumeFolds { .. }
             | Self::VolumeFoldUndecided { .. }
+            | Self::CellsInverted { .. }
             | Self::FlatRevolution => None,
         }
     }

@@ -1,10 +1,10 @@
 //! Grids of blocks, and the places of their cells.
 
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, ErrorItem, FineEnd, Grading, StructuredGrid, VolumeFrame};
+use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, ErrorItem, FineEnd, Grading, StructuredGrid};
 
 use super::Builder;
 use super::nets::{SEGMENTS, frame_of_axes};
-use super::surfaces::direction;
+use super::volumes::volume_frame;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
@@ -101,15 +101,9 @@ impl Builder<'_> {
             [i, 0, k] => su[k][i].point(),
             [_, j, k] => tu[k][j].point(),
         };
-        let frame = match frame {
-            FrameSpec::Auto => VolumeFrame::Auto,
-            FrameSpec::First(given) => {
-                let [v1, v2] = given.map(direction);
-                VolumeFrame::First(v1, v2)
-            }
-        };
         let size = [m, n, l].map(|points| points.saturating_sub(1));
-        CyclideGrid::from_coordinate_planes(size, point, frame).map_err(|e| self.refused_at([Step::from("planes")], &e))
+        let made = CyclideGrid::from_coordinate_planes(size, point, volume_frame(frame));
+        made.map_err(|e| self.refused_frame(frame, &e).unwrap_or_else(|| self.refused_at([Step::from("planes")], &e)))
     }
 
     /// The parameters of the cells of blocks, of an object that divides them, or whose source did.
@@ -120,7 +114,11 @@ impl Builder<'_> {
             ObjectSpec::CyclideGrid(spec) => &spec.cells,
             ObjectSpec::Transform(_) => {
                 self.gradings = self.sources.first().and_then(|source| source.gradings);
-                return Ok(self.sources.first().and_then(|source| source.provenance.places.clone()));
+                let places = self.sources.first().and_then(|source| source.provenance.places.clone());
+                if let Some(places) = &places {
+                    self.check_cells(volumes, places, |_| vec![Step::from("of")])?;
+                }
+                return Ok(places);
             }
             _ => return Ok(None),
         };
@@ -131,25 +129,51 @@ impl Builder<'_> {
         };
         let mut places = [Vec::new(), Vec::new(), Vec::new()];
         let mut laws = [Grading::Uniform; 3];
+        // One number for all directions stands alone.
+        let alone = matches!(cells, Some(CellsSpec::Count(_)));
+        let field = |axis: usize| place_of(axis).into_iter().take(if alone { 1 } else { 2 }).collect::<Vec<_>>();
         for (axis, (spec, places)) in along.iter().zip(&mut places).enumerate() {
             let (count, law) = match spec {
                 CellsAlongSpec::Count(count) => (*count, Grading::Uniform),
                 CellsAlongSpec::Graded(spec) => (spec.count, self.law(volumes, axis, spec)?),
             };
-            // One number for all directions stands alone.
-            let alone = matches!(cells, Some(CellsSpec::Count(_)));
-            let place = place_of(axis).into_iter().take(if alone { 1 } else { 2 });
             laws[axis] = law;
-            *places = law.places(count as usize).map_err(|e| self.refused_at(place, &e))?;
+            *places = law.places(count as usize).map_err(|e| self.refused_at(field(axis), &e))?;
         }
         StructuredGrid::check_size(volumes.len(), &places).map_err(|e| self.refused_at([Step::from("cells")], &e))?;
         self.gradings = Some(laws);
+        self.check_cells(volumes, &places, field)?;
         Ok(Some(places))
+    }
+
+    /// Refuses cells that are shorter than rounding, and keeps the quality of the others, with what is to be said of it.
+    fn check_cells(
+        &mut self,
+        volumes: &[CyclideVolume],
+        places: &[Vec<f64>; 3],
+        field: impl Fn(usize) -> Vec<Step>,
+    ) -> Result<()> {
+        for (axis, places) in places.iter().enumerate() {
+            StructuredGrid::check_lengths(volumes, axis, places).map_err(|e| self.refused_at(field(axis), &e))?;
+        }
+        let made = StructuredGrid::new(volumes, places.clone());
+        let grid = made.map_err(|e| self.refused_at(field(0).into_iter().take(1), &e))?;
+        let quality = grid.quality();
+        let at = if matches!(self.spec, ObjectSpec::Transform(_)) { "of" } else { "cells" };
+        for warning in grid.warnings(&quality) {
+            self.warn_at(at, None, warning);
+        }
+        self.quality = Some(quality);
+        Ok(())
     }
 
     /// The law of the cells along a direction.
     fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
         let (count, fine) = (spec.count as usize, spec.fine);
+        if count == 2 && fine == FineEnd::Both && spec.first.is_some() {
+            let message = "two cells that are fine at both ends are equal: leave out `first`, give more cells, or let one end be fine";
+            return Err(Error::Input(self.diagnostic(place_of(axis), message)));
+        }
         if count == 1 && spec.first.is_some() {
             let message = "one cell is as long as its block: leave out `first`, or give more cells";
             return Err(Error::Input(self.diagnostic(place_of(axis), message)));

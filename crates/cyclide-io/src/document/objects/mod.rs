@@ -38,8 +38,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cyclide::{
-    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, Item, Point3, QuadGrid, Seam, SurfaceObject,
-    TeeBlendFacts,
+    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, Seam,
+    SurfaceObject, TeeBlendFacts,
 };
 #[cfg(feature = "circular-mesh")]
 use cyclide::{CircularMeshReport, PrincipalGridReport};
@@ -106,6 +106,8 @@ pub struct BuiltObject {
     pub unrolled: Option<UnrolledPlane>,
     /// The laws by which blocks are divided along s, t and u, with what was found for a first cell.
     pub gradings: Option<[Grading; 3]>,
+    /// The quality of these cells.
+    pub quality: Option<GridQuality>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -205,6 +207,7 @@ impl<'a> ModelBuilder<'a> {
                     names: Vec::new(),
                     gradings: None,
                     unmapped: None,
+                    quality: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -298,6 +301,8 @@ struct Builder<'a> {
     gradings: Option<[Grading; 3]>,
     /// What its curves are images of.
     unmapped: Option<Unmapped>,
+    /// The quality of these cells.
+    quality: Option<GridQuality>,
 }
 
 impl Builder<'_> {
@@ -313,9 +318,9 @@ impl Builder<'_> {
         let places = self.places(&volumes)?;
         let moving = self.moving_body()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
-        let blocks = volumes.iter().map(CyclideVolume::to_body).collect::<cyclide::Result<Vec<_>>>();
+        let blocks = self.block_bodies(&volumes)?;
         let mut bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
-        bodies.extend(blocks.map_err(|e| self.refused(&e, None))?);
+        bodies.extend(blocks);
         match self.spec {
             ObjectSpec::CyclidicNet(net) => {
                 self.warn_of_folds(net, &surfaces, &bodies);
@@ -353,6 +358,7 @@ impl Builder<'_> {
             names,
             gradings,
             unmapped,
+            quality,
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
@@ -375,6 +381,7 @@ impl Builder<'_> {
             smooth,
             unrolled,
             gradings,
+            quality,
             construction,
             contours,
             remarks,

@@ -119,6 +119,10 @@ impl Builder<'_> {
                             let which = if several { format!("contour {contour}: ") } else { String::new() };
                             self.refused_in_words(place, e.reason(), which + &no_part(cut, *max))
                         }
+                        (StepSpec::Inversion(_), cyclide::Error::VolumeThroughInfinity { at }) => {
+                            let which = if several { format!("block {contour}: ") } else { String::new() };
+                            self.refused_in_words(place, e.reason(), which + &center_in_block(*at))
+                        }
                         _ => self.refused_at(place, &e),
                     }
                 })?;
@@ -145,6 +149,14 @@ impl Builder<'_> {
 /// What other maps than similarities are for.
 const OF_CURVES: &str = "circles and curves on tori are moved, turned, scaled and mirrored only; arcs, chains of arcs, Möbius splines, QB and NURBS curves take inversions too";
 const OF_CIRCLE_SPLINES: &str = "fair and circle splines are moved, turned, scaled and mirrored only; a `moebius-spline` or an `arc-spline` through the same points takes inversions, exactly";
+
+/// What is wrong with the centre of an inversion that takes a place of a block to infinity, as far as blocks are looked at.
+fn center_in_block(at: [f64; 3]) -> String {
+    let [s, t, u] = at.map(ShortNumber);
+    format!(
+        "the centre of the inversion is in the block, or nearer to it than a 65536th of its sides, near s = {s}, t = {t}, u = {u}: the image would pass through infinity"
+    )
+}
 
 /// What a cut from a place of a circle to the same place would be.
 const WHOLE_CIRCLE: &str =

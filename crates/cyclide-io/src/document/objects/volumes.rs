@@ -1,17 +1,19 @@
 //! Volumes: from corners and a frame to the kernel's blocks.
 
 use cyclide::{
-    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, Point3, SphericalCube, SurfaceObject, VolumeFrame,
+    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, ErrorItem, Point3, SphericalCube, SurfaceObject,
+    VolumeFrame,
 };
 
 use super::Builder;
+use super::refuse::frame_words;
 use super::surfaces::direction;
 use super::transform::map_of;
 use crate::document::locate::Step;
 use crate::document::spec::{
     CoordinateSurfacesSpec, CyclideVolumeSpec, FrameSpec, LayersSpec, ObjectSpec, StepSpec, TransformSpec,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// How far a last corner that is given may be from the one that follows, relative to the size.
 const LAST_CORNER: f64 = 1e-9;
@@ -49,7 +51,8 @@ impl Builder<'_> {
                 // Points that coincide are named by the constructor.
                 let of_cuboid = || [a1, a2, a3].map(|a| squared(a).unwrap_or(1.0));
                 let (inside, turn) = (spec.inside.unwrap_or_else(of_cuboid), spec.turn.unwrap_or(0.5));
-                SphericalCube::from_barycentric([a0, a1, a2, a3], inside, turn).map_err(refused)?
+                let made = SphericalCube::from_barycentric([a0, a1, a2, a3], inside, turn);
+                made.map_err(|e| self.refused_inside(spec.inside, &e).unwrap_or_else(|| refused(e)))?
             }
             [a, b, c, d, e, f, g] => SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?,
             [a, b, c, d, e, f, g, last] => {
@@ -69,14 +72,48 @@ impl Builder<'_> {
             }
             _ => return Err(self.unfit("`corners` are 4, 7 or 8")),
         };
-        let frame = match spec.frame {
-            FrameSpec::Auto => VolumeFrame::Auto,
-            FrameSpec::First(given) => {
-                let [v1, v2] = given.map(direction);
-                VolumeFrame::First(v1, v2)
-            }
+        let made = CyclideVolume::new(&cube, volume_frame(spec.frame));
+        made.map_err(|e| self.refused_frame(spec.frame, &e).unwrap_or_else(|| refused(e)))
+    }
+
+    /// What is wrong with the directions of a frame, if it is these.
+    pub(super) fn refused_frame(&self, frame: FrameSpec, error: &cyclide::Error) -> Option<Error> {
+        let (FrameSpec::First(given), cyclide::Error::FrameNotOrthonormal { .. }) = (frame, error) else { return None };
+        Some(self.refused_in_words([Step::from("frame")], error.reason(), frame_words(given)))
+    }
+
+    /// What is wrong with `inside`, if it is that.
+    fn refused_inside(&self, inside: Option<[f64; 3]>, error: &cyclide::Error) -> Option<Error> {
+        let (Some(inside), cyclide::Error::ParameterOutOfRange { name: ErrorItem::Position, .. }) = (inside, error)
+        else {
+            return None;
         };
-        CyclideVolume::new(&cube, frame).map_err(refused)
+        let field = Step::from("inside");
+        let Some(k) = inside.iter().position(|weight| !(*weight > 0.0)) else {
+            return Some(self.refused_in_words(
+                [field],
+                error.reason(),
+                "the weights are too large together".to_owned(),
+            ));
+        };
+        let words = format!("the last corner is where three positive weights put it, and {} is none", inside[k]);
+        Some(self.refused_in_words([field, Step::from(k)], error.reason(), words))
+    }
+
+    /// The solids of blocks.
+    pub(super) fn block_bodies(&self, volumes: &[CyclideVolume]) -> Result<Vec<Body>> {
+        let body = |(index, volume): (usize, &CyclideVolume)| {
+            volume.to_body().map_err(|e| {
+                let which = if volumes.len() > 1 { format!("block {index}: ") } else { String::new() };
+                let words =
+                    format!("{which}{e}: the block is flat up to rounding, or its corners are nearly on one circle");
+                match e.reason() {
+                    "not-a-shell" => self.refused_in_words([], e.reason(), words),
+                    _ => self.refused(&e, None),
+                }
+            })
+        };
+        volumes.iter().enumerate().map(body).collect()
     }
 
     /// Blocks between the offsets of nets.
@@ -103,6 +140,7 @@ impl Builder<'_> {
             }
             _ => return Err(self.unfit("give either `distances`, or `first` and `count` with or without `growth`")),
         };
+        self.check_layers_rise(spec, &distances)?;
         let field = if spec.distances.is_some() { "distances" } else { "first" };
         let source = self.surface_source("only surfaces have layers")?;
         let mut volumes = Vec::new();
@@ -111,7 +149,11 @@ impl Builder<'_> {
                 SurfaceObject::Patch(patch) => CyclidicNet::from(*patch),
                 SurfaceObject::Net(net) => net.clone(),
                 _ => {
-                    return Err(self.wrong_source("only a `cyclide-patch`, a `cyclidic-net` or a `cyclide` has layers"));
+                    let solid = matches!(surface, SurfaceObject::Body(_)) && source.provenance.kind == "offset";
+                    let remedy = if solid { "; the offset itself has, without `thick`" } else { "" };
+                    return Err(self.wrong_source(&format!(
+                        "only a `cyclide-patch`, a `cyclidic-net` or a `cyclide` has layers{remedy}"
+                    )));
                 }
             };
             let refused = |e: cyclide::Error| self.refused_at([Step::from(field)], &e);
@@ -119,6 +161,30 @@ impl Builder<'_> {
             volumes.extend(grid.blocks());
         }
         Ok(volumes)
+    }
+
+    /// Refuses layers without a height.
+    fn check_layers_rise(&self, spec: &LayersSpec, distances: &[f64]) -> Result<()> {
+        let is_finite = distances.iter().all(|h| h.is_finite());
+        let Some(k) = (1..distances.len()).find(|&k| is_finite && !(distances[k] > distances[k - 1])) else {
+            return Ok(());
+        };
+        let (here, before) = (distances[k], distances[k - 1]);
+        let (place, words) = match spec.first {
+            None => (
+                vec![Step::from("distances"), Step::from(k)],
+                format!("{here} is not above {before}: distances rise, from the lowest surface to the highest"),
+            ),
+            Some(0.0) => (vec![Step::from("first")], "a layer has a height: it is not 0".to_owned()),
+            Some(_) => {
+                let number = if here > 0.0 { k - 1 } else { distances.len() - 1 - k };
+                (
+                    vec![Step::from("growth")],
+                    format!("layer {number} is so thin that the distance {before} is not changed by it"),
+                )
+            }
+        };
+        Err(self.refused_in_words(place, "parameters-not-increasing", words))
     }
 
     /// Surfaces inside blocks on which one parameter is constant.
@@ -173,6 +239,17 @@ impl Builder<'_> {
             );
         }
         self.mapped(spec, 0..spec.steps.len(), volumes, |volume, step| volume.transformed(&map_of(step)?), "")
+    }
+}
+
+/// The frame of a document as the kernel's.
+pub(super) fn volume_frame(frame: FrameSpec) -> VolumeFrame {
+    match frame {
+        FrameSpec::Auto => VolumeFrame::Auto,
+        FrameSpec::First(given) => {
+            let [v1, v2] = given.map(direction);
+            VolumeFrame::First(v1, v2)
+        }
     }
 }
 

@@ -5,9 +5,33 @@ use super::same_vertices::SameVertices;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
+use crate::surface::patch::CyclidePatch;
 use crate::surface::quad_grid::QuadGrid;
 
+/// Centres of curvature are as near as each other up to this part of their distance.
+const SAME_LIMIT: f64 = 1e-9;
+
 impl CyclidicNet {
+    /// Refuses a distance between which and the net patches have centres of curvature: with the quad that has the nearest, and the distance of that.
+    /// 0 of a patch that is singular inside.
+    ///
+    /// # Errors
+    /// `offset-not-regular`.
+    pub(crate) fn check_offset_regular(&self, h: f64) -> Result<()> {
+        let limit = |patch: &CyclidePatch| {
+            let limit = if patch.offset_is_regular(0.0) { patch.offset_limit(h) } else { 0.0 };
+            limit.clamp(-h.abs(), h.abs())
+        };
+        let beyond = self.patches().enumerate().filter(|(_, patch)| !patch.offset_is_regular(h));
+        let limits: Vec<(usize, f64)> = beyond.map(|(quad, patch)| (quad, limit(&patch))).collect();
+        let nearest = limits.iter().map(|(_, limit)| limit.abs()).fold(f64::INFINITY, f64::min);
+        // The first of those that have the same but for rounding, as of a torus.
+        match limits.into_iter().find(|(_, limit)| limit.abs() <= nearest * (1.0 + SAME_LIMIT)) {
+            Some((quad, limit)) => Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad)),
+            None => Ok(()),
+        }
+    }
+
     /// The net at the signed distance `h` along the normals `D V3 D^-1`: the same weights over the vertices
     /// `a + h w V3 w^-1`, so every patch is the exact offset of its patch
     /// (`docs/math/cyclides-and-nets.md#offsets-and-thickness`). An offset beyond a curvature centre is made all the

@@ -4,7 +4,7 @@ use super::{CyclideVolume, corners_at_start};
 use crate::base::quadrature::{unit_rule4, unit_rule8};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -42,11 +42,16 @@ impl VolumeMeasure {
     /// The measures, if they are known to a millionth of the volume at least.
     ///
     /// # Errors
-    /// `too-many-pieces`.
+    /// `too-many-pieces`; `parameter-out-of-range` beyond 1.8e308.
     pub fn known(self) -> Result<Self> {
         // Not `>`: what is no number is not known, nor is infinity.
         if self.volume.is_finite() && self.error <= UNKNOWN * self.volume.abs() {
             return Ok(self);
+        }
+        // The cube of a large size, which no quadrature makes smaller.
+        if !self.volume.is_finite() && self.error.is_nan() {
+            let (min, max) = (0.0, 1e308);
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Volume, value: self.volume, min, max });
         }
         let (what, remedy) =
             ("a volume by quadrature", "the block comes near infinity, or what its folds cover cancels itself");

@@ -4,6 +4,7 @@
 //! are hexahedra with straight sides between them, as solvers take them (`docs/math/volumes.md#structured-grids`).
 
 mod quality;
+mod resolved;
 mod shared_nodes;
 
 use super::cyclide_volume::CyclideVolume;

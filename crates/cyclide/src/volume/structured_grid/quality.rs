@@ -67,6 +67,10 @@ pub struct GridQuality {
     pub first_inverted: Option<usize>,
     /// Cells with a side of one point.
     pub collapsed: usize,
+    /// All cells.
+    pub cells: usize,
+    /// Nodes, each once.
+    pub nodes: usize,
 }
 
 impl StructuredGrid {
@@ -106,6 +110,8 @@ impl StructuredGrid {
             inverted: 0,
             first_inverted: None,
             collapsed: 0,
+            cells: self.cell_count(),
+            nodes: self.nodes().len(),
         };
         for (number, cell) in self.cell_qualities().enumerate() {
             all.orthogonality = all.orthogonality.max(cell.orthogonality);

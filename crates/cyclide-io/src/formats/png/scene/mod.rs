@@ -89,7 +89,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let mut facets = Facets::default();
     for body in job.bodies.iter().filter(|b| is_shape(b.item)) {
         if let Some(surface) = body.body.triangles() {
-            let mesh = triangles(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
+            let mesh = mesh_of(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
             facets.add_triangles(&mesh, patches_drawn.len(), &camera);
             patches_drawn.extend(patches(surface, body.item, sheet.scale));
             patch_items.resize(patches_drawn.len(), body.item);
@@ -100,7 +100,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         items.resize(drawn.len(), body.item);
-        let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
+        let mesh = mesh_of(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
         facets.add_body(faces, &mesh, first, &camera);
     }
     for own in &blocks {
@@ -109,7 +109,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             let first = drawn.len();
             drawn.extend(own.surfaces(shell, camera.unit(), sheet.scale));
             items.resize(drawn.len(), own.item);
-            let mesh = job.pieces.tessellate(shape, MESH * camera.unit());
+            let mesh = mesh_of(job, shape, camera.unit());
             facets.add_body(faces, &mesh.map_err(|source| own.unfit(job, source))?, first, &camera);
         }
         for arc in &own.cut.taken {
@@ -148,9 +148,9 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     Ok(written.exported(bytes, notes))
 }
 
-/// A mesh of a surface over triangles. Where one that is near enough has too many triangles, because a few of the patches bend
-/// sharply, coarser ones serve: the light is that of the surface all the same.
-fn triangles(job: &Job<'_>, shape: &Shape<'_>, unit: f64) -> cyclide::Result<SurfaceMesh> {
+/// A mesh of a shape. Where one that is near enough has too many pieces, because a few of its patches bend sharply or pass near infinity,
+/// coarser ones serve: the light is that of the surface all the same.
+fn mesh_of(job: &Job<'_>, shape: &Shape<'_>, unit: f64) -> cyclide::Result<SurfaceMesh> {
     let mut made = job.pieces.tessellate(shape, MESH * unit);
     for coarser in [4.0, 16.0, 64.0] {
         if !made.as_ref().is_err_and(|error| error.reason() == "too-many-pieces") {
