@@ -57,7 +57,7 @@ fn rests_are_no_part_of_what_is_swept() {
         let built = build_all(&objects(poses, CIRCLE), "").unwrap().pop().unwrap();
         assert!(built.remarks.is_empty(), "{:?}", built.remarks.iter().map(|r| r.reason).collect::<Vec<_>>());
         let outer = &built.bodies[0].outer;
-        assert!(outer.faces().len() >= 2 && outer.faces().len() % 2 == 0);
+        assert!(outer.faces().len().is_multiple_of(2));
         assert!(area.is_none_or(|area| (outer.area() - area).abs() < 1e-9));
     }
     // Its path is a segment with a stop: straight, as long as it is, and more is made of it.
