@@ -53,12 +53,12 @@ fn rests_are_no_part_of_what_is_swept() {
     for (poses, profile) in [(&turned, CIRCLE), (&straight, CIRCLE), (&triangle, TRIANGLE)] {
         is_written(&objects(poses, profile));
     }
-    for poses in [&turned, &straight] {
+    for (poses, area) in [(&turned, None), (&straight, Some(40.0 * std::f64::consts::PI))] {
         let built = build_all(&objects(poses, CIRCLE), "").unwrap().pop().unwrap();
         assert!(built.remarks.is_empty(), "{:?}", built.remarks.iter().map(|r| r.reason).collect::<Vec<_>>());
         let outer = &built.bodies[0].outer;
-        assert!(outer.faces().len() >= 2 && outer.faces().len() % 2 == 0);
-        assert!((poses != &straight) || (outer.area() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
+        assert!(outer.faces().len().is_multiple_of(2));
+        assert!(area.is_none_or(|area| (outer.area() - area).abs() < 1e-9));
     }
     // Its path is a segment with a stop: straight, as long as it is, and more is made of it.
     let with_path = format!(
@@ -72,4 +72,20 @@ fn rests_are_no_part_of_what_is_swept() {
     assert!((all[4].bodies[0].outer.area() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!(all[5].item.curves()[0].as_curve().piece_count(), 1);
     assert!(all[5].remarks.is_empty());
+}
+
+/// Between the paths of two points of a body that stops there is a ruled surface.
+#[test]
+fn paths_that_stop_are_ruled() {
+    let turned = [[0.0; 4], [10.0, 0.0, 2.0, 30.0], [10.0, 0.0, 2.0, 30.0], [18.0, 8.0, 4.0, 70.0]];
+    let ruled = format!(
+        r#"{}, "t": {{"type": "trajectory", "of": "m", "construction": true}}, "u": {{"type": "trajectory", "of": "m", "point": [0, 0, 1], "construction": true}},
+        "r": {{"type": "ruled", "rails": ["t", "u"]}}"#,
+        objects(&turned, BLADE)
+    );
+    let all = build_all(&ruled, "").unwrap();
+    // The same as what the blade between the points runs over.
+    let [swept, between] = [2, 5].map(|k| all[k].bodies[0].outer.area());
+    assert!((swept - between).abs() < 1e-9 * swept, "{swept} {between}");
+    is_written(&ruled);
 }

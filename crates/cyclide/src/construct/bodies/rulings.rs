@@ -12,6 +12,8 @@ use crate::error::{Error, Result};
 const PLACES: u32 = 64;
 /// Normals and rulings below this part of what they could be are zero.
 const ZERO: f64 = 1e-9;
+/// How far from an end at which both curves stand still they are looked at instead.
+const BESIDE: f64 = 1e-3;
 /// Steps in which a place between two others is found.
 const STEPS: u32 = 60;
 
@@ -76,7 +78,15 @@ fn is_inside(t: f64) -> bool {
 /// # Errors
 /// `rulings-cross`.
 pub(super) fn check_rulings(piece: &RailPiece) -> Result<()> {
-    let rulings: Vec<Ruling> = (0..=PLACES).map(|k| Ruling::of(piece, f64::from(k) / f64::from(PLACES))).collect();
+    let mut rulings: Vec<Ruling> = (0..=PLACES).map(|k| Ruling::of(piece, f64::from(k) / f64::from(PLACES))).collect();
+    let fastest = rulings.iter().map(|ruling| ruling.speed).fold(0.0, f64::max);
+    // Where both curves come to a stand at an end they have their directions next to it.
+    for ruling in &mut rulings {
+        let at_end = ruling.s <= 0.0 || ruling.s >= 1.0;
+        if at_end && ruling.speed <= ZERO * fastest {
+            *ruling = Ruling::of(piece, ruling.s.clamp(BESIDE, 1.0 - BESIDE));
+        }
+    }
     let longest = rulings.iter().map(|ruling| ruling.length).fold(0.0, f64::max);
     let is_point = |ruling: &Ruling| ruling.length <= ZERO * longest;
     for around in rulings.windows(3) {
