@@ -121,6 +121,14 @@ fn the_report_says_what_was_laid() {
 }
 
 #[test]
+fn fields_without_effect_are_told() {
+    let fields = format!(r#"{}, "edge_length": 0.7, "columns": 12, "closed": true"#, inline());
+    let built = build(&fields, &[]).unwrap();
+    let told: Vec<_> = built[0].remarks.iter().map(|r| (r.reason, r.place.as_deref().unwrap_or_default())).collect();
+    assert_eq!(told, [("no-effect", "objects.g.columns"), ("no-effect", "objects.g.closed")]);
+}
+
+#[test]
 fn what_is_refused_is_shown_at_its_place() {
     let with = |more: &str| format!("{}, {more}", inline());
     let cases: [(String, &[&str], &[&str]); 12] = [

@@ -95,7 +95,7 @@ pub(super) fn place(p: [f64; 3]) -> String {
 pub(crate) fn index_of_halves(halves: i32) -> String {
     let sign = if halves < 0 { "-" } else { "+" };
     let size = halves.unsigned_abs();
-    if size % 2 == 0 { format!("{sign}{}", size / 2) } else { format!("{sign}{size}/2") }
+    if size.is_multiple_of(2) { format!("{sign}{}", size / 2) } else { format!("{sign}{size}/2") }
 }
 
 /// What goes to infinity, or near it.

@@ -10,11 +10,15 @@ use crate::document::angle::Angle;
 use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::locate::Step;
+#[cfg(feature = "circular-mesh")]
+use crate::document::spec::PrincipalGridSpec;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, MoebiusContinuity,
     MoebiusSplineSpec, ObjectSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
 };
 use crate::input::points::merge_repeated;
+#[cfg(feature = "circular-mesh")]
+use cyclide::GridBorder;
 
 /// The reason of warnings about fields and options without effect.
 ///
@@ -148,6 +152,17 @@ pub(super) fn idle_in_tube(spec: &TubeSpec, tubes: &[Tube]) -> Vec<Idle> {
             !closed && spec.ends == PipeEnds::Open && spec.wall.is_some(),
             "a wall ends in rings; without `wall` the tube is open",
         ),
+    ])
+}
+
+/// What the grids of a surface do not look at; `closed` if one of them is.
+#[cfg(feature = "circular-mesh")]
+pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool) -> Vec<Idle> {
+    let several = spec.most_pieces.is_some_and(|most| most > 1);
+    found(&[
+        ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
+        ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
+        ("most_pieces", several && spec.border == GridBorder::Cover, "one grid covers the surface"),
     ])
 }
 

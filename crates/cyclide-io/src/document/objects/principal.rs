@@ -5,6 +5,7 @@ use cyclide::{
     principal_grids,
 };
 
+use super::idle::idle_in_principal_grid;
 use super::smooth::Given;
 use super::{Builder, Remark};
 use crate::document::spec::PrincipalGridSpec;
@@ -33,6 +34,8 @@ impl Builder<'_> {
         let laid = principal_grids(&mesh.points, &mesh.triangles, &options, &mut |stage| progress(words(stage)));
         let laid = laid.map_err(|e| self.refused_grid(spec, &given, &mesh, e))?;
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
+        let closed = laid.grids.iter().any(|grid| grid.closed()[0]);
+        self.remark_on_idle(idle_in_principal_grid(spec, closed));
         let lines = laid.grids.iter().map(lines).collect::<cyclide::Result<Vec<_>>>();
         let lines = lines.map_err(|e| self.refused(&e, None))?;
         self.grids = laid.grids;

@@ -124,9 +124,7 @@ fn solve(a: &mut [[f64; CUBIC]; CUBIC], b: &mut [f64; CUBIC], size: usize) -> bo
             if i == j {
                 sum += RIDGE * sum.abs();
             }
-            for k in 0..j {
-                sum -= a[i][k] * a[j][k];
-            }
+            sum -= (0..j).map(|k| a[i][k] * a[j][k]).sum::<f64>();
             if i == j {
                 if !(sum > 0.0) {
                     return false;
