@@ -38,8 +38,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cyclide::{
-    BallCenters, Body, CurveObject, CyclideVolume, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, Seam,
-    SurfaceObject, TeeBlendFacts,
+    BallCenters, Body, CurveObject, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, Seam, SurfaceObject,
+    TeeBlendFacts,
 };
 #[cfg(feature = "circular-mesh")]
 use cyclide::{CircularMeshReport, PrincipalGridReport};
