@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn the_largest_is_found() {
-        let (valid, columns) = cells(&["#.####", "######", ".#####", "##.###"]);
+        let (valid, columns) = cells(&["#..###", "######", ".#####", "##.###"]);
         let found = largest(&valid, columns, 1).unwrap();
         assert_eq!(found, Rectangle { from: [3, 0], size: [3, 4] });
         assert_eq!(largest(&valid, columns, 4), None);
