@@ -255,7 +255,8 @@ fn the_numbers_are_those_of_the_theory_and_free_of_scale() {
 
 #[test]
 fn a_grid_that_stays_keeps_everything() {
-    let before = grid(&rippled(0.1, 0.0), [24, 16], TUBE, 0.0);
+    // Plane rows of an odd number of edges close; of an even number they do not, and are moved until they do.
+    let before = grid(&rippled(0.1, 0.0), [25, 16], TUBE, 0.0);
     let mesh = guarded(&before).unwrap();
     let shape = mesh.report.shape.unwrap();
     assert_eq!(mesh.grid, before);

@@ -327,7 +327,7 @@ fn seams_are_solids_and_say_where_they_meet() {
         assert!((report(&flat).unrolled.unwrap().length_on_torus / (length * std::f64::consts::PI) - 1.0).abs() < 1e-9);
     }
     for (fields, place, reason) in [
-        (r#""width": 90, "height": [-0.5, 0.5]"#, "objects.s.width", "[parameter-out-of-range]"),
+        (r#""width": 90, "height": [-0.5, 0.5]"#, "objects.s.width", "[seam-too-wide]"),
         (r#""width": 0, "height": [-0.5, 0.5]"#, "objects.s.width", "[parameter-out-of-range]"),
         (r#""width": 2, "height": [0.5, 0.5]"#, "objects.s.height", "[parameter-out-of-range]"),
         (r#""width": 2, "height": [-12, 0.5]"#, "objects.s.height", "[parameter-out-of-range]"),

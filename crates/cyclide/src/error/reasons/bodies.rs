@@ -99,7 +99,7 @@
 //! let places = [[0.3, 0.1], [0.36, 0.0], [0.3, -0.1], [0.24, 0.0]].map(Point2::from);
 //! let options = TorusSplineOptions { closed: true, ..Default::default() };
 //! let ring = TorusSpline::through_places(&Torus::new(Frame::WORLD, 40.0, 15.0)?, &places, &options)?;
-//! assert_eq!(TorusSeam::new(2.0, [-0.5, 0.5])?.body(&ring, 0.05).unwrap_err().reason(), "seam-too-wide");
+//! assert_eq!(TorusSeam::new(60.0, [-0.5, 0.5])?.body(&ring, 0.05).unwrap_err().reason(), "seam-too-wide");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
