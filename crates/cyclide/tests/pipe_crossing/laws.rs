@@ -2,7 +2,9 @@
 //! by quadrature.
 
 use super::{askew, canals, crossing, normal, off_axes};
-use cyclide::{Body, CrossingPipe, CrossingSide, Error, MadeCrossing, PipeCrossing, Vec3, surface_joints};
+use cyclide::{
+    Body, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, Vec3, surface_joints,
+};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Nodes and weights of Gauss and Legendre for six places of [-1, 1], those on one side.
@@ -308,6 +310,36 @@ fn laws_that_are_none_are_refused() {
     let pair = Pair { radii: [1.46, 2.0], distance: 2.566, degrees: 90.0, side: CrossingSide::Inside };
     let leap = pair.whole(0.2).with_radii(&[[3.9566, 0.29], [3.9926, 0.1835]]).and_then(|c| c.made());
     assert_eq!(leap.map(|_| ()).expect_err("no pieces").reason(), "too-many-pieces");
+}
+
+#[test]
+fn points_of_a_lens_are_in_both_pipes_and_of_a_notch_in_one() {
+    let lens = Pair { radii: [2.0, 3.0], distance: 2.5, degrees: 65.0, side: CrossingSide::Inside };
+    let body = lens.whole(0.4).made().expect("a lens").body;
+    for face in body.outer.faces() {
+        for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.8)] {
+            let p: Point3 = face.surface.point(s, t);
+            let off = off_axes(p, lens.distance, lens.degrees);
+            assert!(off[0] < 2.0 + 1e-12 && off[1] < 3.0 + 1e-12, "{off:?}");
+        }
+    }
+    let notch = Pair { radii: [1.0, 3.0], distance: 2.8, degrees: 80.0, side: CrossingSide::Mixed };
+    let body = notch.whole(0.3).made().expect("a notch").body;
+    let mut cut = 0;
+    for face in body.outer.faces() {
+        for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.8)] {
+            let off = off_axes(face.surface.point(s, t), notch.distance, notch.degrees);
+            assert!(off[0] > 1.0 - 1e-12 && off[1] < 3.0 + 1e-12, "{off:?}");
+            cut += usize::from((off[0] - 1.0).abs() < 1e-9);
+        }
+    }
+    assert!(cut > 0);
+    let apart = Pair { distance: 4.2, ..notch }.whole(0.3).made().expect_err("they do not meet");
+    assert_eq!(apart.reason(), "crossing-pipes-apart");
+    // Hardly in each other: the shallowest notch that is cut is a solid.
+    let shallow = |distance: f64| Pair { distance, ..notch }.whole(1e-4).made();
+    assert!(shallow(3.9959).expect("a notch").body.is_solid());
+    assert_eq!(shallow(3.9961).expect_err("too shallow").reason(), "crossing-pipes-apart");
 }
 
 /// What a pipe has in common with one a thousand times as wide: a lens of which the rounding of the wide pipe is the shape is refused by the size of its ball, a larger one is made.
