@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, StepEdges, StepProducts, StraightWord,
+    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepProducts, StraightWord,
     VtuCells, VtuEncoding, WriteOptions,
 };
 
@@ -214,6 +214,9 @@ pub struct OutputArgs {
     /// Name the places of curves whose radius is below R, in the report and as warnings.
     #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
     pub min_radius: Option<f64>,
+    /// What is called by one name in files and pictures: the model [default: the name of the only object, or of the document].
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
     /// Most pieces of one file, cells of meshes and vertices of polylines together; one to two kilobytes of memory each [default:
     /// 1000000, and 16 for each piece of a curve and each patch].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
@@ -252,6 +255,16 @@ pub struct OutputArgs {
     /// PNG: width in pixels [default: 1600].
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
     pub width: Option<u32>,
+    /// PNG: height in pixels [default: at most three quarters of the width].
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(150..=10_000), help_heading = "Pictures")]
+    pub height: Option<u32>,
+    /// PNG: what surfaces are coloured by, with one scale for all of them; curvatures are signed by the outer side [default: object].
+    #[arg(long, visible_alias = "color", value_name = "WHAT", value_parser = word::<PictureColour>(), help_heading = "Pictures")]
+    pub colour: Option<PictureColour>,
+    /// PNG: write the names of objects on them, and on the panels of nets row and column from 0 (r03-c07), where they are seen
+    /// and have room.
+    #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
+    pub labels: bool,
     /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
     /// elevation (90 is from above) in degrees [default: top for plane curves, else a side and above].
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true, help_heading = "Pictures")]

@@ -6,12 +6,17 @@
 
 use std::path::PathBuf;
 
-use cyclide::{CurveObject, Model};
-use cyclide_io::{Format, GeometryReport, MoebiusContinuity, NO_EFFECT, Report, StepEdges, StepProducts};
+use cyclide::{CurveObject, Model, SurfaceObject};
+use cyclide_io::{
+    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepProducts,
+};
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
 use crate::arguments::plan::MakePlan;
 use crate::output::failure::Failure;
+
+/// The formats besides PNG that say what the model is called.
+const TITLED: [Format; 5] = [Format::Step, Format::Glb, Format::Stl, Format::Svg, Format::ThreeMf];
 
 /// Refuses options about formats that are not written.
 pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format)]) -> Result<(), Failure> {
@@ -27,10 +32,22 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
         ("--vtu-encoding", args.vtu_encoding.is_some(), Format::Vtu),
         ("--png-plain", args.png_plain, Format::Png),
         ("--width", args.width.is_some(), Format::Png),
+        ("--height", args.height.is_some(), Format::Png),
+        ("--colour", args.colour.is_some(), Format::Png),
+        ("--labels", args.labels, Format::Png),
         ("--camera", args.camera.is_some(), Format::Png),
         ("--axes", args.axes, Format::Png),
     ];
     let written = |format: Format| outputs.iter().any(|(_, other)| *other == format);
+    let titled = |format: &Format| match format {
+        Format::Png => !args.png_plain,
+        other => TITLED.contains(other),
+    };
+    if args.title.is_some() && !outputs.iter().any(|(_, format)| titled(format)) {
+        let names = TITLED.map(|format| format.name().to_uppercase()).join(", ");
+        let message = format!("--title would have no effect: of the files only {names}, and PNG without --png-plain have a place for it");
+        return Err(Failure::Usage(message));
+    }
     match given.iter().find(|(_, given, format)| *given && !written(*format)) {
         None => Ok(()),
         Some((option, _, format)) => {
@@ -96,7 +113,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
 }
 
 /// The warnings about options that this model leaves without effect, after the files were made.
-pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<String> {
+pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance], report: &Report) -> Vec<String> {
     let options = &plan.options;
     let curves = || model.items.iter().flat_map(|item| item.curves());
     let no_surface = model.items.iter().all(|item| item.surfaces().is_empty() && item.volumes().is_empty());
@@ -105,7 +122,29 @@ pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<St
     let no_spline = curves().all(CurveObject::is_of_arcs);
     let has_joints = |curve: &CurveObject| !matches!(curve, CurveObject::Circle(_));
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
+    let faces = model.items.iter().any(|item| item.surfaces().iter().any(|surface| surface.as_triangles().is_none()));
+    let names = model.items.iter().filter(|item| item.motion().is_none()).count() > 1;
+    let panels = model.items.iter().any(|item| matches!(item.surfaces(), [SurfaceObject::Net(_)]));
+    let colour = options.png_colour;
+    let curvature = !matches!(colour, PictureColour::Object | PictureColour::Deviation | PictureColour::Field);
     let idle = [
+        ("--colour", curvature && !faces, "there are no surfaces with curvatures"),
+        (
+            "--colour",
+            colour == PictureColour::Deviation && provenance.iter().all(|own| own.given.is_none()),
+            "no object follows a given surface, as a `cyclidic-net` with `make_circular` or over a `principal-grid` does",
+        ),
+        (
+            "--colour",
+            colour == PictureColour::Field && provenance.iter().all(|own| own.field.is_none()),
+            "no object that is drawn is a `principal-grid` (take its `construction` off)",
+        ),
+        (
+            "--labels",
+            options.png_labels && colour == PictureColour::Field,
+            "a picture of lines of curvature has neither names nor panels",
+        ),
+        ("--labels", options.png_labels && colour != PictureColour::Field && !names && !panels, "one object has its name as title, and no panels"),
         (
             "--tolerance",
             options.tolerance.is_some() && !plan.fit_tolerance && all_exact,

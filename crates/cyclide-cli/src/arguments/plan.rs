@@ -165,9 +165,12 @@ impl OutputArgs {
             vtu_encoding: self.vtu_encoding.unwrap_or_default(),
             png_plain: self.png_plain,
             png_width: self.width,
+            png_height: self.height,
             png_axes: self.axes,
+            png_colour: self.colour.unwrap_or_default(),
+            png_labels: self.labels,
             camera: self.camera,
-            title: None,
+            title: self.title,
         };
         let write = self.write.options();
         Ok(MakePlan {

@@ -26,7 +26,7 @@ mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
     use cyclide_io::{
-        DxfVersion, FairEndWord, MoebiusContinuity, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding,
+        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding,
     };
 
     /// The words of an enum, each read back and explained.
@@ -51,6 +51,7 @@ mod tests {
         assert_eq!(words::<StepEdges>(), ["circle", "rational"]);
         assert_eq!(words::<StepProducts>(), ["auto", "assembly", "one"]);
         assert_eq!(words::<VtuCells>(), ["bezier", "linear"]);
+        assert_eq!(words::<PictureColour>(), ["object", "gaussian", "mean", "k1", "k2", "deviation", "field"]);
         assert_eq!(words::<VtuEncoding>(), ["ascii", "base64"]);
     }
 }

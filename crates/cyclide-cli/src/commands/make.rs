@@ -59,8 +59,8 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         files.push((path, bytes));
     }
     drop(progress);
-    let model = per_object::joined(parts);
-    for message in effect::without_effect(plan, &model, &report) {
+    let (model, provenance) = per_object::joined(parts);
+    for message in effect::without_effect(plan, &model, &provenance, &report) {
         terminal::warning(&message);
     }
     let report = report_text(&report, plan.json)?;

@@ -38,9 +38,14 @@ pub fn split(model: Model, provenance: Vec<Provenance>, outputs: &[(PathBuf, For
 }
 
 /// The whole model again.
-pub fn joined(parts: Vec<Part>) -> Model {
+pub fn joined(parts: Vec<Part>) -> (Model, Vec<Provenance>) {
     let units = parts.first().map_or(Units::default(), |part| part.model.units);
-    Model { units, items: parts.into_iter().flat_map(|part| part.model.items).collect() }
+    let (mut items, mut provenance) = (Vec::new(), Vec::new());
+    for part in parts {
+        items.extend(part.model.items);
+        provenance.extend(part.provenance);
+    }
+    (Model { units, items }, provenance)
 }
 
 /// For each VTU output the file that names those of the objects as blocks.

@@ -2,6 +2,8 @@
 //! and joints.
 
 pub(crate) mod block_directions;
+#[cfg(feature = "png")]
+pub(crate) mod colour_map;
 mod comb;
 #[cfg(feature = "png")]
 pub(crate) mod cut_away;
@@ -12,6 +14,10 @@ pub(crate) mod parameter_circles;
 pub(crate) mod patch_edges;
 pub(crate) mod plane_regions;
 mod room;
+#[cfg(feature = "png")]
+pub(crate) mod surface_distance;
+#[cfg(feature = "png")]
+pub(crate) mod value_scale;
 
 use crate::export::job::Job;
 use cyclide::{ParamCurve, Point3};

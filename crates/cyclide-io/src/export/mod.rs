@@ -7,6 +7,7 @@ pub(crate) mod drawn_line;
 pub(crate) mod error;
 pub(crate) mod exported;
 pub(crate) mod face_plan;
+pub(crate) mod given_surface;
 pub(crate) mod job;
 pub(crate) mod lowered;
 pub(crate) mod mesh;

@@ -126,6 +126,39 @@ pub enum VtuEncoding {
     Base64,
 }
 
+/// What the surfaces of a picture are coloured by.
+///
+/// Curvatures are signed by the normal of the outer side: of a sphere seen from outside they are negative.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, PictureColour, export};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let picture = |png_colour| export(&model, Format::Png, &ExportOptions { png_colour, ..Default::default() }).map(|file| file.bytes);
+/// assert!(picture(PictureColour::Gaussian)? != picture(PictureColour::Object)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PictureColour {
+    /// Each object has a colour of its own: the default.
+    #[default]
+    Object,
+    /// Gaussian curvature, the product of the principal ones.
+    Gaussian,
+    /// Mean curvature, half the sum of the principal ones.
+    Mean,
+    /// The larger principal curvature.
+    K1,
+    /// The smaller principal curvature.
+    K2,
+    /// Distance from the surface that was given: of nets the grid before make_circular, or the mesh of the principal-grid.
+    Deviation,
+    /// Of a principal-grid: its mesh with the directions of its lines of curvature, umbilics and the grids that were laid.
+    Field,
+}
+
 /// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
 ///
 /// ```
@@ -181,8 +214,14 @@ pub struct ExportOptions {
     pub png_plain: bool,
     /// PNG: width in pixels, 200 to 10000; `None` is 1600.
     pub png_width: Option<u32>,
+    /// PNG: height in pixels, 150 to 10000; `None` is at most three quarters of the width.
+    pub png_height: Option<u32>,
     /// PNG: draw the axes.
     pub png_axes: bool,
+    /// PNG: what surfaces are coloured by.
+    pub png_colour: PictureColour,
+    /// PNG: names of objects, and numbers of the panels of nets, on them.
+    pub png_labels: bool,
     /// PNG: where the model is looked at from; `None` is from above for curves of the plane, else from a side and above.
     pub camera: Option<Camera>,
 }

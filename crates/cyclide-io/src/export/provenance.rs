@@ -1,5 +1,6 @@
 //! How objects came about, as far as files say it or pictures show it.
 
+use crate::export::given_surface::{GivenSurface, LaidField};
 use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObject, TriangleSurface};
 
 /// How an object came about: its construction in the words of documents, and the points that it was made near.
@@ -28,6 +29,10 @@ pub struct Provenance {
     pub places: Option<[Vec<f64>; 3]>,
     /// What files call its surfaces behind the name of the object, if not by numbers: as many, each another one.
     pub names: Vec<String>,
+    /// The surface that it was made to follow: pictures show its distance from it.
+    pub given: Option<GivenSurface>,
+    /// What was found on a surface whose lines of curvature its curves are.
+    pub field: Option<LaidField>,
 }
 
 /// The objects of a model with how they came about, where that is known.
@@ -60,6 +65,18 @@ impl<'a> Provenances<'a> {
     /// The name of one of an object's surfaces, if it has one.
     pub(crate) fn name_of_surface(&self, item: usize, surface: usize) -> Option<&'a str> {
         self.given.get(item)?.names.get(surface).map(String::as_str)
+    }
+
+    /// The surface that an object was made to follow.
+    #[cfg(feature = "png")]
+    pub(crate) fn given(&self, item: usize) -> Option<&'a GivenSurface> {
+        self.given.get(item)?.given.as_ref()
+    }
+
+    /// What was found on the surface whose lines of curvature an object is.
+    #[cfg(feature = "png")]
+    pub(crate) fn field(&self, item: usize) -> Option<&'a LaidField> {
+        self.given.get(item)?.field.as_ref()
     }
 
     /// The points that the objects were laid through besides their joints.

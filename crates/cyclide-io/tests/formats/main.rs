@@ -4,6 +4,8 @@
 #![allow(clippy::float_cmp, reason = "numbers of a file are the same doubles")]
 
 mod analysis;
+#[cfg(feature = "png")]
+mod coloured_pictures;
 mod content_damage;
 mod damage;
 mod drawings;

@@ -64,6 +64,32 @@ impl SurfaceJet {
         (e.min(g) > ONE_POINT * e.max(g)).then_some([l / e, n / g])
     }
 
+    /// The principal curvatures against [`normal`](Self::normal), the larger first, whatever the parameter lines are; `None` where
+    /// there is no normal, or one of the lines is a point.
+    ///
+    /// The second form in an orthonormal frame of the tangent plane, whose first vector is along `ds`, and its eigenvalues.
+    ///
+    /// ```
+    /// use cyclide::{SurfaceJet, Vec3};
+    /// // z = x y, which bends by 1 and by -1 along the diagonals of its straight lines.
+    /// let jet = SurfaceJet { ds: Vec3::X, dt: Vec3::Y, dst: Vec3::Z, ..SurfaceJet::default() };
+    /// assert_eq!(jet.principal_curvatures(), Some([1.0, -1.0]));
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn principal_curvatures(&self) -> Option<[f64; 2]> {
+        let normal = self.normal()?;
+        let along = self.ds.unit()?;
+        let (a, b, c) = (self.ds.length(), self.dt.dot(along), self.dt.dot(normal.cross(along)));
+        if !(c * c > ONE_POINT * a * a && a * a > ONE_POINT * (b * b + c * c)) {
+            return None;
+        }
+        let ([l, m, n], slant) = (self.second_form()?, b / a);
+        let (xx, xy, yy) = (l / (a * a), (m - slant * l) / (a * c), (n - slant * (2.0 * m - slant * l)) / (c * c));
+        let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        Some([mean + half, mean - half])
+    }
+
     /// Element of area `|ds × dt|`.
     #[must_use]
     #[inline]

@@ -1,6 +1,6 @@
 //! The models of the gallery: the documents of the folder `examples`, with what they show.
 
-use cyclide_io::Format;
+use cyclide_io::{Format, PictureColour};
 
 /// One model.
 pub struct Entry {
@@ -18,6 +18,8 @@ pub struct Entry {
     pub formats: &'static [Format],
     /// Where its picture is looked at from, as `--camera` has it; from the front and above if empty.
     pub camera: &'static str,
+    /// What the surfaces of its picture are coloured by.
+    pub colour: PictureColour,
 }
 
 /// A document of the folder of examples.
@@ -57,6 +59,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("roof-20.obj")],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Deviation,
     },
     Entry {
         name: "principal_grid",
@@ -66,6 +69,17 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("hypar.obj")],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
+    },
+    Entry {
+        name: "lines_of_curvature",
+        title: "Lines of curvature of an ellipsoid",
+        text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",
+        document: example!("lines_of_curvature.json"),
+        inputs: &[input!("ellipsoid_cap.obj")],
+        formats: CURVES,
+        camera: "",
+        colour: PictureColour::Field,
     },
     Entry {
         name: "patch",
@@ -75,6 +89,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "ring",
@@ -84,6 +99,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "inverted_torus",
@@ -93,6 +109,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "closed_skins",
@@ -102,6 +119,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("tower.obj"), input!("undulating.obj")],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Gaussian,
     },
     Entry {
         name: "handle",
@@ -111,6 +129,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "vase",
@@ -120,6 +139,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "dodecahedron",
@@ -129,6 +149,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "hull",
@@ -138,6 +159,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "pipe",
@@ -147,6 +169,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "roof_pipe",
@@ -156,6 +179,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "tubes",
@@ -165,6 +189,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "20,45",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "pick_and_place",
@@ -174,6 +199,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: MOVING,
         camera: "60,35",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "tee",
@@ -183,6 +209,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "25,50",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "crossing",
@@ -192,6 +219,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,28",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "crossing_laws",
@@ -201,6 +229,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,35",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "ball_centers",
@@ -210,6 +239,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "35,45",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "contact_blend",
@@ -219,6 +249,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "ellipse_bridge",
@@ -228,6 +259,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "ruled",
@@ -237,6 +269,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "circles_in_space",
@@ -246,6 +279,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "spherical_cube",
@@ -255,6 +289,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "volume_faces",
@@ -264,6 +299,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "block",
@@ -273,6 +309,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "boundary_layers",
@@ -282,6 +319,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: VOLUMES,
         camera: "20,16",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "tube_grid",
@@ -291,6 +329,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "20,30",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "trefoil",
@@ -300,6 +339,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,70",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "torus_circles",
@@ -309,6 +349,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,50",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "torus_quartics",
@@ -318,6 +359,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,60",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "four_point_loop",
@@ -327,6 +369,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,32",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "winding",
@@ -336,6 +379,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "o_ring",
@@ -345,6 +389,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "o_ring_pattern",
@@ -354,6 +399,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "stone",
@@ -363,6 +409,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("stone.ply")],
         formats: MESHES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "scan",
@@ -372,6 +419,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("stone-5000.ply")],
         formats: RENDERED,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "sphere_blend",
@@ -381,6 +429,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: MESHES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "track",
@@ -390,6 +439,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("track.csv"), input!("survey.csv")],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "survey",
@@ -399,6 +449,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("survey.csv")],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "logo",
@@ -408,6 +459,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("logo.csv")],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "cable",
@@ -417,6 +469,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[input!("cable.csv")],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "gallery",
@@ -426,6 +479,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "arcs",
@@ -435,6 +489,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "qb_curves",
@@ -444,6 +499,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "circle_blends",
@@ -453,6 +509,7 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
     Entry {
         name: "inverted_spline",
@@ -462,5 +519,6 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: CURVES,
         camera: "",
+        colour: PictureColour::Object,
     },
 ];

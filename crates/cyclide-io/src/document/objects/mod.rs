@@ -51,6 +51,7 @@ use super::interpolate::InterpolationFacts;
 use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
+use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
 pub use idle::NO_EFFECT;
@@ -193,6 +194,8 @@ impl<'a> ModelBuilder<'a> {
                     #[cfg(feature = "circular-mesh")]
                     circular: None,
                     grids: Vec::new(),
+                    given: None,
+                    field: None,
                     #[cfg(feature = "circular-mesh")]
                     principal: None,
                     seams: Vec::new(),
@@ -276,6 +279,10 @@ struct Builder<'a> {
     circular: Option<CircularMeshReport>,
     /// The grids that it lays along lines of curvature.
     grids: Vec<QuadGrid>,
+    /// The surface that it follows.
+    given: Option<GivenSurface>,
+    /// The lines of curvature that were found.
+    field: Option<LaidField>,
     /// What was found there.
     #[cfg(feature = "circular-mesh")]
     principal: Option<Box<PrincipalGridReport>>,
@@ -347,6 +354,8 @@ impl Builder<'_> {
         let Self {
             data,
             grids,
+            given,
+            field,
             seams,
             polyhedron,
             tee_blends,
@@ -362,7 +371,7 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names };
+        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names, given, field };
         Ok(BuiltObject {
             item,
             provenance,

@@ -15,6 +15,7 @@ use crate::document::spec::{
     CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, LaidGrid, MakeCircularSpec, MeshFile, ObjectSpec,
 };
 use crate::error::{Error, Result};
+use crate::export::given_surface::GivenSurface;
 use crate::formats::{InputKind, read_quad_grid};
 use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
@@ -66,6 +67,15 @@ impl<'a> Builder<'a> {
         let grid = match spec.make_circular.options() {
             Some(options) => self.circular(spec, &options, &given)?,
             None => given.clone(),
+        };
+        // A grid that was laid follows a mesh; one that stays as it is, nothing but itself.
+        let followed = match &spec.grid {
+            GridSource::Laid(_) => self.sources.last().and_then(|source| source.provenance.field.as_ref()),
+            GridSource::Rows(_) | GridSource::File(_) => None,
+        };
+        self.given = match followed {
+            Some(field) => Some(field.surface.clone()),
+            None => spec.make_circular.options().map(|_| GivenSurface::from_grid(&given)),
         };
         let frame = match spec.frame {
             FrameSpec::Auto => NetFrame::Auto,

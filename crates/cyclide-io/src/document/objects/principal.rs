@@ -1,8 +1,8 @@
 //! Grids along the lines of curvature of meshes.
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalGridOptions, PrincipalStage, QuadGrid, ShortNumber,
-    principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
+    QuadGrid, ShortNumber, principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;
@@ -10,6 +10,7 @@ use super::smooth::Given;
 use super::{Builder, Remark};
 use crate::document::spec::PrincipalGridSpec;
 use crate::error::{Error, Result};
+use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{Counted, TriangleMesh};
 
@@ -38,6 +39,7 @@ impl Builder<'_> {
         self.remark_on_idle(idle_in_principal_grid(spec, closed));
         let lines = laid.grids.iter().map(lines).collect::<cyclide::Result<Vec<_>>>();
         let lines = lines.map_err(|e| self.refused(&e, None))?;
+        self.field = Some(field(&laid));
         self.grids = laid.grids;
         self.principal = Some(Box::new(laid.report));
         Ok(lines.into_iter().flatten().collect())
@@ -88,6 +90,13 @@ impl Builder<'_> {
             _ => self.refused_at([field.into()], &error),
         }
     }
+}
+
+/// What pictures show of it.
+fn field(laid: &PrincipalGrids) -> LaidField {
+    let PrincipalField { points, triangles, normals, along, .. } = laid.field.clone();
+    let umbilics = laid.report.umbilics.iter().map(|umbilic| (umbilic.point, umbilic.halves)).collect();
+    LaidField { surface: GivenSurface { points, normals, triangles }, along, umbilics, grids: laid.grids.clone() }
 }
 
 /// What is being done, for a line of progress.

@@ -28,6 +28,8 @@ impl Ink {
     /// Data points of a fit, below its curve.
     const DATA: Self = Self::new(0x9CC0E4, 1.0);
     pub(super) const SHADOW: Self = Self::new(0xB9C0C4, 0.8);
+    /// A place where a surface bends alike in all directions.
+    pub(super) const UMBILIC: Self = Self::new(0xC62A6B, 1.0);
     /// Text, and what is said beside it.
     pub(super) const TEXT: Self = Self::new(0x1D242B, 1.0);
     pub(super) const SOFT: Self = Self::new(0x5D6974, 1.0);

@@ -296,7 +296,7 @@ fn around(own: Place, radius: f64) -> impl Iterator<Item = (f64, f64)> {
 mod tests {
     use super::*;
 
-    const SHEET: Sheet = Sheet { width: 1600.0, scale: 1.0 };
+    const SHEET: Sheet = Sheet { width: 1600.0, height: 1200.0, fixed: false, scale: 1.0 };
 
     fn circle((x, y): (f64, f64), radius: f64) -> Vec<Pixel> {
         let at = |i: usize| (std::f64::consts::TAU * i as f64 / 100.0).sin_cos();

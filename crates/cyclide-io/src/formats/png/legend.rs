@@ -5,6 +5,8 @@
 
 use super::canvas::{Canvas, Ink, Pixel};
 use super::sheet::{BAR_ROOM, MOST_ENTRIES, ROW, Sheet, TEXT};
+use super::colour_bar::{self, ColourBar};
+use super::scene::quantity;
 use super::{DATA, lettering};
 use crate::drawing::{Combs, palette};
 use crate::export::job::Job;
@@ -16,6 +18,8 @@ const BETWEEN: f64 = 44.0;
 /// Part of the tallest picture that the numbered names may take, and the distance of their rows.
 const NUMBERED_PART: f64 = 0.34;
 const NUMBERED_ROW: f64 = 0.8;
+/// Names of grey surfaces in the legend.
+const GREY_NAMES: usize = 4;
 /// Width of the number before a mark.
 const NUMBER: f64 = 40.0;
 
@@ -37,14 +41,22 @@ enum Mark {
     Comb,
     /// Data points of a fit.
     Data,
+    /// The two directions of curvature.
+    Cross(Ink, Ink),
+    Umbilic,
     /// None: more than there is room for.
     More,
 }
 
 /// A legend with the places of its entries.
+#[derive(Default)]
 pub(super) struct Legend {
+    /// The scale of the colours.
+    bar: Option<ColourBar>,
     row: Vec<Entry>,
     numbered: Vec<Entry>,
+    /// A line below all.
+    remark: Option<String>,
 }
 
 /// An entry with its place: the text as far as there is room, pixels from the left, the row, and the number.
@@ -89,7 +101,52 @@ impl Legend {
             }
             Naming::Colours | Naming::Names => Vec::new(),
         };
-        Self { row, numbered }
+        Self { row, numbered, ..Self::default() }
+    }
+
+    /// Of surfaces that are coloured by a quantity: its scale in place of their colours, and those in grey, which do not have it.
+    pub(super) fn with_scale(mut self, job: &Job<'_>, bar: ColourBar, names: &[String], shown: &dyn Fn(usize) -> bool) -> Self {
+        let is_surface = |item: usize| !job.model.items[item].surfaces().is_empty();
+        let is_drawn = |item: usize| is_surface(item) || !job.model.items[item].volumes().is_empty();
+        // A surface has no colour of its own any more.
+        self.row.retain(|entry| !matches!(entry.mark, Mark::Field(..)));
+        let grey: Vec<&str> =
+            names.iter().enumerate().filter(|(k, _)| is_drawn(*k) && !shown(*k)).map(|(_, name)| name.as_str()).collect();
+        if !grey.is_empty() {
+            let mark = Mark::Field(Ink::of_screen(quantity::WITHOUT), Ink::SOFT);
+            let more = grey.len().saturating_sub(GREY_NAMES);
+            let mut text = format!("{}: {}", quantity::without(job.options.png_colour), grey[..grey.len() - more].join(", "));
+            if more > 0 {
+                text += &format!(", +{more} more");
+            }
+            self.row.push(Entry { mark, text });
+        }
+        for entry in &mut self.numbered {
+            if let Mark::Field(field, line) = &mut entry.mark {
+                (*field, *line) = (Ink::of_screen(quantity::WITHOUT), Ink::TEXT);
+            }
+        }
+        self.bar = Some(bar);
+        self
+    }
+
+    /// Of the lines of curvature of a surface.
+    pub(super) fn of_field(lines: [Ink; 2], has_umbilics: bool) -> Self {
+        let [along, across] = lines;
+        let mut row = vec![
+            Entry { mark: Mark::Cross(along, across), text: "directions of curvature".to_owned() },
+            Entry { mark: Mark::Line(along, false), text: "grid along s".to_owned() },
+            Entry { mark: Mark::Line(across, false), text: "along t".to_owned() },
+        ];
+        if has_umbilics {
+            row.push(Entry { mark: Mark::Umbilic, text: "umbilic".to_owned() });
+        }
+        Self { row, ..Self::default() }
+    }
+
+    /// Keeps a line below the others free, or fills it.
+    pub(super) fn remark(&mut self, text: String) {
+        self.remark = Some(text);
     }
 
     /// Draws a curve's mark in dashes, as the curve itself is where it covers another.
@@ -105,7 +162,10 @@ impl Legend {
 
     /// Rows of the legend, from the scale bar's.
     pub(super) fn rows(&self, sheet: Sheet) -> f64 {
-        self.places(sheet).iter().map(|placed| placed.row).fold(0.0, f64::max) + 1.0
+        // On a narrow picture the bar stands below that of the scale.
+        let bar = if self.bar.is_some() { self.bar_row(sheet) + colour_bar::ROWS - 1.0 } else { 0.0 };
+        let remark = if self.remark.is_some() { 1.0 } else { 0.0 };
+        self.places(sheet).iter().map(|placed| placed.row).fold(bar, f64::max) + 1.0 + remark
     }
 
     /// How many objects are numbered; the others have no room in the legend.
@@ -113,11 +173,21 @@ impl Legend {
         self.places(sheet).iter().filter(|placed| placed.number.is_some()).count()
     }
 
+    /// True if there is room beside the scale bar. On a narrow picture the legend starts below it.
+    fn is_beside(sheet: Sheet) -> bool {
+        sheet.width - 2.0 * sheet.margin() > 2.2 * BAR_ROOM * sheet.scale
+    }
+
+    /// The row in which the scale of colours begins.
+    fn bar_row(&self, sheet: Sheet) -> f64 {
+        if Self::is_beside(sheet) { 0.0 } else { 1.0 }
+    }
+
     fn places(&self, sheet: Sheet) -> Vec<Placed<'_>> {
         let s = sheet.scale;
-        // On a narrow picture the legend starts below the scale bar.
-        let beside = sheet.width - 2.0 * sheet.margin() > 2.2 * BAR_ROOM * s;
+        let beside = Self::is_beside(sheet);
         let (left, first) = if beside { (sheet.margin() + BAR_ROOM * s, 0.0) } else { (sheet.margin(), 1.0) };
+        let first = if self.bar.is_some() { first + colour_bar::ROWS } else { first };
         let right = sheet.width - sheet.margin();
         let mut at = (left, first);
         let mut places = Vec::new();
@@ -130,7 +200,11 @@ impl Legend {
             places.push(Placed { entry, text, x: at.0, row: at.1, number: None });
             at.0 += width + BETWEEN * s;
         }
-        let used = if self.row.is_empty() && !beside { 0.0 } else { at.1 };
+        let used = match (&self.bar, self.row.is_empty()) {
+            (Some(_), true) => at.1 - 1.0,
+            (None, true) if !beside => 0.0,
+            _ => at.1,
+        };
         self.columns(sheet, used + 1.0, &mut places);
         places
     }
@@ -165,6 +239,15 @@ impl Legend {
     /// Draws the legend below the pixel `top`.
     pub(super) fn draw(&self, canvas: &mut Canvas, sheet: Sheet, top: f64) {
         let s = sheet.scale;
+        if let Some(bar) = &self.bar {
+            let left = sheet.margin() + if Self::is_beside(sheet) { BAR_ROOM * s } else { 0.0 };
+            bar.draw(canvas, sheet, (left, sheet.width - sheet.margin()), top + self.bar_row(sheet) * ROW * s);
+        }
+        if let Some(remark) = &self.remark {
+            let base = top + (self.rows(sheet) - 0.5) * ROW * s + 0.5 * TEXT * s;
+            let text = lettering::fitted(remark, sheet.text_size(), sheet.width - 2.0 * sheet.margin());
+            canvas.text(&text, (sheet.margin(), base), sheet.text_size(), Ink::SOFT);
+        }
         for Placed { entry, text, x, row, number } in self.places(sheet) {
             let middle = top + (row + 0.5) * ROW * s;
             let mut x = x;
@@ -273,7 +356,7 @@ impl Mark {
     fn ink(self) -> Ink {
         match self {
             Self::Line(ink, _) | Self::Field(_, ink) => ink,
-            Self::Families | Self::Comb | Self::Data | Self::More => Ink::TEXT,
+            Self::Families | Self::Comb | Self::Data | Self::Cross(..) | Self::Umbilic | Self::More => Ink::TEXT,
         }
     }
 
@@ -313,6 +396,11 @@ impl Mark {
                 canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 2.4 * s, Ink::object(0));
                 canvas.dot(at(22.0, 0.0), 4.0 * s);
             }
+            Self::Cross(along, across) => {
+                canvas.stroke(&[at(12.0, 0.0), at(32.0, 0.0)], false, 1.6 * s, along);
+                canvas.stroke(&[at(22.0, 10.0), at(22.0, -10.0)], false, 1.6 * s, across);
+            }
+            Self::Umbilic => canvas.disc(at(22.0, 0.0), 7.0 * s, 3.0 * s, Ink::UMBILIC),
             Self::More => {}
         }
     }
@@ -325,13 +413,13 @@ mod tests {
     fn legend(count: usize) -> Legend {
         let entry =
             |i: usize| Entry { mark: Mark::Line(Ink::object(i), false), text: format!("a rail with number {i}") };
-        Legend { row: Vec::new(), numbered: (0..count).map(entry).collect() }
+        Legend { numbered: (0..count).map(entry).collect(), ..Legend::default() }
     }
 
     #[test]
     fn numbered_names_take_a_third_of_the_picture_at_most() {
         for (width, scale) in [(1600.0, 1.0), (500.0, (500.0_f64 / 1600.0).sqrt())] {
-            let sheet = Sheet { width, scale };
+            let sheet = Sheet { width, height: 0.75 * width, fixed: false, scale };
             for count in [7, 20, 61, 400] {
                 let legend = legend(count);
                 let shown = legend.numbers(sheet);

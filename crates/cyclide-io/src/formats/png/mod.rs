@@ -10,6 +10,7 @@
 
 mod axes;
 mod canvas;
+mod colour_bar;
 mod labels;
 mod legend;
 mod lettering;
@@ -23,12 +24,13 @@ use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
+use crate::export::options::PictureColour;
 use crate::formats::entry::Entry;
 use axes::{Plan, Rulers};
 use canvas::{Canvas, Ink, Pixel};
 use cyclide::{Point3, Vec3};
 use labels::{Labels, Name};
-use legend::Naming;
+use legend::{Legend, Naming};
 use sheet::{Caption, Names, Sheet};
 use view::View;
 
@@ -68,6 +70,11 @@ pub(super) static ENTRY: Entry = Entry {
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let sheet = Sheet::new(job)?;
     let mut names = Names::new(job);
+    if job.options.png_colour == PictureColour::Field
+        && let Some(picture) = scene::field::write(job, sheet, &names)?
+    {
+        return Ok(picture);
+    }
     if !job.bodies.is_empty() {
         return scene::write(job, sheet, names);
     }
@@ -78,7 +85,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let combs = if job.options.png_plain { Combs::default() } else { drawing::combs(job, size, [axes[0], axes[1]]) };
     let shown: Vec<Point3> = rough.into_iter().chain(combs.tips()).collect();
     let request = Request { job, sheet, names: &names.drawn, combs: &combs, shown: &shown, axes, heights };
-    let mut drawing = request.drawing(if legend::is_crowded(job) { Naming::Names } else { Naming::Colours })?;
+    let several = job.options.png_labels && job.model.items.len() > 1;
+    let mut drawing =
+        request.drawing(if several || legend::is_crowded(job) { Naming::Names } else { Naming::Colours })?;
     if drawing.naming == Naming::Names && !drawing.place_names() {
         // The legend takes more room then.
         drawing = request.drawing(Naming::Numbers)?;
@@ -118,7 +127,8 @@ struct Drawing<'a> {
 impl<'a> Request<'a> {
     fn drawing(self, naming: Naming) -> Result<Drawing<'a>, ExportError> {
         let Self { job, sheet, .. } = self;
-        let caption = Caption::new(job, self.combs, self.names, naming);
+        let caption = Caption::new(job, Legend::new(job, self.combs, self.names, naming));
+        sheet.check_room(caption.as_ref())?;
         let rulers = match job.options.camera.map_or(!self.heights, Camera::is_along_axis) {
             _ if !job.options.png_axes || caption.is_none() => Rulers::None,
             true => Rulers::Sides,

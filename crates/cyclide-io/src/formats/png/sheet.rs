@@ -4,9 +4,8 @@
 //! their own, so that no text lies on a curve.
 
 use super::canvas::{Canvas, Ink, Pixel};
-use super::legend::{Legend, Naming};
+use super::legend::Legend;
 use super::lettering::{self, Drawable};
-use crate::drawing::Combs;
 use crate::export::error::ExportError;
 use crate::export::job::Job;
 use cyclide::{ShortNumber, Units};
@@ -14,6 +13,9 @@ use cyclide::{ShortNumber, Units};
 /// Width of a picture, pixels: if none is asked for, and least and most.
 const WIDTH: f64 = 1600.0;
 const WIDTHS: (u32, u32) = (200, 10_000);
+const HEIGHTS: (u32, u32) = (150, 10_000);
+/// The part of a picture of a given height that belongs to the drawing, at least.
+const LEAST_DRAWING: f64 = 0.3;
 /// Height over width at most.
 const TALLEST: f64 = 0.75;
 /// Heights of capitals and distances, pixels of a picture of the usual width.
@@ -35,6 +37,10 @@ pub(super) const MOST_ENTRIES: usize = 6;
 pub(super) struct Sheet {
     /// Pixels.
     pub(super) width: f64,
+    /// Pixels, at most.
+    pub(super) height: f64,
+    /// True if the height was asked for: then the picture is as high.
+    pub(super) fixed: bool,
     /// Pixels of this picture for one of the usual width: widths of lines and heights of letters are multiplied by it.
     pub(super) scale: f64,
 }
@@ -48,9 +54,15 @@ impl Sheet {
             let detail = format!("a width of {width} pixels ({} to {} are possible)", WIDTHS.0, WIDTHS.1);
             return Err(ExportError::Picture { detail });
         }
+        if let Some(height) = job.options.png_height.filter(|h| *h < HEIGHTS.0 || *h > HEIGHTS.1) {
+            let detail = format!("a height of {height} pixels ({} to {} are possible)", HEIGHTS.0, HEIGHTS.1);
+            return Err(ExportError::Picture { detail });
+        }
         let part = f64::from(width) / WIDTH;
         // Lines and letters of small pictures shrink less, or they could not be read.
-        Ok(Self { width: f64::from(width), scale: if part < 1.0 { part.sqrt() } else { part } })
+        let height = job.options.png_height.map_or((TALLEST * f64::from(width)).round(), f64::from);
+        let fixed = job.options.png_height.is_some();
+        Ok(Self { width: f64::from(width), height, fixed, scale: if part < 1.0 { part.sqrt() } else { part } })
     }
 
     pub(super) fn text_size(self) -> f64 {
@@ -63,7 +75,22 @@ impl Sheet {
 
     /// Height of the tallest picture.
     pub(super) fn tallest(self) -> f64 {
-        (TALLEST * self.width).round()
+        self.height
+    }
+
+    /// Refuses a height at which title and legend leave the drawing no room.
+    pub(super) fn check_room(self, caption: Option<&Caption>) -> Result<(), ExportError> {
+        let bands = caption.map_or(0.0, |c| c.header(self) + c.footer(self));
+        let least = (bands / (1.0 - LEAST_DRAWING)).ceil();
+        if !self.fixed || self.height >= least {
+            return Ok(());
+        }
+        let (height, width) = (self.height, self.width);
+        let detail = format!(
+            "a height of {height} pixels leaves the drawing no room beside title and legend, which take {bands} at a width of {width}: \
+             {least} are enough, or leave them out with --png-plain"
+        );
+        Err(ExportError::Picture { detail })
     }
 }
 
@@ -77,8 +104,8 @@ pub(super) struct Caption {
 }
 
 impl Caption {
-    /// The caption of a model with its combs; `None` for a plain picture.
-    pub(super) fn new(job: &Job<'_>, combs: &Combs, names: &[String], naming: Naming) -> Option<Self> {
+    /// The caption of a model with its legend; `None` for a plain picture.
+    pub(super) fn new(job: &Job<'_>, legend: Legend) -> Option<Self> {
         if job.options.png_plain {
             return None;
         }
@@ -89,7 +116,6 @@ impl Caption {
             Units::Inch => "inches",
             Units::Foot => "feet",
         };
-        let legend = Legend::new(job, combs, names, naming);
         // A title that cannot be drawn is left out.
         let title = lettering::drawable(job.title()).map(|title| title.text).unwrap_or_default();
         Some(Self { title, unit, symbol: job.units().symbol(), legend })

@@ -103,7 +103,7 @@ impl View {
         let (width, height) = (area.max.x - area.min.x, area.max.y - area.min.y);
         let unit = (width / most.0).max(height / most.1);
         let unit = if unit > 0.0 { unit } else { 1.0 / most.0 };
-        let tall = (height / unit).max(SLIMMEST * most.0).min(most.1);
+        let tall = if sheet.fixed { most.1 } else { (height / unit).max(SLIMMEST * most.0).min(most.1) };
         let pixels = (sheet.width as u32, (header + above + tall + under + below + footer).round() as u32);
         let middle = area.min.midpoint(area.max);
         let centre = (margin + before + 0.5 * most.0, header + above + 0.5 * tall);

@@ -34,6 +34,12 @@ impl VertexJet {
         [2.0 * c[3] * scale, c[4] * scale, 2.0 * c[5] * scale]
     }
 
+    /// The unit normal of the graph at the vertex.
+    pub(super) fn normal(&self) -> Vec3 {
+        let ([x, y, z], c) = (self.frame, &self.coefficients);
+        (z - x * (c[1] / self.reach) - y * (c[2] / self.reach)).unit().unwrap_or(z)
+    }
+
     /// The vertex moved along the normal onto the graph.
     pub(super) fn smoothed(&self) -> Point3 {
         self.origin + self.frame[2] * self.coefficients[0]
@@ -64,10 +70,7 @@ pub(super) fn jets(table: &MeshTable, count: usize, degree: usize) -> Vec<Vertex
         near.retain(|(_, k)| normals[*k].dot(normals[v]) > 0.0);
         let points: Vec<Point3> = near.iter().map(|(_, k)| table.points[*k]).collect();
         let first = fit(*p, normals[v], &points, degree);
-        let (slope_x, slope_y) = (first.coefficients[1] / first.reach, first.coefficients[2] / first.reach);
-        let [x, y, z] = first.frame;
-        let normal = (z - x * slope_x - y * slope_y).unit().unwrap_or(normals[v]);
-        fit(*p, normal, &points, degree)
+        fit(*p, first.normal(), &points, degree)
     };
     table.points.iter().enumerate().map(jet).collect()
 }

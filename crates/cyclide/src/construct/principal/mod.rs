@@ -7,6 +7,7 @@ mod cover;
 mod cross_field;
 mod cuts;
 mod denoise;
+mod field;
 mod jets;
 mod ladder;
 mod lattice;
@@ -21,6 +22,7 @@ mod shape_tensors;
 mod sheet;
 mod walker;
 
+pub use field::PrincipalField;
 pub use options::PrincipalGridOptions;
 pub use report::{GridPiece, PrincipalGridReport, Umbilic};
 
@@ -107,6 +109,8 @@ pub struct PrincipalGrids {
     pub grids: Vec<QuadGrid>,
     /// What was found and done.
     pub report: PrincipalGridReport,
+    /// The surface and the directions that the grids follow.
+    pub field: PrincipalField,
     warnings: Vec<Warning>,
 }
 
@@ -272,7 +276,8 @@ pub fn principal_grids(
     if let Some(piece) = uneven {
         warnings.push(Warning::UnevenEdges { piece, edges: report.pieces[piece].edges, limit: UNEVEN });
     }
-    Ok(PrincipalGrids { grids, report, warnings })
+    let field = PrincipalField::new(&given, &fits, &smoothed.field);
+    Ok(PrincipalGrids { grids, report, field, warnings })
 }
 
 /// A system of equations that doubles cannot solve, or memory not hold.

@@ -105,6 +105,7 @@ impl Blocks {
                 lines,
                 sides: face.sides.map(|side| side.map_or((0.0, 0.0), |side| edge(side.edge))),
                 outer: face.outer_sign(),
+                bend: face.outer_sign_of_unit_normal(),
                 tint,
                 inner_tint: tint,
                 ink,

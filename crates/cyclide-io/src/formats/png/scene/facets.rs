@@ -7,7 +7,7 @@ use crate::drawing::palette;
 use crate::export::shape::Shape;
 use crate::export::triangle_cells::TriangleCell;
 use crate::formats::png::{CURVE, Polyline};
-use cyclide::{Arc, Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
+use cyclide::{Arc, Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh, Vec3};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.
 const ROUGH: f64 = 3200.0;
@@ -27,9 +27,14 @@ pub(super) enum Paint {
     Surface { surface: usize, at: [[f64; 2]; 3] },
     /// A part of a patch over a triangle, with the barycentric coordinates of its corners.
     Patch { patch: usize, at: [[f64; 3]; 3] },
+    /// A triangle with normals at its corners.
+    Smooth { object: usize, normals: [Vec3; 3], tint: Rgb },
     /// One colour, of a curve of the object.
     Ink { object: usize, light: Rgb },
 }
+
+/// The barycentric coordinates of the corners of a triangle.
+pub(super) const CORNERS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Triangles in the picture with what is on them.
 #[derive(Default)]
@@ -108,9 +113,13 @@ impl Facets {
 
     /// A curve as a ribbon of constant width in the picture.
     pub(super) fn add_curve(&mut self, curve: &Polyline, camera: &Camera, scale: f64) {
-        let (object, light) = (curve.object, palette::linear(curve.object));
+        self.add_ribbon(curve, 0.5 * CURVE * scale, palette::linear(curve.object), camera);
+    }
+
+    /// A curve in any width and colour.
+    pub(super) fn add_ribbon(&mut self, curve: &Polyline, radius: f64, light: Rgb, camera: &Camera) {
+        let object = curve.object;
         let points: Vec<Projected> = curve.points.iter().map(|p| lifted(*p, camera)).collect();
-        let radius = 0.5 * CURVE * scale;
         let last = if curve.closed { points.first() } else { None };
         let ends = points.iter().skip(1).chain(last);
         for (a, b) in points.iter().zip(ends) {
@@ -126,6 +135,29 @@ impl Facets {
                 self.corners.push([at(0), at(k), at(k + 1)]);
                 self.paints.push(Paint::Ink { object, light });
             }
+        }
+    }
+
+    /// A short line on a surface, below curves on it.
+    pub(super) fn add_stroke(&mut self, ends: [Point3; 2], object: usize, radius: f64, light: Rgb, camera: &Camera) {
+        let [a, b] = ends.map(|p| {
+            let p = camera.project(p);
+            Projected { near: p.near * (1.0 + camera.lift(0.5 * LIFT)), ..p }
+        });
+        self.add_segment([&a, &b], radius, object, light);
+    }
+
+    /// A round mark on a surface, over all lines on it.
+    pub(super) fn add_mark(&mut self, p: Point3, object: usize, radius: f64, light: Rgb, camera: &Camera, over: f64) {
+        let middle = camera.project(p);
+        let near = middle.near * (1.0 + camera.lift(over * LIFT));
+        let at = |k: usize| {
+            let (y, x) = (std::f64::consts::TAU * k as f64 / (2 * DOT) as f64).sin_cos();
+            Projected { x: middle.x + radius * x, y: middle.y + radius * y, near }
+        };
+        for k in 1..2 * DOT - 1 {
+            self.corners.push([at(0), at(k), at(k + 1)]);
+            self.paints.push(Paint::Ink { object, light });
         }
     }
 

@@ -17,6 +17,8 @@ const SKY: f64 = 0.42;
 const EARTH: f64 = 0.24;
 /// How far the broad light reaches round an edge.
 const WRAP: f64 = 0.12;
+/// The least part of a colour that stands for a value which reaches the eye.
+const TONE: f64 = 0.66;
 /// Two lobes of reflection: strength and exponent.
 const GLOSS: [(f64, i32); 2] = [(0.16, 64), (0.05, 12)];
 /// Light that a surface reflects when seen along it.
@@ -33,6 +35,14 @@ impl Lights {
             key: unit(-right * 0.55 + front * 0.25 + super::UP),
             fill: unit(right * 0.9 + front * 0.5 + super::UP * 0.2),
         }
+    }
+
+    /// What a matt surface sends whose colour stands for a value: no gloss, and little shade.
+    pub(super) fn tone(&self, tint: Rgb, normal: Vec3) -> Rgb {
+        let key = ((normal.dot(self.key) + WRAP) / (1.0 + WRAP)).max(0.0);
+        let sky = 0.5 + 0.5 * normal.z;
+        let light = (KEY * key + FILL * normal.dot(self.fill).max(0.0) + SKY * sky) / (KEY + SKY);
+        tint.map(|c| c * (TONE + (1.0 - TONE) * light.min(1.0)))
     }
 
     /// What a matt surface with a little gloss sends to the eye: `normal` and `to_eye` are unit vectors, on one side.

@@ -8,9 +8,12 @@
 mod blocks;
 mod camera;
 mod facets;
+pub(super) mod field;
 mod ground;
 mod light;
+mod panels;
 mod patch;
+pub(super) mod quantity;
 mod raster;
 mod rows;
 mod surface;
@@ -27,15 +30,18 @@ use crate::export::job::Job;
 use crate::export::shape::Shape;
 use crate::formats::png::axes::{self, Plan, Rulers};
 use crate::formats::png::canvas::{Canvas, Ink, PAPER};
-use crate::formats::png::legend::{self, Naming, balloon};
+use crate::formats::png::legend::{self, Legend, Naming, balloon};
 use crate::formats::png::sheet::{Caption, Names, Sheet};
 use crate::formats::png::view;
 use camera::Camera;
-use cyclide::{Aabb, Point3, SurfaceMesh};
+use crate::formats::png::colour_bar::ColourBar;
+use cyclide::{Aabb, Point3, SurfaceMesh, Vec3};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};
+use panels::{DrawnLabels, Panel, Seen};
 use patch::{Patch, patches};
+use quantity::Coloured;
 use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
 use rows::side_by_side;
 use surface::{Surface, surfaces};
@@ -66,8 +72,23 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         rough = facets::rough(&shapes);
     }
     let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
-    let naming = if legend::is_crowded(job) { Naming::Numbers } else { Naming::Colours };
-    let caption = Caption::new(job, &Combs::default(), &names.drawn, naming);
+    let labels = job.options.png_labels;
+    let naming = match legend::is_crowded(job) {
+        true if labels => Naming::Names,
+        true => Naming::Numbers,
+        false => Naming::Colours,
+    };
+    let coloured = Coloured::new(job);
+    let mut legend = Legend::new(job, &Combs::default(), &names.drawn, naming);
+    if let Some(coloured) = &coloured {
+        let bar = ColourBar::new(quantity::name(job.options.png_colour, job.units()), coloured.scale.clone());
+        legend = legend.with_scale(job, bar, &names.drawn, &|item| coloured.is_shown(item));
+    }
+    if labels {
+        legend.remark(String::new());
+    }
+    let mut caption = Caption::new(job, legend);
+    sheet.check_room(caption.as_ref())?;
     let rulers = match flat {
         _ if !job.options.png_axes || caption.is_none() => Rulers::None,
         true => Rulers::Sides,
@@ -86,6 +107,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
 
     let (mut drawn, mut patches_drawn) = (Vec::new(), Vec::new());
     let (mut items, mut patch_items) = (Vec::new(), Vec::new());
+    let mut numbered: Vec<(u32, Panel)> = Vec::new();
     let mut facets = Facets::default();
     for body in job.bodies.iter().filter(|b| is_shape(b.item)) {
         if let Some(surface) = body.body.triangles() {
@@ -100,6 +122,8 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         items.resize(drawn.len(), body.item);
+        let own = panels::panels(job, body.item, drawn.len() - first).filter(|_| labels);
+        numbered.extend(own.into_iter().flatten().enumerate().map(|(k, panel)| ((first + k) as u32, panel)));
         let mesh = mesh_of(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
         facets.add_body(faces, &mesh, first, &camera);
     }
@@ -120,12 +144,14 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         facets.add_curve(&curve, &camera, sheet.scale);
     }
     let paper = to_linear(PAPER);
-    let scene = Scene { camera, lights, ground, drawn, items, patches: patches_drawn, patch_items, facets, paper };
+    let scene =
+        Scene { camera, lights, ground, drawn, items, patches: patches_drawn, patch_items, facets, paper, coloured };
     let size = (sheet.width as usize, height as usize);
     let mut visible = Visible::new(size, 6.0 * sheet.scale);
-    let mut canvas = scene.draw(size, &mut visible)?;
+    let mut seen = labels.then(|| Seen::new(size));
+    let mut canvas = scene.draw(size, &mut visible, seen.as_mut())?;
     let Names { drawn: names, mut notes } = names;
-    if let Some(caption) = caption {
+    if let Some(caption) = &mut caption {
         let middle = bounds.min.midpoint(bounds.max);
         let unit = scene.camera.unit_at(middle);
         let note = if flat || !heights { "" } else { " at mid-depth" };
@@ -139,6 +165,13 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
                     balloon(&mut canvas, place, index + 1, sheet, ink);
                 }
             }
+        }
+        if let Some(seen) = &seen {
+            let drawn = scene.labels((&names, &visible.places(names.len())), seen, &numbered, (sheet, [header, height - footer]));
+            drawn.draw(&mut canvas);
+            let said = drawn.said.join("; ");
+            notes.extend((!said.is_empty()).then(|| said.clone()));
+            caption.legend.remark(said);
         }
         caption.draw(&mut canvas, sheet, height, unit, note);
     }
@@ -179,10 +212,17 @@ struct Scene<'a> {
     patch_items: Vec<usize>,
     facets: Facets,
     paper: Rgb,
+    /// The quantity that surfaces are coloured by.
+    coloured: Option<Coloured<'a>>,
 }
 
 impl Scene<'_> {
-    fn draw(&self, (width, height): (usize, usize), visible: &mut Visible) -> Result<Canvas, ExportError> {
+    fn draw(
+        &self,
+        (width, height): (usize, usize),
+        visible: &mut Visible,
+        mut seen: Option<&mut Seen>,
+    ) -> Result<Canvas, ExportError> {
         let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
@@ -192,16 +232,53 @@ impl Scene<'_> {
                 for (x, colour) in colours.into_iter().enumerate() {
                     canvas.set(x, band.top + row, colour);
                     visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
+                    if let Some(seen) = &mut seen {
+                        seen.set(x, band.top + row, self.surface(band.seen(x, row)[0]));
+                    }
                 }
             }
         });
         Ok(canvas)
     }
 
+    /// The face that a facet belongs to.
+    fn surface(&self, facet: u32) -> Option<usize> {
+        match self.facets.paints.get(facet as usize)? {
+            Paint::Surface { surface, .. } => Some(*surface),
+            _ => None,
+        }
+    }
+
+    /// Names of objects, if there are several, and numbers of panels.
+    fn labels(
+        &self,
+        (names, places): (&[String], &[Option<(f64, f64)>]),
+        seen: &Seen,
+        numbered: &[(u32, Panel)],
+        (sheet, [top, bottom]): (Sheet, [f64; 2]),
+    ) -> DrawnLabels {
+        let mut drawn = DrawnLabels::default();
+        let named: Vec<(usize, &str, Option<(f64, f64)>)> = names
+            .iter()
+            .zip(places)
+            .enumerate()
+            .filter(|(_, (name, _))| names.len() > 1 && !name.is_empty())
+            .map(|(k, (name, place))| (k, name.as_str(), *place))
+            .collect();
+        let margin = 0.4 * sheet.margin();
+        drawn.add_names(sheet, [margin, top, sheet.width - margin, bottom], &named);
+        let middle = |(surface, panel): &(u32, Panel)| {
+            let at = self.camera.project(panels::middle(&self.drawn[*surface as usize]));
+            (*surface, *panel, (at.x, at.y))
+        };
+        drawn.add_panels(sheet, seen, &numbered.iter().map(middle).collect::<Vec<_>>());
+        drawn
+    }
+
     /// The object that a facet belongs to.
     fn object(&self, facet: u32) -> Option<usize> {
         match self.facets.paints.get(facet as usize)? {
-            Paint::Ink { object, .. } => Some(*object),
+            Paint::Ink { object, .. } | Paint::Smooth { object, .. } => Some(*object),
             Paint::Surface { surface, .. } => self.items.get(*surface).copied(),
             Paint::Patch { patch, .. } => self.patch_items.get(*patch).copied(),
         }
@@ -271,15 +348,30 @@ impl Scene<'_> {
         match &self.facets.paints[facet as usize] {
             Paint::Ink { light, .. } => *light,
             Paint::Surface { surface, at } => {
+                let item = self.items[*surface];
                 let (surface, ray) = (&self.drawn[*surface], self.camera.ray(x, y));
                 let rough = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
                 let (at, slope) = surface.settle(rough, at, ray, &self.camera);
-                surface.colour(at, slope, -ray, &self.lights)
+                match &self.coloured {
+                    None => surface.colour(at, slope, -ray, &self.lights),
+                    Some(coloured) => {
+                        let tint = coloured.tint(item, surface, at).unwrap_or_else(|| to_linear(quantity::WITHOUT));
+                        surface.tinted((at, slope), -ray, &self.lights, tint)
+                    }
+                }
+            }
+            Paint::Smooth { normals, tint, .. } => {
+                let ray = self.camera.ray(x, y);
+                let (at, _) = facets::parameters(&self.facets.corners[facet as usize], &facets::CORNERS, x, y);
+                let normal = normals.iter().zip(at).fold(Vec3::ZERO, |sum, (n, part)| sum + *n * part);
+                let normal = normal.unit().unwrap_or(-ray);
+                self.lights.shade(*tint, if normal.dot(ray) > 0.0 { -normal } else { normal }, -ray)
             }
             Paint::Patch { patch, at } => {
                 let ray = self.camera.ray(x, y);
                 let (at, slope) = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
-                self.patches[*patch].colour(at, slope, -ray, &self.lights)
+                let grey = self.coloured.as_ref().map(|_| to_linear(quantity::WITHOUT));
+                self.patches[*patch].colour((at, slope), -ray, &self.lights, grey)
             }
         }
     }

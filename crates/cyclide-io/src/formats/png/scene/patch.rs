@@ -35,10 +35,18 @@ pub(super) fn patches(surface: &TriangleSurface, object: usize, scale: f64) -> i
 
 impl Patch {
     /// What is seen at barycentric coordinates `at`, which change by `slope` from pixel to pixel.
-    pub(super) fn colour(&self, at: [f64; 3], slope: [f64; 3], to_eye: Vec3, lights: &Lights) -> Rgb {
+    /// A tint is one in place of its own.
+    pub(super) fn colour(
+        &self,
+        (at, slope): ([f64; 3], [f64; 3]),
+        to_eye: Vec3,
+        lights: &Lights,
+        tint: Option<Rgb>,
+    ) -> Rgb {
         let outward = self.patch.point_and_normal(at).map_or(to_eye, |(_, normal)| normal);
         let front = outward.dot(to_eye) >= 0.0;
-        let (normal, tint) = if front { (outward, self.tint) } else { (-outward, self.inner_tint) };
+        let (normal, own) = if front { (outward, self.tint) } else { (-outward, self.inner_tint) };
+        let tint = tint.unwrap_or(own);
         let lit = lights.shade(tint, normal, to_eye);
         let line = |k: usize| {
             let (width, ink) = self.sides[k];

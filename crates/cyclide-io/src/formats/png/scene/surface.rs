@@ -22,6 +22,8 @@ pub(super) const EDGE_INK: f64 = 0.78;
 const FADE: (f64, f64) = (3.5, 9.0);
 /// A step of Newton's method after which no other is needed, relative to the facet's parameters.
 const SMALL_STEP: f64 = 0.03;
+/// How much of a colour that stands for a value is left in the lines on it.
+const LINE_ON_TINT: f64 = 0.16;
 /// How much darker the inner side of an open shell is.
 pub(super) const INNER: f64 = 0.78;
 
@@ -33,6 +35,8 @@ pub(super) struct Surface<'a> {
     /// Half widths and ink of the sides t=0, t=1, s=0, s=1; 0 for a side of one point, and between parts of one plane.
     pub(super) sides: [(f64, f64); 4],
     pub(super) outer: f64,
+    /// What turns the signs of curvatures to the outer side.
+    pub(super) bend: f64,
     pub(super) tint: Rgb,
     pub(super) inner_tint: Rgb,
     pub(super) ink: Rgb,
@@ -66,6 +70,7 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> i
             lines: levels.map(Lines::Halvings),
             sides: face.sides.map(|side| (side.map_or(0.0, |s| width(s.edge)), EDGE_INK)),
             outer: face.outer_sign(),
+            bend: face.outer_sign_of_unit_normal(),
             tint,
             inner_tint: if closed { tint } else { tint.map(|c| c * INNER) },
             ink,
@@ -114,6 +119,14 @@ impl Surface<'_> {
             }
         }
         best
+    }
+
+    /// The same where a quantity has the colour `tint`: the light leaves it to be read.
+    pub(super) fn tinted(&self, (at, slope): ([f64; 2], [f64; 2]), to_eye: Vec3, lights: &Lights, tint: Rgb) -> Rgb {
+        let outward = self.surface.normal(at[0], at[1]).unwrap_or(to_eye);
+        let normal = if outward.dot(to_eye) >= 0.0 { outward } else { -outward };
+        let [s, t] = [0, 1].map(|k| self.lines(at[k], slope[k], k));
+        mix(lights.tone(tint, normal), tint.map(|c| LINE_ON_TINT * c), s.max(t))
     }
 
     /// What is seen at parameters `at`, which change by `slope` from pixel to pixel (each along both axes).

@@ -1,0 +1,94 @@
+//! The surface that an object was made to follow, and the lines of curvature that were found on it: what pictures show.
+
+use cyclide::{Point3, QuadGrid, Vec3};
+
+/// A surface as it was given, by its vertices: what a skin is held against.
+///
+/// ```
+/// use cyclide::{Point3, QuadGrid};
+/// use cyclide_io::GivenSurface;
+/// let points = (0..9).map(|k| Point3::new((k % 3) as f64, (k / 3) as f64, 0.0)).collect();
+/// let given = GivenSurface::from_grid(&QuadGrid::new(points, [3, 3], [false, false])?);
+/// assert_eq!((given.points.len(), given.triangles.len()), (9, 8));
+/// assert!(given.normals.iter().all(|n| n.z == 1.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct GivenSurface {
+    /// The vertices.
+    pub points: Vec<Point3>,
+    /// Unit normals at them, on one side; of a vertex where there is none it is zero.
+    pub normals: Vec<Vec3>,
+    /// The triangles between them.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+impl GivenSurface {
+    /// The vertices of a grid, each quad in two triangles. The normals are those of parabolas through three vertices along s and along t,
+    /// at the border too.
+    #[must_use]
+    pub fn from_grid(grid: &QuadGrid) -> Self {
+        let [m, n] = grid.size();
+        let vertices = (0..m * n).map(|k| [k % m, k / m]);
+        let normal = |at: [usize; 2]| tangent(grid, at, 0).cross(tangent(grid, at, 1)).unit().unwrap_or_default();
+        let normals = vertices.map(normal).collect();
+        let [columns, rows] = grid.quads();
+        let quads = (0..columns * rows).map(|k| grid.corners(k % columns, k / columns));
+        let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, d], [a, d, c]]).collect();
+        Self { points: grid.points().to_vec(), normals, triangles }
+    }
+}
+
+/// The direction of a line of a grid at a vertex: of the parabola through it and its neighbours, of three at an end.
+fn tangent(grid: &QuadGrid, at: [usize; 2], direction: usize) -> Vec3 {
+    let (k, count, closed) = (at[direction], grid.size()[direction], grid.closed()[direction]);
+    let point = |k: usize| {
+        let mut place = at;
+        place[direction] = k % count;
+        grid.point(place[0], place[1])
+    };
+    if closed {
+        return point(k + 1) - point(k + count - 1);
+    }
+    match (k, count) {
+        (_, 2) => point(1) - point(0),
+        (0, _) => (point(1) - point(0)) * 4.0 - (point(2) - point(0)),
+        (k, count) if k + 1 == count => (point(k) - point(k - 1)) * 4.0 - (point(k) - point(k - 2)),
+        (k, _) => point(k + 1) - point(k - 1),
+    }
+}
+
+/// What was found on a surface that grids were laid on along its lines of curvature.
+///
+/// ```
+/// let field = cyclide_io::LaidField::default();
+/// assert!(field.along.len() == field.surface.triangles.len() && field.grids.is_empty());
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LaidField {
+    /// The surface.
+    pub surface: GivenSurface,
+    /// A unit vector in each triangle along one of its lines of curvature; the others run across.
+    pub along: Vec<Vec3>,
+    /// Where there are no directions, and how many half turns the lines make round there.
+    pub umbilics: Vec<(Point3, i32)>,
+    /// The grids that were laid.
+    pub grids: Vec<QuadGrid>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normals_of_a_sphere_are_radial_to_the_second_order() {
+        // Angles of 0.1 apart: the parabola's tangent is off by their square over 3 at the ends, and by a sixth inside.
+        let at = |k: usize| (0.1 * (k % 7) as f64, 0.1 * (k / 7) as f64 - 0.3);
+        let point = |(a, b): (f64, f64)| Point3::new(b.cos() * a.cos(), b.cos() * a.sin(), b.sin());
+        let grid = QuadGrid::new((0..49).map(at).map(point).collect(), [7, 7], [false; 2]).unwrap();
+        let given = GivenSurface::from_grid(&grid);
+        for (p, n) in given.points.iter().zip(&given.normals) {
+            assert!((n.dot(p.to_vec()) - 1.0).abs() < 2e-5, "{p:?} {n:?}");
+        }
+    }
+}
