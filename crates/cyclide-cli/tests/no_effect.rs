@@ -40,6 +40,9 @@ fn what_the_command_line_tells_is_an_error() {
         ("--glb-edges", "GLB", "a.obj"),
         ("--png-plain", "PNG", "a.step"),
         ("--width 400", "PNG", "a.step"),
+        ("--height 400", "PNG", "a.step"),
+        ("--colour mean", "PNG", "a.step"),
+        ("--labels", "PNG", "a.glb"),
         ("--camera top", "PNG", "a.svg"),
         ("--axes", "PNG", "a.step"),
     ];
@@ -56,11 +59,18 @@ fn what_the_command_line_tells_is_an_error() {
         ("--smooth 1 --max-fits 0 --nodes 4", "--nodes would have no effect: --max-fits 0 takes no nodes out"),
         ("--smooth 1 --max-fits 0 --budget 1", "--budget would have no effect"),
         ("-o a.png --axes --png-plain", "cannot be used with"),
+        ("-o a.png --labels --png-plain", "cannot be used with"),
         ("--corner-angle-deg 181", "it must be at most 180 degrees"),
     ] {
         let error = folder.fails(2, &format!("curve bend.csv -o a.step {options}"));
         assert!(error.contains(message), "{options}: {error}");
     }
+    for options in ["-o a.dxf", "-o a.png --png-plain"] {
+        let error = folder.fails(2, &format!("build c.json {options} --title Ring"));
+        assert!(error.contains("--title would have no effect"), "{error}");
+    }
+    let error = folder.fails(2, "build t.json -o a.png --colour rainbow");
+    assert!(error.contains("gaussian") && error.contains("deviation"), "{error}");
     assert_eq!(folder.count(), 6, "nothing was written");
 }
 
@@ -87,6 +97,15 @@ fn what_the_model_tells_is_a_warning() {
         ("build t.json -o a.step --step-products one", &["--step-products has no effect: one object is one product"]),
         ("curve line.csv -o a.svg --svg-comb", &["--svg-comb has no effect: no curve is bent"]),
         ("build c.json -o a.svg --svg-points", &["--svg-points has no effect: no curve has joints or ends"]),
+        (
+            "build c.json -o a.png --colour mean --labels",
+            &["--colour has no effect: there are no surfaces with curvatures", "--labels has no effect: one object"],
+        ),
+        ("build t.json -o a.png --colour deviation", &["--colour has no effect: no object follows a given surface"]),
+        (
+            "build t.json -o a.png --colour field",
+            &["--colour has no effect: no object that is drawn is a `principal-grid`"],
+        ),
         ("report t.json --min-radius 2", &["--min-radius has no effect: there are no curves"]),
         (
             "report t.json --max-speed 2 --max-angular-speed 3",
@@ -126,6 +145,8 @@ fn options_with_an_effect_are_quiet() {
         "curve bend.csv -o a.step --kind arc-fit --tolerance 1 --corner-angle-deg 170",
         "curve bend.csv -o a.svg --svg-comb --svg-points",
         "build c.json -o a.png --width 300 --axes --camera iso",
+        "build t.json -o a.png --colour gaussian --labels --width 500 --height 400 --title Ring",
+        "build c.json -o a.step --title Ring",
         "build t.json -o a.step -o a.glb --step-edges rational --glb-edges",
         "report c.json --min-radius 2",
     ] {

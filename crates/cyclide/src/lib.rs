@@ -142,7 +142,8 @@ pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{GridBorder, UmbilicRule};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
-    GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic, principal_grids,
+    GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic,
+    principal_grids,
 };
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};

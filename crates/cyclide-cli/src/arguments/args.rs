@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepProducts, StraightWord,
-    VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepProducts,
+    StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -214,7 +214,7 @@ pub struct OutputArgs {
     /// Name the places of curves whose radius is below R, in the report and as warnings.
     #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
     pub min_radius: Option<f64>,
-    /// What is called by one name in files and pictures: the model [default: the name of the only object, or of the document].
+    /// What files and pictures call the model [default: the name of the only object, or of the document].
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
     /// Most pieces of one file, cells of meshes and vertices of polylines together; one to two kilobytes of memory each [default:

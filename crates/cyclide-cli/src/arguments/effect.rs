@@ -45,7 +45,9 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
     };
     if args.title.is_some() && !outputs.iter().any(|(_, format)| titled(format)) {
         let names = TITLED.map(|format| format.name().to_uppercase()).join(", ");
-        let message = format!("--title would have no effect: of the files only {names}, and PNG without --png-plain have a place for it");
+        let message = format!(
+            "--title would have no effect: of the files only {names}, and PNG without --png-plain have a place for it"
+        );
         return Err(Failure::Usage(message));
     }
     match given.iter().find(|(_, given, format)| *given && !written(*format)) {
@@ -144,7 +146,11 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
             options.png_labels && colour == PictureColour::Field,
             "a picture of lines of curvature has neither names nor panels",
         ),
-        ("--labels", options.png_labels && colour != PictureColour::Field && !names && !panels, "one object has its name as title, and no panels"),
+        (
+            "--labels",
+            options.png_labels && colour != PictureColour::Field && !names && !panels,
+            "one object has its name as title, and no panels",
+        ),
         (
             "--tolerance",
             options.tolerance.is_some() && !plan.fit_tolerance && all_exact,

@@ -48,7 +48,8 @@ impl<'a> SurfaceDistance<'a> {
 
     fn add(&mut self, middles: &[Point3], items: std::ops::Range<usize>) {
         let own = &self.order[items.clone()];
-        let bounds = Aabb::of_points(own.iter().flat_map(|t| corners(self.given, *t))).unwrap_or(Aabb::of_point(Point3::ORIGIN));
+        let bounds =
+            Aabb::of_points(own.iter().flat_map(|t| corners(self.given, *t))).unwrap_or(Aabb::of_point(Point3::ORIGIN));
         let node = self.nodes.len();
         self.nodes.push(Node { bounds, items: items.clone(), second: 0 });
         if items.len() <= LEAF {
@@ -107,7 +108,8 @@ impl<'a> SurfaceDistance<'a> {
             // The nearer half last, which is looked at first.
             let halves = [index + 1, node.second];
             let far = |k: usize| squared_to_box(p, self.nodes[k].bounds);
-            let (near, other) = if far(halves[0]) <= far(halves[1]) { (halves[0], halves[1]) } else { (halves[1], halves[0]) };
+            let (near, other) =
+                if far(halves[0]) <= far(halves[1]) { (halves[0], halves[1]) } else { (halves[1], halves[0]) };
             open.extend([other, near]);
         }
         best
@@ -174,7 +176,8 @@ mod tests {
     /// A part of a sphere over a coarse grid of angles.
     fn sphere(radius: f64) -> GivenSurface {
         let at = |k: usize| (0.15 * (k % 9) as f64, 0.15 * (k / 9) as f64 - 0.6);
-        let point = |(a, b): (f64, f64)| Point3::ORIGIN + Vec3::new(b.cos() * a.cos(), b.cos() * a.sin(), b.sin()) * radius;
+        let point =
+            |(a, b): (f64, f64)| Point3::ORIGIN + Vec3::new(b.cos() * a.cos(), b.cos() * a.sin(), b.sin()) * radius;
         GivenSurface::from_grid(&QuadGrid::new((0..81).map(at).map(point).collect(), [9, 9], [false; 2]).unwrap())
     }
 

@@ -84,6 +84,8 @@ impl ValueScale {
         let [low, high] = self.shown;
         let place = match self.ramp {
             _ if self.is_one_value() => 0.5,
+            // Darker the farther from zero.
+            Ramp::Sequential if high <= 0.0 => (high - value) / (high - low),
             Ramp::Sequential => (value - low) / (high - low),
             Ramp::Diverging => 0.5 + 0.5 * value / high.max(-low),
         };
@@ -105,12 +107,19 @@ impl ValueScale {
         let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * decade).find(|s| *s >= least).unwrap_or(least);
         let slack = 1e-9 * (high - low);
         let (first, last) = (((low - slack) / step).ceil(), ((high + slack) / step).floor());
-        (0..=(last - first).max(0.0) as usize).map(|k| (first + k as f64) * step).filter(|v| *v <= high + slack).collect()
+        (0..=(last - first).max(0.0) as usize)
+            .map(|k| (first + k as f64) * step)
+            .filter(|v| *v <= high + slack)
+            .collect()
     }
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test fails by panicking; values are taken over as they are")]
+#[allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test fails by panicking; values are taken over as they are"
+)]
 mod tests {
     use super::*;
 

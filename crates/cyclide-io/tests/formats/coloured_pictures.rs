@@ -3,7 +3,7 @@
 use cyclide::{
     CyclidePatch, CyclidicNet, DupinCyclide, Item, Model, NetFrame, Point3, QuadGrid, SurfaceObject, Units, Vec3,
 };
-use cyclide_io::{Exported, ExportOptions, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
+use cyclide_io::{ExportOptions, Exported, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
 use tiny_skia::Pixmap;
 
 const PAPER: [u8; 3] = [0xFB, 0xFB, 0xF9];
@@ -28,16 +28,9 @@ fn at(picture: &Pixmap, x: f64, y: f64) -> [i32; 3] {
     [pixel.red(), pixel.green(), pixel.blue()].map(i32::from)
 }
 
-/// The middle of the pixels that are not paper, and half their width.
-fn middle(picture: &Pixmap) -> (f64, f64, f64) {
-    let width = picture.width() as usize;
-    let ink = |p: &tiny_skia::PremultipliedColorU8| [p.red(), p.green(), p.blue()].iter().zip(PAPER).any(|(a, b)| a.abs_diff(b) > 12);
-    let found: Vec<usize> = picture.pixels().iter().enumerate().filter(|(_, p)| ink(p)).map(|(k, _)| k).collect();
-    let (xs, ys) = (found.iter().map(|k| k % width), found.iter().map(|k| k / width));
-    let range = |v: Vec<usize>| (*v.iter().min().unwrap() as f64, *v.iter().max().unwrap() as f64);
-    let ((left, right), (top, bottom)) = (range(xs.collect()), range(ys.collect()));
-    (0.5 * (left + right), 0.5 * (top + bottom), 0.5 * (right - left))
-}
+/// The middle of a plain picture of [`options`] from above, and half of the model's extent along the shorter side, which it fills to 0.92:
+/// all of these models are as wide as deep.
+const MIDDLE: (f64, f64, f64) = (400.0, 300.0, 0.92 * 300.0);
 
 fn linear(v: i32) -> f64 {
     let v = f64::from(v) / 255.0;
@@ -61,14 +54,16 @@ fn a_sphere_has_one_colour_of_gaussian_curvature() {
     let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
     let model = Model::new(Units::Metre).with_surface("octant", octant);
     for colour in [PictureColour::Gaussian, PictureColour::Mean, PictureColour::K1, PictureColour::K2] {
-        let picture = drawn(&model, &[], &ExportOptions { camera: "45,35".parse().ok(), ..options(colour, true) }).0;
+        let picture = drawn(&model, &[], &options(colour, true)).0;
         // Light and lines change how bright a colour is, not which it is: red, green and blue keep their shares. Pixels of the shadow are
         // grey, those of the outline mixed.
-        let (x, y, half) = middle(&picture);
+        let (x, y, half) = MIDDLE;
         let share = |[r, g, b]: [i32; 3]| linear(g) / (linear(r) + linear(g) + linear(b));
+        // The octant is the quarter of a disc, whose corner is at the lower left.
         let own = share(at(&picture, x, y));
-        let places = (0..400).map(|k| (f64::from(k % 20) / 20.0 - 0.5, f64::from(k / 20) / 20.0 - 0.5));
-        let near = places.map(|(u, v)| share(at(&picture, x + 0.6 * half * u, y + 0.6 * half * v)));
+        let places = (0..400).map(|k| (0.05 * f64::from(k % 20) - 0.95, 0.05 * f64::from(k / 20) - 0.95));
+        let inside = places.filter(|(u, v)| (u + 1.0).hypot(v + 1.0) < 1.9);
+        let near = inside.map(|(u, v)| share(at(&picture, x + half * u, y - half * v)));
         let off = near.map(|other| (other - own).abs()).fold(0.0, f64::max);
         // A step of the screen in dark lines is a fiftieth.
         assert!(off < 0.02, "{colour:?}: {off}");
@@ -82,7 +77,7 @@ fn a_torus_changes_the_sign_of_its_gaussian_curvature_on_top() {
     let model = Model::new(Units::Metre).with_surface("ring", ring);
     let picture = drawn(&model, &[], &options(PictureColour::Gaussian, true)).0;
     // The outline is a circle of radius 4.
-    let (x, y, half) = middle(&picture);
+    let (x, y, half) = MIDDLE;
     let unit = half / 4.0;
     // In a direction between lines.
     let place = |radius: f64| at(&picture, x + unit * radius * 0.21_f64.cos(), y - unit * radius * 0.21_f64.sin());
@@ -93,10 +88,10 @@ fn a_torus_changes_the_sign_of_its_gaussian_curvature_on_top() {
     assert!(red(3.04).abs() < 25 && red(2.96).abs() < 25, "zero is pale: {:?}", place(3.0));
     // Inside: the hole is paper, or shadow.
     assert!(red(0.5).abs() < 12);
-    // The mean curvature of a ring whose hole is as wide is negative all over, seen from outside: one ramp, dark where it is largest.
+    // The mean curvature is negative all over, seen from outside, -1/4 in the hole and -5/8 outside: one ramp, dark far from zero.
     let mean = drawn(&model, &[], &options(PictureColour::Mean, true)).0;
     let green = |radius: f64| at(&mean, x + unit * radius * 0.21_f64.cos(), y - unit * radius * 0.21_f64.sin())[1];
-    assert!(green(2.25) != green(3.75));
+    assert!(green(2.25) > green(3.75) + 40, "{} {}", green(2.25), green(3.75));
 }
 
 #[test]
@@ -104,12 +99,17 @@ fn distances_have_the_sign_of_the_side_and_zero_is_pale() {
     let (given, skin) = (plane(0.0, 0.0), plane(0.1, 0.0));
     let model = Model::new(Units::Metre).with_surface("skin", skin.clone());
     let picture = drawn(&model, &[following(&given)], &options(PictureColour::Deviation, true)).0;
-    let (x, y, half) = middle(&picture);
-    // Off the lines between panels: at a quarter between two of the finer ones.
+    let (x, y, half) = MIDDLE;
+    // Off the lines on the skin.
     let place = |u: f64| at(&picture, x + half * u, y + half * 0.06);
     let red = |u: f64| place(u)[0] - place(u)[2];
-    let up = skin.patch(0, 0).normal(0.5, 0.5).unwrap().z;
-    assert!(red(0.9) * up.signum() as i32 > 60 && red(-0.9) * (up.signum() as i32) < -60, "{:?} {:?}", place(0.9), place(-0.9));
+    let up = skin.patch(0, 0).unit_normal(0.5, 0.5).z;
+    assert!(
+        red(0.9) * up.signum() as i32 > 60 && red(-0.9) * (up.signum() as i32) < -60,
+        "{:?} {:?}",
+        place(0.9),
+        place(-0.9)
+    );
     assert!(red(0.03).abs() < 22, "{:?}", place(0.03));
     // A skin that follows its surface everywhere is pale all over.
     let same = drawn(&model, &[following(&skin)], &options(PictureColour::Deviation, true)).0;
@@ -126,7 +126,7 @@ fn bars(picture: &Pixmap) -> Vec<usize> {
         let [r, g, b] = at(picture, x as f64, y as f64);
         r.max(g).max(b) - r.min(g).min(b) > 30
     };
-    (height * 7 / 10..height).filter(|y| (0..width).filter(|x| vivid(*x, *y)).count() > width / 4).collect()
+    (height * 82 / 100..height).filter(|y| (0..width).filter(|x| vivid(*x, *y)).count() > width / 4).collect()
 }
 
 #[test]
@@ -144,7 +144,9 @@ fn pictures_of_a_quantity_have_one_scale_and_name_what_lacks_it() {
     assert_eq!(rows.len(), rows.last().unwrap() - rows[0] + 1);
     assert!((rows.len() as f64 - 20.0 * scale).abs() <= 3.0, "{rows:?}");
     // The plate, below, is grey, which nothing else is.
-    let grey = |picture: &Pixmap| picture.pixels().iter().filter(|p| p.red().abs_diff(p.blue()) < 14 && (120..186).contains(&p.red())).count();
+    let grey = |picture: &Pixmap| {
+        picture.pixels().iter().filter(|p| p.red().abs_diff(p.blue()) < 14 && (120..186).contains(&p.red())).count()
+    };
     let plain = drawn(&model, &provenance, &front(PictureColour::Object)).0;
     assert!(grey(&picture) > 10_000 + grey(&plain), "{} {}", grey(&picture), grey(&plain));
     assert!(bars(&plain).is_empty());
@@ -168,7 +170,8 @@ fn pictures_are_as_high_as_asked_for() {
             let picture = drawn(model, &[], &sized).0;
             assert_eq!((picture.width(), picture.height()), (width, height));
         }
-        for (height, message) in [(149, "150 to 10000"), (10_001, "150 to 10000"), (170, "leaves the drawing no room")] {
+        for (height, message) in [(149, "150 to 10000"), (10_001, "150 to 10000"), (170, "leaves the drawing no room")]
+        {
             let sized = ExportOptions { png_height: Some(height), ..ExportOptions::default() };
             let error = Exporter::new(model).unwrap().export(Format::Png, &sized).unwrap_err();
             assert!(error.to_string().contains(message) && error.reason() == "picture", "{error}");
@@ -186,9 +189,12 @@ fn panels_in_sight_are_numbered() {
     };
     let model = Model::new(Units::Metre).with_surface("plate", plane(0.0, 0.0));
     let note = |model: &Model, options: &ExportOptions| drawn(model, &[], options).1.notes.join("\n");
-    assert_eq!(note(&model, &labelled(1600, "top")), "r03-c07 is row 3, column 7; 16 of 16 panels are numbered, 16 are in sight");
+    assert_eq!(
+        note(&model, &labelled(1600, "top")),
+        "r03-c07 is row 3, column 7; 16 of 16 panels are numbered, 16 are in sight"
+    );
     // Seen edge on there is no room.
-    assert!(note(&model, &labelled(1600, "front")).starts_with("no panel is numbered"));
+    assert!(note(&model, &labelled(1600, "front")).contains("no panel is numbered"));
     let ring = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([24, 16]).unwrap().remove(0);
     let two = model.clone().with_surface("ring", ring);
     let said = note(&two, &labelled(1600, "40,50"));
@@ -196,7 +202,7 @@ fn panels_in_sight_are_numbered() {
     // Text is drawn where there was none.
     let dark = |options: &ExportOptions| drawn(&model, &[], options).0.pixels().iter().filter(|p| p.red() < 60).count();
     let plain = ExportOptions { png_labels: false, ..labelled(1600, "top") };
-    assert!(dark(&labelled(1600, "top")) > dark(&plain) + 2000);
+    assert!(dark(&labelled(1600, "top")) > dark(&plain) + 1000);
 }
 
 #[test]
@@ -205,22 +211,25 @@ fn fields_show_mesh_directions_umbilics_and_grids() {
     let net = plane(0.0, 0.0);
     let surface = GivenSurface::from_grid(net.grid());
     let along = vec![Vec3::X; surface.triangles.len()];
-    let field = LaidField { surface, along, umbilics: vec![(Point3::new(0.5, 0.5, 0.0), 1)], grids: vec![net.grid().clone()] };
+    let field =
+        LaidField { surface, along, umbilics: vec![(Point3::new(0.5, 0.5, 0.0), 1)], grids: vec![net.grid().clone()] };
     let line = cyclide::Arc::segment(Point3::new(-2.0, -2.0, 0.0), Point3::new(2.0, -2.0, 0.0)).unwrap();
     let mut model = Model::new(Units::Metre).with_curve("lattice", line);
     model.items.push(Item::new("skin", vec![SurfaceObject::Net(net)]));
     let given = [Provenance { kind: "principal-grid", field: Some(field), ..Provenance::default() }];
     let (picture, file) = drawn(&model, &given, &options(PictureColour::Field, true));
     assert_eq!(file.notes, ["left out of the picture of lines of curvature: skin"]);
-    let (x, y, half) = middle(&picture);
+    let (x, y, half) = MIDDLE;
     let place = |u: f64, v: f64| at(&picture, x + 0.5 * half * u, y - 0.5 * half * v);
     let [r, g, b] = place(0.5, 0.5);
     assert!(r > 150 && r > b + 40 && b > g + 20, "an umbilic: {r} {g} {b}");
     // Lines along s, of constant y, are blue, those across red; between them is the mesh.
     let blue = |u: f64, v: f64| place(u, v)[2] - place(u, v)[0];
-    let near = |u: f64, v: f64, d: [f64; 2]| (-4..=4).map(|k| blue(u + 0.01 * f64::from(k) * d[0], v + 0.01 * f64::from(k) * d[1])).collect::<Vec<_>>();
-    assert!(near(0.25, 1.0, [0.0, 1.0]).iter().any(|v| *v > 80), "{:?}", near(0.25, 1.0, [0.0, 1.0]));
-    assert!(near(-1.0, -0.25, [1.0, 0.0]).iter().any(|v| *v < -80), "{:?}", near(-1.0, -0.25, [1.0, 0.0]));
+    let near = |u: f64, v: f64, d: [f64; 2]| {
+        (-8..=8).map(|k| blue(u + 0.004 * f64::from(k) * d[0], v + 0.004 * f64::from(k) * d[1])).collect::<Vec<_>>()
+    };
+    assert!(near(0.25, 1.0, [0.0, 1.0]).iter().any(|v| *v > 45), "{:?}", near(0.25, 1.0, [0.0, 1.0]));
+    assert!(near(-1.0, -0.25, [1.0, 0.0]).iter().any(|v| *v < -45), "{:?}", near(-1.0, -0.25, [1.0, 0.0]));
     // Without a field the picture is that of the objects.
     let (plain, with) = (options(PictureColour::Object, true), options(PictureColour::Field, true));
     assert!(drawn(&model, &[], &plain).0 == drawn(&model, &[], &with).0);

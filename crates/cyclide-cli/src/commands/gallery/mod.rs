@@ -98,7 +98,13 @@ fn make(entry: &'static Entry, progress: &Progress) -> Result<Shown, Failure> {
         let title = if *format == Format::Png { entry.title } else { entry.name };
         let camera = if entry.camera.is_empty() { None } else { Some(entry.camera.parse().map_err(fault)?) };
         let title = Some(title.to_owned());
-        let options = ExportOptions { title, png_width: Some(PICTURE), camera, png_colour: entry.colour, ..ExportOptions::default() };
+        let options = ExportOptions {
+            title,
+            png_width: Some(PICTURE),
+            camera,
+            png_colour: entry.colour,
+            ..ExportOptions::default()
+        };
         let exported = exporter.export(*format, &options).map_err(|error| fault(error.to_string()))?;
         let checked = exporter.check(Path::new(&name), *format, &exported);
         report.files.push(checked.map_err(|error| fault(error.to_string()))?);

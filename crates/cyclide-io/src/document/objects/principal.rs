@@ -1,8 +1,8 @@
 //! Grids along the lines of curvature of meshes.
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
-    QuadGrid, ShortNumber, principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalField, PrincipalGridOptions, PrincipalGrids,
+    PrincipalStage, QuadGrid, ShortNumber, principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;

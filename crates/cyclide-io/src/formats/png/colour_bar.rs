@@ -15,6 +15,8 @@ const TICK: f64 = 7.0;
 const MARK: f64 = 9.0;
 /// Room of a number on the scale.
 const BETWEEN: f64 = 110.0;
+/// Where the marks of the legend below begin.
+const INDENT: f64 = 4.0;
 /// Longer bars are no better read.
 const LONGEST: f64 = 900.0;
 /// Least room between two numbers, heights of capitals.
@@ -49,7 +51,8 @@ impl ColourBar {
         for _ in 0..4 {
             let values = self.scale.ticks(count);
             let step = values.windows(2).map(|pair| pair[1] - pair[0]).next();
-            ticks = values.into_iter().map(|v| (place(v), number(v, step))).collect();
+            let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            ticks = values.into_iter().map(|v| (place(v), number(v, step, largest))).collect();
             let width = |text: &str| lettering::width(text, size);
             let apart = |a: &(f64, String), b: &(f64, String)| b.0 - a.0 - 0.5 * (width(&a.1) + width(&b.1));
             if ticks.windows(2).all(|pair| apart(&pair[0], &pair[1]) >= APART * size) {
@@ -63,7 +66,8 @@ impl ColourBar {
             v if clipped[k] => format!("{word} {}, clipped", ShortNumber(v)),
             v => format!("{word} {}", ShortNumber(v)),
         };
-        let ends = if self.scale.is_one_value() { [String::new(), String::new()] } else { [end(0, "min"), end(1, "max")] };
+        let ends =
+            if self.scale.is_one_value() { [String::new(), String::new()] } else { [end(0, "min"), end(1, "max")] };
         Plan { ticks, ends }
     }
 
@@ -71,9 +75,11 @@ impl ColourBar {
     pub(super) fn draw(&self, canvas: &mut Canvas, sheet: Sheet, (left, right): (f64, f64), top: f64) {
         let (s, size) = (sheet.scale, sheet.text_size());
         let clipped = self.scale.is_clipped();
-        let (arrow, length) = (HEIGHT * s, (right - left).min(LONGEST * s));
         // Room for the points of the bar where values lie beyond its ends.
-        let (x, length) = (left + arrow, (length - 2.0 * arrow).max(1.0));
+        let arrow = HEIGHT * s;
+        let [before, behind] = clipped.map(|clipped| if clipped { arrow } else { 0.0 });
+        let x = left + INDENT * s + before;
+        let length = ((right - x).min(LONGEST * s) - behind).max(1.0);
         let plan = self.plan(sheet, length);
         let line = |row: f64| top + (row + 0.5) * ROW * s + 0.5 * TEXT * s;
         let (upper, lower) = (top + 1.12 * ROW * s, top + 1.12 * ROW * s + HEIGHT * s);
@@ -89,9 +95,16 @@ impl ColourBar {
         let outline: Vec<Pixel> = {
             let tip = |k: usize| if clipped[k] { 0.75 * arrow } else { 0.0 };
             let ends = [(x - tip(0), x), (x + length + tip(1), x + length)];
-            [(ends[0].0, middle), (ends[0].1, upper), (ends[1].1, upper), (ends[1].0, middle), (ends[1].1, lower), (ends[0].1, lower)]
-                .map(|(x, y)| (x as f32, y as f32))
-                .to_vec()
+            [
+                (ends[0].0, middle),
+                (ends[0].1, upper),
+                (ends[1].1, upper),
+                (ends[1].0, middle),
+                (ends[1].1, lower),
+                (ends[0].1, lower),
+            ]
+            .map(|(x, y)| (x as f32, y as f32))
+            .to_vec()
         };
         for (k, end, at) in [(0, low, x), (1, high, x + length)] {
             if clipped[k] {
@@ -110,7 +123,11 @@ impl ColourBar {
         self.draw_words(canvas, sheet, &plan, (x, length, line(0.0)));
         if !self.scale.is_one_value() {
             for (at, towards) in [(x, 1.0), (x + length, -1.0)] {
-                let mark = [(at, upper - 1.5 * s), (at, upper - 1.5 * s - MARK * s), (at + towards * 0.7 * MARK * s, upper - 1.5 * s - MARK * s)];
+                let mark = [
+                    (at, upper - 1.5 * s),
+                    (at, upper - 1.5 * s - MARK * s),
+                    (at + towards * 0.7 * MARK * s, upper - 1.5 * s - MARK * s),
+                ];
                 canvas.fill(&mark.map(|(x, y)| (x as f32, y as f32)), Ink::TEXT);
             }
         }
@@ -126,21 +143,24 @@ impl ColourBar {
         let room = length - first - last - 2.0 * gap;
         let name = lettering::fitted(&self.name, size, room.max(0.0));
         let wide = lettering::width(&name, size);
-        let start = (x + 0.5 * (length - wide)).clamp(x + first + gap, (x + length - last - gap - wide).max(x + first + gap));
+        let start =
+            (x + 0.5 * (length - wide)).clamp(x + first + gap, (x + length - last - gap - wide).max(x + first + gap));
         canvas.text(&name, (start, base), size, Ink::TEXT);
     }
 }
 
-/// A round number in the digits that its step to the next needs.
-fn number(v: f64, step: Option<f64>) -> String {
+/// A round number in the digits that its step to the next needs, in the form that goes with the largest beside it.
+fn number(v: f64, step: Option<f64>, largest: f64) -> String {
     let Some(step) = step else { return ShortNumber(v).to_string() };
     let decade = |v: f64| v.abs().log10().floor() as i32;
     // Multiples of a step miss it by rounding: 0.30000000000000004, and zero may have a sign.
     let v = if v.abs() < 0.5 * step { 0.0 } else { v };
     let behind = -decade(step * (1.0 + 1e-9));
-    match v.abs() {
+    match v {
         0.0 => "0".to_owned(),
-        size if (1e-3..1e7).contains(&size) && behind <= 9 => format!("{v:.*}", behind.max(0) as usize),
+        _ if (1e-4..1e7).contains(&(largest * (1.0 + 1e-9))) && behind <= 9 => {
+            format!("{v:.*}", behind.max(0) as usize)
+        }
         _ => format!("{v:.*e}", (decade(v * (1.0 + 1e-9)) + behind).clamp(0, 12) as usize),
     }
 }
@@ -171,7 +191,8 @@ mod tests {
                     let digits = 2e-5 * value.abs() / (range[1] - range[0]) * length;
                     assert!((there - place).abs() < 0.5 + digits, "{text} at {place}, not {there}");
                     if let Some((next, other)) = plan.ticks.get(k + 1) {
-                        let half = 0.5 * (lettering::width(text, sheet.text_size()) + lettering::width(other, sheet.text_size()));
+                        let half = 0.5
+                            * (lettering::width(text, sheet.text_size()) + lettering::width(other, sheet.text_size()));
                         assert!(next - place > half, "{text} and {other} at {width}");
                     }
                 }

@@ -3,12 +3,13 @@
 //! A few objects are named in a row with their colours. More are numbered: each has its number in the drawing, and the
 //! names stand in columns below, as many as a third of the picture holds; the last entry says how many are left out.
 
-use super::canvas::{Canvas, Ink, Pixel};
-use super::sheet::{BAR_ROOM, MOST_ENTRIES, ROW, Sheet, TEXT};
+use super::canvas::{Canvas, Ink};
 use super::colour_bar::{self, ColourBar};
-use super::scene::quantity;
-use super::{DATA, lettering};
-use crate::drawing::{Combs, palette};
+use super::lettering;
+use super::marks::{Mark, family};
+use super::scene::quantity::{self, Coloured};
+use super::sheet::{BAR_ROOM, MOST_ENTRIES, ROW, Sheet, TEXT};
+use crate::drawing::Combs;
 use crate::export::job::Job;
 use cyclide::ShortNumber;
 
@@ -27,25 +28,6 @@ const NUMBER: f64 = 40.0;
 pub(super) struct Entry {
     mark: Mark,
     text: String,
-}
-
-/// What stands before the text.
-#[derive(Debug, Clone, Copy)]
-enum Mark {
-    /// A curve, and whether it is drawn in dashes.
-    Line(Ink, bool),
-    /// A surface: its colour and that of its lines.
-    Field(Ink, Ink),
-    /// Blocks: surfaces of three families.
-    Families,
-    Comb,
-    /// Data points of a fit.
-    Data,
-    /// The two directions of curvature.
-    Cross(Ink, Ink),
-    Umbilic,
-    /// None: more than there is room for.
-    More,
 }
 
 /// A legend with the places of its entries.
@@ -105,21 +87,36 @@ impl Legend {
     }
 
     /// Of surfaces that are coloured by a quantity: its scale in place of their colours, and those in grey, which do not have it.
-    pub(super) fn with_scale(mut self, job: &Job<'_>, bar: ColourBar, names: &[String], shown: &dyn Fn(usize) -> bool) -> Self {
+    pub(super) fn with_scale(
+        mut self,
+        job: &Job<'_>,
+        bar: ColourBar,
+        names: &[String],
+        coloured: &Coloured<'_>,
+    ) -> Self {
         let is_surface = |item: usize| !job.model.items[item].surfaces().is_empty();
         let is_drawn = |item: usize| is_surface(item) || !job.model.items[item].volumes().is_empty();
         // A surface has no colour of its own any more.
         self.row.retain(|entry| !matches!(entry.mark, Mark::Field(..)));
-        let grey: Vec<&str> =
-            names.iter().enumerate().filter(|(k, _)| is_drawn(*k) && !shown(*k)).map(|(_, name)| name.as_str()).collect();
+        let grey: Vec<&str> = names
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| is_drawn(*k) && !coloured.is_shown(*k))
+            .map(|(_, name)| name.as_str())
+            .collect();
         if !grey.is_empty() {
             let mark = Mark::Field(Ink::of_screen(quantity::WITHOUT), Ink::SOFT);
             let more = grey.len().saturating_sub(GREY_NAMES);
-            let mut text = format!("{}: {}", quantity::without(job.options.png_colour), grey[..grey.len() - more].join(", "));
+            let mut text =
+                format!("{}: {}", quantity::without(job.options.png_colour), grey[..grey.len() - more].join(", "));
             if more > 0 {
                 text += &format!(", +{more} more");
             }
             self.row.push(Entry { mark, text });
+        }
+        if coloured.has_gaps() {
+            let mark = Mark::Field(Ink::of_screen(quantity::WITHOUT), Ink::SOFT);
+            self.row.push(Entry { mark, text: quantity::gap(job.options.png_colour).to_owned() });
         }
         for entry in &mut self.numbered {
             if let Mark::Field(field, line) = &mut entry.mark {
@@ -285,11 +282,6 @@ pub(super) fn is_crowded(job: &Job<'_>) -> bool {
     job.model.items.len() > MOST_ENTRIES || of_blocks > 1
 }
 
-/// The colours of the surfaces inside blocks on which a parameter is constant, and of their lines.
-fn family(axis: usize) -> [Ink; 2] {
-    palette::family(axis).map(Ink::of_screen)
-}
-
 fn mark(job: &Job<'_>, index: usize) -> Mark {
     if !job.model.items[index].volumes().is_empty() {
         Mark::Families
@@ -349,61 +341,6 @@ fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
 
 fn three_digits(v: f64) -> f64 {
     format!("{v:.2e}").parse().unwrap_or(v)
-}
-
-impl Mark {
-    /// The colour of a number beside it.
-    fn ink(self) -> Ink {
-        match self {
-            Self::Line(ink, _) | Self::Field(_, ink) => ink,
-            Self::Families | Self::Comb | Self::Data | Self::Cross(..) | Self::Umbilic | Self::More => Ink::TEXT,
-        }
-    }
-
-    /// Draws it from its left end.
-    fn draw(self, canvas: &mut Canvas, (x, y): (f64, f64), s: f64) {
-        let at = |dx: f64, dy: f64| -> Pixel { ((x + dx * s) as f32, (y + dy * s) as f32) };
-        match self {
-            Self::Line(ink, false) => canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 3.4 * s, ink),
-            Self::Line(ink, true) => canvas.dashes(&[at(2.0, 0.0), at(46.0, 0.0)], false, 3.4 * s, 9.0 * s, ink),
-            Self::Field(field, line) => {
-                let corners = [at(4.0, 8.0), at(40.0, 8.0), at(40.0, -8.0), at(4.0, -8.0)];
-                canvas.fill(&corners, field);
-                canvas.stroke(&corners, true, 1.5 * s, line);
-            }
-            Self::Families => {
-                for axis in 0..3 {
-                    let [field, line] = family(axis);
-                    let x = 4.0 + 12.0 * axis as f64;
-                    let corners = [at(x, 8.0), at(x + 12.0, 8.0), at(x + 12.0, -8.0), at(x, -8.0)];
-                    canvas.fill(&corners, field);
-                    canvas.stroke(&corners, true, 1.5 * s, line);
-                }
-            }
-            Self::Comb => {
-                let arch = |i: u32| -0.5 * (f64::from(i) - 4.0).powi(2);
-                let tips: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), -2.0 + arch(i) - 2.0)).collect();
-                let feet: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), 8.0)).collect();
-                let teeth: Vec<[Pixel; 2]> = feet.iter().zip(&tips).map(|(a, b)| [*a, *b]).collect();
-                canvas.strokes(teeth.iter().map(<[_; 2]>::as_slice), s, Ink::COMB);
-                canvas.stroke(&tips, false, 1.3 * s, Ink::COMB_EDGE);
-                canvas.stroke(&feet, false, 2.4 * s, Ink::object(0));
-            }
-            Self::Data => {
-                for (dx, dy) in [(5.0, -1.5), (13.0, 1.5), (31.0, -1.0), (39.0, 1.5)] {
-                    canvas.spot(at(dx, dy), DATA * s);
-                }
-                canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 2.4 * s, Ink::object(0));
-                canvas.dot(at(22.0, 0.0), 4.0 * s);
-            }
-            Self::Cross(along, across) => {
-                canvas.stroke(&[at(12.0, 0.0), at(32.0, 0.0)], false, 1.6 * s, along);
-                canvas.stroke(&[at(22.0, 10.0), at(22.0, -10.0)], false, 1.6 * s, across);
-            }
-            Self::Umbilic => canvas.disc(at(22.0, 0.0), 7.0 * s, 3.0 * s, Ink::UMBILIC),
-            Self::More => {}
-        }
-    }
 }
 
 #[cfg(test)]

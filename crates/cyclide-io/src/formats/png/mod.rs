@@ -14,6 +14,7 @@ mod colour_bar;
 mod labels;
 mod legend;
 mod lettering;
+mod marks;
 mod scene;
 mod sheet;
 mod view;

@@ -26,8 +26,8 @@ const LINES: [u32; 2] = [0x1F5FA6, 0xB24A1C];
 const UMBILIC: u32 = 0xC62A6B;
 /// Widths in pixels of a usual picture: half of lines and of strokes of crosses, the arm of a cross, and the distance of crosses, arms.
 const LINE: f64 = 1.15;
-const STROKE: f64 = 0.65;
-const ARM: f64 = 8.5;
+const STROKE: f64 = 0.75;
+const ARM: f64 = 9.5;
 const APART: f64 = 2.6;
 /// Radius of an umbilic and of the ring round it.
 const MARK: f64 = 6.0;
@@ -36,7 +36,11 @@ const RING: f64 = 9.0;
 const HALF_RIGHT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Draws the fields of a model; `None` if it has none.
-pub(in crate::formats::png) fn write(job: &Job<'_>, sheet: Sheet, names: &Names) -> Result<Option<Exported>, ExportError> {
+pub(in crate::formats::png) fn write(
+    job: &Job<'_>,
+    sheet: Sheet,
+    names: &Names,
+) -> Result<Option<Exported>, ExportError> {
     let items = 0..job.model.items.len();
     let fields: Vec<(usize, &LaidField)> = items.filter_map(|k| Some((k, job.provenances.field(k)?))).collect();
     let points: Vec<Point3> = fields.iter().flat_map(|(_, field)| field.surface.points.iter().copied()).collect();
@@ -66,8 +70,10 @@ pub(in crate::formats::png) fn write(job: &Job<'_>, sheet: Sheet, names: &Names)
     let room = (sheet.width - before - behind, height - header - footer - under);
     let camera = Camera::new(&shown, axes, flat, room).moved(before, header);
     let lights = Lights::new(camera.axes());
-    let triangles: Vec<[Point3; 3]> =
-        fields.iter().flat_map(|(_, field)| field.surface.triangles.iter().map(|t| t.map(|v| field.surface.points[v]))).collect();
+    let triangles: Vec<[Point3; 3]> = fields
+        .iter()
+        .flat_map(|(_, field)| field.surface.triangles.iter().map(|t| t.map(|v| field.surface.points[v])))
+        .collect();
     let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&triangles, bounds, &lights));
     let mut facets = Facets::default();
     for (item, field) in &fields {
@@ -126,16 +132,21 @@ impl Facets {
             let first = usize::from(near.is_some_and(|(_, s)| along.dot(*s).abs() < HALF_RIGHT));
             let arm = ARM * scale * camera.unit_at(middle);
             for (direction, light) in [(along, lights[first]), (across, lights[1 - first])] {
-                self.add_stroke([middle - direction * arm, middle + direction * arm], object, STROKE * scale, light, camera);
+                self.add_stroke(
+                    [middle - direction * arm, middle + direction * arm],
+                    object,
+                    STROKE * scale,
+                    light,
+                    camera,
+                );
             }
         }
         for grid in &field.grids {
             let ([m, n], [round, _]) = (grid.size(), grid.closed());
             let row = |j: usize| (0..m).map(|i| grid.point(i, j)).collect::<Vec<_>>();
             let column = |i: usize| (0..n).map(|j| grid.point(i, j)).collect::<Vec<_>>();
-            for (points, closed, light) in (0..n)
-                .map(|j| (row(j), round, lights[0]))
-                .chain((0..m).map(|i| (column(i), false, lights[1])))
+            for (points, closed, light) in
+                (0..n).map(|j| (row(j), round, lights[0])).chain((0..m).map(|i| (column(i), false, lights[1])))
             {
                 self.add_ribbon(&Polyline { object, points, closed }, LINE * scale, light, camera);
             }

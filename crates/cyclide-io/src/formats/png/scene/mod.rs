@@ -30,11 +30,11 @@ use crate::export::job::Job;
 use crate::export::shape::Shape;
 use crate::formats::png::axes::{self, Plan, Rulers};
 use crate::formats::png::canvas::{Canvas, Ink, PAPER};
+use crate::formats::png::colour_bar::ColourBar;
 use crate::formats::png::legend::{self, Legend, Naming, balloon};
 use crate::formats::png::sheet::{Caption, Names, Sheet};
 use crate::formats::png::view;
 use camera::Camera;
-use crate::formats::png::colour_bar::ColourBar;
 use cyclide::{Aabb, Point3, SurfaceMesh, Vec3};
 use facets::{Facets, Paint};
 use ground::Ground;
@@ -82,7 +82,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let mut legend = Legend::new(job, &Combs::default(), &names.drawn, naming);
     if let Some(coloured) = &coloured {
         let bar = ColourBar::new(quantity::name(job.options.png_colour, job.units()), coloured.scale.clone());
-        legend = legend.with_scale(job, bar, &names.drawn, &|item| coloured.is_shown(item));
+        legend = legend.with_scale(job, bar, &names.drawn, coloured);
     }
     if labels {
         legend.remark(String::new());
@@ -167,7 +167,12 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             }
         }
         if let Some(seen) = &seen {
-            let drawn = scene.labels((&names, &visible.places(names.len())), seen, &numbered, (sheet, [header, height - footer]));
+            let drawn = scene.labels(
+                (&names, &visible.places(names.len())),
+                seen,
+                &numbered,
+                (sheet, [header, height - footer]),
+            );
             drawn.draw(&mut canvas);
             let said = drawn.said.join("; ");
             notes.extend((!said.is_empty()).then(|| said.clone()));
@@ -258,12 +263,14 @@ impl Scene<'_> {
         (sheet, [top, bottom]): (Sheet, [f64; 2]),
     ) -> DrawnLabels {
         let mut drawn = DrawnLabels::default();
-        let named: Vec<(usize, &str, Option<(f64, f64)>)> = names
+        // Where colours stand for values they are no colours of objects.
+        let ink = |k: usize| if self.coloured.is_some() { Ink::TEXT } else { Ink::object(k) };
+        let named: Vec<(Ink, &str, Option<(f64, f64)>)> = names
             .iter()
             .zip(places)
             .enumerate()
             .filter(|(_, (name, _))| names.len() > 1 && !name.is_empty())
-            .map(|(k, (name, place))| (k, name.as_str(), *place))
+            .map(|(k, (name, place))| (ink(k), name.as_str(), *place))
             .collect();
         let margin = 0.4 * sheet.margin();
         drawn.add_names(sheet, [margin, top, sheet.width - margin, bottom], &named);

@@ -2,7 +2,7 @@
 //!
 //! The number of a panel stands at its middle if the middle is seen and the number lies on what is seen of this panel alone; so no two
 //! of them overlap. All numbers of a picture have one size and one form: the largest at which most panels in sight have room, in full
-//! (`r03-c07`, row and column from 0, as in lists of panels) or short (`3.7`).
+//! (`r03-c07`, row and column from 0, as in lists of panels) or short (`3-7`).
 
 use super::surface::Surface;
 use crate::export::job::Job;
@@ -63,7 +63,7 @@ pub(super) struct Panel {
 impl Panel {
     fn words(self, full: bool) -> String {
         let Self { row, column, digits: [of_column, of_row] } = self;
-        if full { format!("r{row:0of_row$}-c{column:0of_column$}") } else { format!("{row}.{column}") }
+        if full { format!("r{row:0of_row$}-c{column:0of_column$}") } else { format!("{row}-{column}") }
     }
 }
 
@@ -99,10 +99,10 @@ pub(super) struct DrawnLabels {
 impl DrawnLabels {
     /// Places for the names of objects: at the middle of what is seen of each, not on each other, and inside the room (left, top, right,
     /// bottom).
-    pub(super) fn add_names(&mut self, sheet: Sheet, room: [f64; 4], named: &[(usize, &str, Option<(f64, f64)>)]) {
+    pub(super) fn add_names(&mut self, sheet: Sheet, room: [f64; 4], named: &[(Ink, &str, Option<(f64, f64)>)]) {
         let size = 1.05 * sheet.text_size();
         let mut placed = 0;
-        for (item, name, place) in named {
+        for (ink, name, place) in named {
             let Some((x, y)) = *place else { continue };
             let text = lettering::fitted(name, size, 0.4 * sheet.width);
             let wide = lettering::width(&text, size);
@@ -111,9 +111,10 @@ impl DrawnLabels {
                 let x = (x - 0.5 * wide).clamp(left, (right - wide).max(left));
                 (x, (y + 0.5 * size + shift * 2.2 * size).clamp(top + size, bottom.max(top + size)))
             };
-            let free = [0.0, -1.0, 1.0, -2.0, 2.0].into_iter().map(start).find(|at| self.is_free(rectangle(*at, wide, size)));
+            let free =
+                [0.0, -1.0, 1.0, -2.0, 2.0].into_iter().map(start).find(|at| self.is_free(rectangle(*at, wide, size)));
             if let Some(at) = free {
-                self.push(Label { text, start: at, size, ink: Ink::object(*item) }, wide);
+                self.push(Label { text, start: at, size, ink: *ink }, wide);
                 placed += 1;
             }
         }
@@ -152,7 +153,7 @@ impl DrawnLabels {
             }
         }
         let (full, found) = best;
-        let form = if full { "r03-c07 is row 3, column 7" } else { "3.7 is row 3, column 7" };
+        let form = if full { "r03-c07 is row 3, column 7" } else { "3-7 is row 3, column 7" };
         let (count, sight, all) = (found.len(), in_sight.len(), panels.len());
         self.said.push(match count {
             0 => format!("no panel is numbered: none of {sight} in sight has room"),
@@ -211,7 +212,9 @@ mod tests {
 
     #[test]
     fn numbers_stand_on_their_own_panel_and_do_not_overlap() {
-        for (size, form, said) in [(200, "r01-c02", "9 of 12 panels"), (50, "1.2", "180 of 192 panels"), (10, "", "no panel is numbered")] {
+        for (size, form, said) in
+            [(200, "r01-c02", "9 of 12 panels"), (50, "1-2", "180 of 192 panels"), (10, "", "no panel is numbered")]
+        {
             let (seen, panels) = squares(size);
             let mut drawn = DrawnLabels::default();
             drawn.add_panels(SHEET, &seen, &panels);
@@ -231,7 +234,7 @@ mod tests {
     fn names_keep_apart_and_inside() {
         let mut drawn = DrawnLabels::default();
         let place = Some((790.0, 300.0));
-        let named: Vec<_> = (0..7).map(|k| (k, "a long name", place)).collect();
+        let named: Vec<_> = (0..7).map(|k| (Ink::object(k), "a long name", place)).collect();
         drawn.add_names(SHEET, [20.0, 80.0, 780.0, 500.0], &named);
         // Five places are tried for each.
         assert_eq!((drawn.labels.len(), drawn.said.len()), (5, 1));

@@ -24,13 +24,15 @@ pub(in crate::formats::png) const WITHOUT: u32 = 0xB4B8BC;
 const INSIDE: f64 = 1e-5;
 
 /// A quantity of the surfaces of a picture.
-pub(super) struct Coloured<'a> {
+pub(in crate::formats::png) struct Coloured<'a> {
     colour: PictureColour,
     /// Of each item the surface that it follows, if its distance is shown.
     followed: Vec<Option<SurfaceDistance<'a>>>,
     /// Whether the surfaces of an item have the quantity.
     shown: Vec<bool>,
     pub(super) scale: ValueScale,
+    /// True if some places have no value.
+    gaps: bool,
 }
 
 impl<'a> Coloured<'a> {
@@ -52,24 +54,28 @@ impl<'a> Coloured<'a> {
         let shown: Vec<bool> =
             followed.iter().enumerate().map(|(item, given)| can(item) && (!deviation || given.is_some())).collect();
         let empty = ValueScale::new(vec![(0.0, 1.0)], 0.0)?;
-        let mut coloured = Self { colour, followed, shown, scale: empty };
+        let mut coloured = Self { colour, followed, shown, scale: empty, gaps: false };
         let items = (0..coloured.shown.len()).filter(|item| coloured.shown[*item]);
         // The lines on them are not looked at.
-        let own: Vec<(usize, Surface<'_>)> =
-            items.flat_map(|item| faces(item).flat_map(move |shell| surfaces(shell, item, f64::MAX, 1.0)).map(move |s| (item, s))).collect();
+        let own: Vec<(usize, Surface<'_>)> = items
+            .flat_map(|item| {
+                faces(item).flat_map(move |shell| surfaces(shell, item, f64::MAX, 1.0)).map(move |s| (item, s))
+            })
+            .collect();
         if own.is_empty() {
             return None;
         }
         let count = (PLACES / own.len().max(1) as f64).sqrt().clamp(SIDES.0, SIDES.1) as usize;
-        let (mut values, mut bend) = (Vec::new(), 0.0_f64);
+        let (mut values, mut bend, mut gaps) = (Vec::new(), 0.0_f64, false);
         for (item, surface) in own.iter().map(|(item, surface)| (*item, surface)) {
             for (i, j) in (0..count * count).map(|k| (k % count, k / count)) {
                 let at = [i, j].map(|k| k as f64 / (count - 1) as f64);
                 let area = surface.surface.jet(at[0], at[1]).area_element();
                 // Ends of a row stand for half as much.
                 let half = |k: usize| if k == 0 || k + 1 == count { 0.5 } else { 1.0 };
-                if let Some(value) = coloured.value(item, surface, at) {
-                    values.push((value, area * half(i) * half(j)));
+                match coloured.value(item, surface, at) {
+                    Some(value) => values.push((value, area * half(i) * half(j))),
+                    None => gaps = true,
                 }
                 if let Some([k1, k2]) = curvatures(surface, at).filter(|k| k.iter().all(|k| k.is_finite())) {
                     bend = bend.max(k1.abs()).max(k2.abs());
@@ -83,6 +89,7 @@ impl<'a> Coloured<'a> {
             _ => (ROUNDING_OF_PRODUCT * bend).max(ROUNDING / size),
         };
         coloured.scale = ValueScale::new(values, zero)?;
+        coloured.gaps = gaps;
         Some(coloured)
     }
 
@@ -112,8 +119,13 @@ impl<'a> Coloured<'a> {
     }
 
     /// True if the surfaces of an object have the quantity.
-    pub(super) fn is_shown(&self, item: usize) -> bool {
+    pub(in crate::formats::png) fn is_shown(&self, item: usize) -> bool {
         self.shown.get(item).copied().unwrap_or(false)
+    }
+
+    /// True if there are places without a value on surfaces that have the quantity.
+    pub(in crate::formats::png) fn has_gaps(&self) -> bool {
+        self.gaps
     }
 }
 
@@ -141,6 +153,14 @@ pub(in crate::formats::png) fn name(colour: PictureColour, units: Units) -> Stri
         PictureColour::K2 => format!("smaller principal curvature, 1/{symbol}"),
         PictureColour::Deviation => format!("distance from the given surface, {symbol}"),
         PictureColour::Object | PictureColour::Field => String::new(),
+    }
+}
+
+/// What is said of places without a value.
+pub(in crate::formats::png) fn gap(colour: PictureColour) -> &'static str {
+    match colour {
+        PictureColour::Deviation => "beyond the border of the given surface",
+        _ => "without curvature",
     }
 }
 
