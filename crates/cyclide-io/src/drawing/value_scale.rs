@@ -134,7 +134,8 @@ mod tests {
         // Grey to a few hundredths, and the palest of all.
         assert!((r - g).abs() < 0.03 && (g - b).abs() < 0.03 && r > 0.8);
         // One step of a value is one step of colour on both sides: -1 is as pale as 1.
-        let luminance = |v: f64| scale.colour(v)[1];
+        let luminance =
+            |v: f64| scale.colour(v).iter().zip([0.2126, 0.7152, 0.0722]).map(|(c, part)| c * part).sum::<f64>();
         assert!((luminance(-1.0) / luminance(1.0) - 1.0).abs() < 0.12);
         assert!(scale.colour(3.0)[0] > 3.0 * scale.colour(3.0)[2] && scale.colour(-1.0)[2] > scale.colour(-1.0)[0]);
     }
@@ -142,7 +143,8 @@ mod tests {
     #[test]
     fn a_few_outliers_do_not_take_the_scale() {
         let even: Vec<f64> = (0..1000).map(|k| 1.0 + 0.001 * f64::from(k)).collect();
-        assert_eq!(scale(&even).shown, [1.0, 1.999]);
+        let shown = scale(&even).shown;
+        assert!(shown[0] == 1.0 && (shown[1] - 1.999).abs() < 1e-12);
         let spoiled = scale(&[&even[..], &[f64::INFINITY, -1e9]].concat());
         assert!(spoiled.shown[0] >= 1.0 && spoiled.shown[1] < 2.0 && spoiled.is_clipped() == [true; 2]);
         assert_eq!(spoiled.all, [-1e9, f64::INFINITY]);

@@ -78,7 +78,7 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("lines_of_curvature.json"),
         inputs: &[input!("ellipsoid_cap.obj")],
         formats: CURVES,
-        camera: "",
+        camera: "20,45",
         colour: PictureColour::Field,
     },
     Entry {
