@@ -6,8 +6,6 @@ use cyclide::{
 use cyclide_io::{ExportOptions, Exported, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
 use tiny_skia::Pixmap;
 
-const PAPER: [u8; 3] = [0xFB, 0xFB, 0xF9];
-
 fn options(colour: PictureColour, plain: bool) -> ExportOptions {
     ExportOptions {
         png_colour: colour,
