@@ -98,6 +98,7 @@ pub const IO: House = House {
         ("document", &["export", "formats", "input", "measure", "text", "error"]),
         ("report", &["document", "formats", "check", "export", "measure", "text"]),
         ("compare", &["document", "text"]),
+        ("schedule", &["document", "formats", "text"]),
     ],
     is_kernel: false,
 };

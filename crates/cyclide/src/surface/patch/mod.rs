@@ -12,6 +12,7 @@
 mod circles;
 mod construct;
 mod corner_circle;
+mod corner_plane;
 mod curvature;
 mod curvature_range;
 mod frame_at;
