@@ -237,3 +237,73 @@ def test_the_plan_numbers_every_panel_where_it_is(workshop):
     lines = [entity for entity in space.query("LWPOLYLINE")]
     assert len(lines) == len(workshop.edges)
     assert sum(entity.dxf.layer == "BORDER" for entity in lines) == 2 * (8 + 6)
+
+
+def distances(row, points):
+    """Distances of points from the surface that a row says is near its panel."""
+    kind = row["near_kind"]
+    origin = point(row, "near_origin") * MILLIMETRES
+    away = points - origin
+    if kind == "sphere":
+        return np.abs(np.linalg.norm(away, axis=-1) - float(row["near_radius_m"]) * MILLIMETRES)
+    axis = np.array([float(row[f"near_axis_{k}"]) for k in "xyz"])
+    height = away @ axis
+    if kind == "plane":
+        return np.abs(height)
+    rho = np.linalg.norm(away - height[..., None] * axis, axis=-1)
+    radius = float(row["near_radius_m"]) * MILLIMETRES
+    if kind == "cylinder":
+        return np.abs(rho - radius)
+    if kind == "cone":
+        half = float(row["near_half_angle_rad"])
+        return np.abs((rho - radius) * math.cos(half) - height * math.sin(half))
+    major = float(row["near_major_radius_m"]) * MILLIMETRES
+    return np.minimum(*(np.abs(np.hypot(side * rho - major, height) - radius) for side in (1, -1)))
+
+
+@pytest.mark.parametrize("tolerance", [0.02, 0.001])
+def test_panels_are_as_near_their_moulds_as_said(tolerance, workshop, program, tmp_path):
+    program("schedule", ROOT / "examples" / "canopy.json", "-o", tmp_path, "--tolerance", tolerance)
+    faces = {key(vertices(face.shape)): face for face in workshop.step.faces}
+    found = [row for row in rows(tmp_path / "panels.csv") if row["near_kind"]]
+    assert found, "some panels are near a simple surface"
+    for row in found:
+        corners = [point(row, f"corner_{corner}") * MILLIMETRES for corner in ("00", "10", "01", "11")]
+        face = faces[key(corners)]
+        u0, u1, v0, v1 = face.box
+        us, vs = np.meshgrid(np.linspace(u0, u1, 61), np.linspace(v0, v1, 61))
+        largest = distances(row, face.at_all(us, vs)[0]).max()
+        said = float(row["near_distance_m"]) * MILLIMETRES
+        assert said <= tolerance * MILLIMETRES * (1 + LIMIT)
+        # Coordinates and radii of some ten thousand millimetres are rounded; between places of the grid it is a little farther.
+        assert largest - 1e-7 <= said <= largest * (1 + 5e-3) + 1e-7, row["id"]
+
+
+def test_flat_patterns_have_the_area_and_the_sides_of_their_panels(program, tmp_path):
+    grid = [
+        [[-4 * math.cos(math.pi * i / 6), 2.0 * j, 4 * math.sin(math.pi * i / 6)] for i in range(7)] for j in range(3)
+    ]
+    document = tmp_path / "vault.json"
+    objects = {"vault": {"type": "cyclidic-net", "grid": grid}}
+    document.write_text(json.dumps({"cyclide": 1, "units": "m", "objects": objects}))
+    program("schedule", document, "-o", tmp_path / "lists")
+    program("build", document, "-o", tmp_path / "vault.step")
+    step = StepFaces(tmp_path / "vault.step")
+    faces = {key(vertices(face.shape)): face for face in step.faces}
+    drawing = ezdxf.readfile(tmp_path / "lists" / "patterns.dxf")
+    assert not drawing.audit().errors and drawing.header["$INSUNITS"] == 6
+    space = drawing.modelspace()
+    outlines = [entity for entity in space.query("LWPOLYLINE") if entity.dxf.layer == "CUT"]
+    panels = rows(tmp_path / "lists" / "panels.csv")
+    assert [text.dxf.text for text in space.query("TEXT")] == [row["id"] for row in panels]
+    assert len(outlines) == len(panels) == len(faces) == 12
+    for row, cut in zip(panels, outlines):
+        corners = [point(row, f"corner_{corner}") * MILLIMETRES for corner in ("00", "10", "01", "11")]
+        face = faces[key(corners)]
+        places = np.array([(x, y) for x, y in cut.get_points("xy")])
+        x, y = places.T
+        area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+        assert area * MILLIMETRES**2 == pytest.approx(face.area(), rel=LIMIT)
+        sides = sorted(outline(cut))
+        read = sorted(length(edge) / MILLIMETRES for edge in face.edges)
+        assert sides == pytest.approx(read, rel=LIMIT)

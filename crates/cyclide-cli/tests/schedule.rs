@@ -1,19 +1,13 @@
 //! `cyclide schedule` as it is run: files, messages, exit codes.
 
+#![allow(clippy::expect_used, reason = "a test fails by panicking")]
+
 mod common;
 
 use common::{Folder, project};
 
-const FILES: [&str; 8] = [
-    "beams.csv",
-    "beams.dxf",
-    "edges.csv",
-    "nodes.csv",
-    "panels.csv",
-    "patterns.dxf",
-    "plan.dxf",
-    "schedule.json",
-];
+const FILES: [&str; 8] =
+    ["beams.csv", "beams.dxf", "edges.csv", "nodes.csv", "panels.csv", "patterns.dxf", "plan.dxf", "schedule.json"];
 
 fn canopy() -> String {
     std::fs::read_to_string(project("examples/canopy.json")).expect("the example is read")
@@ -69,7 +63,8 @@ fn what_is_refused_writes_nothing() {
 
 #[test]
 fn beams_are_asked_for() {
-    let skin = canopy().replace("\"glass\": {\"type\": \"offset\", \"of\": \"skin\", \"distance\": 0.04, \"thick\": true},", "");
+    let skin = canopy()
+        .replace("\"glass\": {\"type\": \"offset\", \"of\": \"skin\", \"distance\": 0.04, \"thick\": true},", "");
     let folder = Folder::with(&[("skin.json", &skin)]);
     let run = folder.run("schedule skin.json -o out");
     assert!(run.code == 0 && run.stderr.contains("--beam-depth"), "{}", run.stderr);

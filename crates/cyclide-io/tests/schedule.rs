@@ -1,5 +1,7 @@
 //! Schedules of nets: what the tables say against the kernel and against each other.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 use std::collections::{HashMap, HashSet};
 
 use cyclide::{CyclidicNet, SurfaceObject};
@@ -226,4 +228,69 @@ fn refusals_say_what_is_wrong() {
     assert!(thick.starts_with("skin: ") && thick.ends_with("[offset-not-regular]"), "{thick}");
     let deep = refused(ScheduleOptions { beam_depth: Some(-40.0), ..ScheduleOptions::default() });
     assert!(deep.ends_with("[offset-not-regular]"), "{deep}");
+}
+
+#[test]
+fn moulds_and_classes_group_the_panels() {
+    // All panels of a ring torus come from one mould; each row of them is alike, and a row is the mirror image of another.
+    let ring = r#"{"cyclide": 1, "units": "m", "objects": {"ring": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]}}}"#;
+    let made = Made::of(ring, &ScheduleOptions { tolerance: Some(1e-6), ..ScheduleOptions::default() });
+    let json: serde_json::Value = serde_json::from_str(made.text("schedule.json")).unwrap();
+    let totals = &json["totals"];
+    assert_eq!((totals["moulds"].as_u64(), totals["mould_kinds"]["torus"]["panels"].as_u64()), (Some(1), Some(48)));
+    assert_eq!(totals["classes"].as_u64(), Some(3), "both halves of the tube have the same three rows, turned over");
+    for row in made.table("panels.csv") {
+        assert_eq!((row["mould"].as_str(), row["near_kind"].as_str()), ("torus-1", "torus"));
+        assert!(number(&row, "near_distance_m") < 1e-12 && row["class_size"] == "16");
+        assert!(
+            (number(&row, "near_major_radius_m") - 3.0).abs() < 1e-9
+                && (number(&row, "near_radius_m") - 1.0).abs() < 1e-9
+        );
+        assert_eq!(row["pattern_area_m2"], "", "a torus is not flat");
+    }
+    // Panels of the canopy are near tori and the like within a coarse tolerance, by themselves within a fine one.
+    let tolerance = |t: f64| Made::of(canopy(), &ScheduleOptions { tolerance: Some(t), ..ScheduleOptions::default() });
+    let (coarse, fine) = (tolerance(0.01), tolerance(1e-7));
+    for row in coarse.table("panels.csv") {
+        assert!(number(&row, "near_distance_m") <= 0.01);
+    }
+    assert!(fine.table("panels.csv").iter().all(|row| row["mould"].starts_with("own-") && row["near_kind"].is_empty()));
+}
+
+#[test]
+fn flat_patterns_of_a_vault() {
+    // Half of a cylinder of radius 4: sheets that are rolled, all alike.
+    let rows: Vec<Vec<[f64; 3]>> = (0..4)
+        .map(|j| {
+            (0..9)
+                .map(|i| {
+                    let angle = std::f64::consts::PI * f64::from(i) / 8.0;
+                    [-4.0 * angle.cos(), 2.0 * f64::from(j), 4.0 * angle.sin()]
+                })
+                .collect()
+        })
+        .collect();
+    let text = format!(
+        r#"{{"cyclide": 1, "units": "m", "objects": {{"vault": {{"type": "cyclidic-net", "grid": {rows:?}}}}}}}"#
+    );
+    let made = Made::of(&text, &ScheduleOptions { thickness: Some(0.1), ..ScheduleOptions::default() });
+    let panels = made.table("panels.csv");
+    let area = 4.0 * std::f64::consts::FRAC_PI_8 * 2.0;
+    for row in &panels {
+        assert_eq!((row["kind"].as_str(), row["mould"].as_str()), ("cylinder", "cylinder-1"));
+        assert!((number(row, "pattern_area_m2") - area).abs() < 1e-12, "a rectangle of arc by ruling");
+        assert!(number(row, "pattern_length_change").abs() < 1e-12);
+        assert_eq!(row["class_size"], "24");
+    }
+    let dxf = made.text("patterns.dxf");
+    assert_eq!((dxf.matches("LWPOLYLINE").count(), dxf.matches("\nTEXT\n").count()), (24, 24));
+    // Beams along the rulings are flat boards, those along the arcs flat rings.
+    for beam in made.table("beams.csv") {
+        assert_eq!(beam["form"], "flat");
+        let along = beam["id"].contains("-t-");
+        assert_eq!(beam["lower_flat_radius_m"].is_empty(), along);
+        if !along {
+            assert!((number(&beam, "lower_flat_radius_m") - 4.0).abs() < 1e-9);
+        }
+    }
 }

@@ -40,6 +40,7 @@ pub const KERNEL: House = House {
         ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
         ("volume", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
         ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "error", "warning"]),
+        ("panel", &["base", "conformal", "curve", "surface", "topology", "error"]),
         (
             "mesh",
             &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "topology", "error", "warning"],

@@ -7,6 +7,7 @@ mod error;
 mod lettering;
 mod net;
 mod panels;
+mod patterns;
 mod plan;
 mod rows;
 mod shelf;
@@ -122,7 +123,8 @@ impl WorkshopSchedule {
             nets.iter().fold((0.0, 0), |(length, count), net| (length + net.edge_length(), count + net.edges.len()));
         let tolerance = options.tolerance.unwrap_or(TOLERANCE * length / count.max(1) as f64);
         let congruent_within = options.congruent_within.unwrap_or(tolerance);
-        let groups = PanelGroups::default();
+        let groups = PanelGroups::new(&nets, tolerance, congruent_within);
+        let groups = groups.map_err(|source| refused("the panels", source))?;
         Ok(Self { units: document.units, tolerance, congruent_within, nets, groups, not_scheduled })
     }
 
@@ -166,7 +168,12 @@ impl WorkshopSchedule {
         let size = self.nets.iter().filter_map(size).reduce(cyclide::Aabb::union);
         let tolerance = DRAWN * size.map_or(1.0, cyclide::Aabb::diagonal);
         let plan = plan::sheet(&self.nets, self.units, tolerance).map_err(refused)?;
-        Ok(vec![("plan.dxf", plan), ("beams.dxf", strips::sheet(&self.nets).map_err(refused)?)])
+        let patterns = patterns::sheet(&self.nets, &self.groups).map_err(refused)?;
+        Ok(vec![
+            ("plan.dxf", plan),
+            ("beams.dxf", strips::sheet(&self.nets).map_err(refused)?),
+            ("patterns.dxf", patterns),
+        ])
     }
 
     /// `schedule.json`: totals, and the tables as columns and rows.
@@ -226,7 +233,7 @@ impl WorkshopSchedule {
     /// What is measured in two ways agrees: areas by panel and of the whole, flat strips and parallel edges.
     fn check_measures(&self) -> Result<(), String> {
         for net in &self.nets {
-            let sum: f64 = net.panels.iter().map(|panel| panel.area).sum();
+            let sum: f64 = net.panels.iter().map(|panel| panel.measures.area).sum();
             if !((sum - net.area).abs() <= AREA_LIMIT * net.area) {
                 return Err(format!("{}: the panels have the area {sum}, the net {}", net.name, net.area));
             }

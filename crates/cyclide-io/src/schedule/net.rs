@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use cyclide::{
-    Arc, CORNER_ANGLE, CyclidePatch, CyclidicNet, Error, FaceEdge, NormalStrip, PatchKind, Point3, Result, Shell, Side,
-    Vec3, surface_joints,
+    Arc, CORNER_ANGLE, CyclidePatch, CyclidicNet, Error, FaceEdge, NormalStrip, PanelMeasures, PatchKind, Point3,
+    Result, Shell, Side, Vec3, surface_joints,
 };
 
 /// Angle from the direction of growing s at which the edges round a node begin: that along s is the first, and rounding
@@ -38,7 +38,7 @@ pub(super) struct Panel {
     pub(super) place: [usize; 2],
     pub(super) patch: CyclidePatch,
     pub(super) kind: PatchKind,
-    pub(super) area: f64,
+    pub(super) measures: PanelMeasures,
     /// Area of the other side.
     pub(super) offset_area: Option<f64>,
     /// The nodes at its corners, binary order.
@@ -101,8 +101,8 @@ impl Net {
             let place = [index % m, index / m];
             let patch = net.patch(place[0], place[1]);
             let offset_area = other.as_ref().map(|other| area(other.patch(place[0], place[1]))).transpose()?;
-            let (kind, area) = (patch.recognise(), area(patch)?);
-            panels.push(Panel { place, patch, kind, area, offset_area, nodes: corners[index], sides: face.sides });
+            let (kind, measures) = (patch.recognise(), PanelMeasures::new(&patch)?);
+            panels.push(Panel { place, patch, kind, measures, offset_area, nodes: corners[index], sides: face.sides });
         }
         let mut made = Self {
             name,

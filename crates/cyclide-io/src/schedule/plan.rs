@@ -1,6 +1,8 @@
 //! Drawings of the nets with the numbers of their panels: a plan where it shows all of them, else elevations too, each panel
 //! in the drawing that faces it.
 
+use std::collections::HashMap;
+
 use cyclide::{Aabb, Arc, ParamSurface as _, Point3, Result, Side, Units, Vec3};
 
 use super::lettering::{height_in_box, height_in_circle};
@@ -30,8 +32,9 @@ const PLACES: u32 = 8;
 pub(super) fn sheet(nets: &[Net], units: Units, tolerance: f64) -> Result<Sheet> {
     let mut sheet = Sheet { layers: LAYERS.to_vec(), ..Sheet::default() };
     for net in nets {
-        for (view, panels) in views(net) {
-            let drawing = drawn(net, &view, &panels, units, tolerance)?;
+        for (view, part, panels) in views(net) {
+            let title = if part > 0 { format!("{} {}", view.name, part + 1) } else { view.name.to_owned() };
+            let drawing = drawn(net, &view, &format!("{}, {title}, {}", net.name, units.symbol()), &panels, tolerance)?;
             let shift = if sheet.lines.is_empty() {
                 Vec3::ZERO
             } else {
@@ -49,20 +52,20 @@ pub(super) fn sheet(nets: &[Net], units: Units, tolerance: f64) -> Result<Sheet>
 }
 
 /// The views of a net, each with the panels that are drawn in it: every panel in one.
-fn views(net: &Net) -> Vec<(View, Vec<usize>)> {
+fn views(net: &Net) -> Vec<(View, usize, Vec<usize>)> {
     let places = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
     let rise = |k: usize| places.map(|[s, t]| net.panels[k].patch.unit_normal(s, t).z);
     let all = 0..net.panels.len();
     let up = all.clone().flat_map(rise).fold(f64::INFINITY, f64::min);
     let down = all.clone().flat_map(rise).fold(f64::NEG_INFINITY, f64::max);
     if up >= SHOWN || down <= -SHOWN {
-        return vec![(View::PLAN, all.collect())];
+        return vec![(View::PLAN, 0, all.collect())];
     }
     // Drawings show the outside: seen from the middle of the net it is away from it.
     let middle = net.nodes.iter().fold(Vec3::ZERO, |sum, node| sum + node.point.to_vec()) / net.nodes.len() as f64;
     let way = |k: usize| {
         let panel = &net.panels[k];
-        panel.area * panel.patch.unit_normal(0.5, 0.5).dot(panel.patch.point(0.5, 0.5).to_vec() - middle)
+        panel.measures.area * panel.patch.unit_normal(0.5, 0.5).dot(panel.patch.point(0.5, 0.5).to_vec() - middle)
     };
     let outward = if all.clone().map(way).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
     let facing = |k: usize, view: &View| outward * net.panels[k].patch.unit_normal(0.5, 0.5).dot(view.toward);
@@ -71,11 +74,41 @@ fn views(net: &Net) -> Vec<(View, Vec<usize>)> {
         let best = (0..views.len()).max_by(|a, b| facing(k, &views[*a].0).total_cmp(&facing(k, &views[*b].0)));
         views[best.unwrap_or(0)].1.push(k);
     }
-    views.into_iter().filter(|(_, panels)| !panels.is_empty()).collect()
+    // Parts that hang together nowhere may be seen one behind the other, as both walls of a ring: each is drawn by itself.
+    let parts = views.into_iter().flat_map(|(view, panels)| {
+        let parts = connected(net, &panels);
+        parts.into_iter().enumerate().map(move |(part, panels)| (view, part, panels))
+    });
+    parts.collect()
+}
+
+/// Some panels of a net, in parts that hang together by edges.
+fn connected(net: &Net, panels: &[usize]) -> Vec<Vec<usize>> {
+    let mut part: HashMap<usize, Option<usize>> = panels.iter().map(|&k| (k, None)).collect();
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    for &first in panels {
+        let mut waiting = vec![first];
+        let number = parts.len();
+        let mut found = Vec::new();
+        while let Some(k) = waiting.pop() {
+            match part.get_mut(&k) {
+                Some(own @ None) => *own = Some(number),
+                _ => continue,
+            }
+            found.push(k);
+            let edges = net.panels[k].sides.iter().flatten().map(|side| &net.edges[side.edge]);
+            waiting.extend(edges.flat_map(|edge| edge.panels).flatten());
+        }
+        if !found.is_empty() {
+            found.sort_unstable();
+            parts.push(found);
+        }
+    }
+    parts
 }
 
 /// A view of some panels of a net.
-fn drawn(net: &Net, view: &View, panels: &[usize], units: Units, tolerance: f64) -> Result<Sheet> {
+fn drawn(net: &Net, view: &View, title: &str, panels: &[usize], tolerance: f64) -> Result<Sheet> {
     let mut sheet = Sheet { layers: LAYERS.to_vec(), ..Sheet::default() };
     let mut wanted = vec![false; net.edges.len()];
     for side in panels.iter().flat_map(|&k| net.panels[k].sides).flatten() {
@@ -106,10 +139,9 @@ fn drawn(net: &Net, view: &View, panels: &[usize], units: Units, tolerance: f64)
     }
     if let Some(bounds) = bounds {
         let size = bounds.max - bounds.min;
-        let text = format!("{}, {}, {}", net.name, view.name, units.symbol());
-        let height = height_in_box(&text, size.x, TITLES * bounds.diagonal());
+        let height = height_in_box(title, size.x, TITLES * bounds.diagonal());
         let at = Point3::new(bounds.min.midpoint(bounds.max).x, bounds.max.y + 2.0 * height, 0.0);
-        sheet.letters.push(Lettering { layer: TITLE, text, height, at });
+        sheet.letters.push(Lettering { layer: TITLE, text: title.to_owned(), height, at });
     }
     Ok(sheet)
 }

@@ -43,10 +43,14 @@ pub(super) fn panels(nets: &[Net], groups: &PanelGroups, units: Units) -> Table 
         row.count(format_args!("row"), panel.map(|panel| panel.place[1]));
         row.count(format_args!("column"), panel.map(|panel| panel.place[0]));
         row.text(format_args!("kind"), panel.map(|panel| kind_word(&panel.kind)));
-        row.number(format_args!("area"), Measure::Area, panel.map(|panel| panel.area));
+        row.number(format_args!("area"), Measure::Area, panel.map(|panel| panel.measures.area));
         row.number(format_args!("offset_area"), Measure::Area, panel.and_then(|panel| panel.offset_area));
-        row.number(format_args!("sagitta"), Measure::Length, panel.map(|panel| panel.patch.sagitta()));
+        row.number(format_args!("sagitta"), Measure::Length, panel.map(|panel| panel.measures.sagitta));
         row.number(format_args!("twist"), Measure::Angle, panel.map(|panel| panel.patch.twist()));
+        row.number(format_args!("turn"), Measure::Angle, panel.map(|panel| panel.measures.turn));
+        for (index, name) in ["length", "width", "height"].into_iter().enumerate() {
+            row.number(format_args!("blank_{name}"), Measure::Length, panel.map(|panel| panel.measures.size[index]));
+        }
         groups.columns(row, item.map(|(n, _, k)| (*n, *k)));
         for (corner, name) in CORNERS.into_iter().enumerate() {
             row.text(format_args!("node_{name}"), item.map(|(_, net, k)| net.node_id(net.panels[*k].nodes[corner])));

@@ -6,7 +6,7 @@ use cyclide::{Arc, ShortNumber, Units};
 use serde::Serialize;
 
 use super::net::{Net, kind_word};
-use super::panels::PanelGroups;
+use super::panels::{GroupTotals, PanelGroups};
 use super::rows::{form_word, is_arc};
 
 /// How many of a kind, and their area.
@@ -58,7 +58,7 @@ pub(super) struct Totals {
     beam_forms: BTreeMap<&'static str, Areas>,
     /// Moulds by the surface that they are, with the number of panels and these panels' area.
     #[serde(flatten)]
-    pub(super) groups: super::panels::GroupTotals,
+    pub(super) groups: GroupTotals,
 }
 
 impl Areas {
@@ -100,13 +100,13 @@ impl Totals {
             totals.panels += net.panels.len();
             totals.nodes += net.nodes.len();
             totals.edges += net.edges.len();
-            totals.area += net.panels.iter().map(|panel| panel.area).sum::<f64>();
+            totals.area += net.panels.iter().map(|panel| panel.measures.area).sum::<f64>();
             totals.edge_length += net.edge_length();
             if let Some(area) = net.panels.iter().map(|panel| panel.offset_area).sum::<Option<f64>>() {
                 *totals.offset_area.get_or_insert(0.0) += area;
             }
             for panel in &net.panels {
-                totals.panel_kinds.entry(kind_word(&panel.kind)).or_default().add(panel.area);
+                totals.panel_kinds.entry(kind_word(&panel.kind)).or_default().add(panel.measures.area);
             }
             for edge in &net.edges {
                 let length = Arc::length(&edge.arc);

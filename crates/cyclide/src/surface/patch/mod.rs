@@ -12,7 +12,6 @@
 mod circles;
 mod construct;
 mod corner_circle;
-mod corner_plane;
 mod curvature;
 mod curvature_range;
 mod frame_at;
@@ -27,6 +26,7 @@ mod recognise;
 mod rows;
 mod singular;
 mod transform;
+mod twist;
 
 pub(crate) use construct::orthonormal;
 pub(super) use corner_circle::check_quad;
