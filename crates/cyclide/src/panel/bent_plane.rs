@@ -12,22 +12,11 @@
 //! `along = 0`, so all of them are near each other as they should be, and fits do not fail where one becomes another
 //! (`docs/math/panels.md#nearest-surfaces`).
 
-use crate::base::elimination::solution;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 
-/// What may change in a fit: three angles, three ways, curvatures across and along, tilt.
-pub(super) type Free = [bool; PARAMETERS];
-
-const PARAMETERS: usize = 9;
-
-/// Steps of least squares, and of weights towards the least maximum.
-const STEPS: usize = 40;
-const WEIGHINGS: usize = 40;
-/// The largest distance is this near to its lower bound, the weighted mean: done.
-const LEVEL: f64 = 1.003;
-/// Distances below this, in units of the size, are rounding.
-const ROUNDING: f64 = 1e-14;
+/// All that may change in a fit: three angles, three ways, curvatures across and along, tilt.
+pub(super) const PARAMETERS: usize = 9;
 
 /// The family of a bent plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,17 +29,20 @@ pub(super) enum Bend {
 }
 
 impl Bend {
-    /// What a fit of this family may change.
-    pub(super) const fn free(self) -> Free {
-        let across = !matches!(self, Self::Plane | Self::Cone);
-        let along = matches!(self, Self::Cone | Self::Torus);
-        let spin = along || matches!(self, Self::Cylinder);
-        [true, true, spin, false, false, true, across, along, along]
+    /// The parameters that a fit of this family changes: no more than its surfaces have, or nothing would hold them.
+    pub(super) const fn free(self) -> &'static [usize] {
+        match self {
+            Self::Plane => &[0, 1, 5],
+            Self::Sphere => &[0, 1, 5, 6],
+            Self::Cylinder => &[0, 1, 2, 5, 6],
+            Self::Cone => &[0, 1, 2, 5, 7, 8],
+            Self::Torus => &[0, 1, 2, 5, 6, 7, 8],
+        }
     }
 }
 
-/// What a fit to a given mould may change: its place.
-pub(super) const PLACE: Free = [true, true, true, true, true, true, false, false, false];
+/// The parameters that a fit of a given mould changes: its place.
+pub(super) const PLACE: &[usize] = &[0, 1, 2, 3, 4, 5];
 
 /// See the module.
 #[derive(Debug, Clone, Copy)]
@@ -64,9 +56,9 @@ pub(super) struct BentPlane {
 }
 
 /// A signed distance with its derivatives by the parameters.
-struct Residual {
-    value: f64,
-    by: [f64; PARAMETERS],
+pub(super) struct Residual {
+    pub(super) value: f64,
+    pub(super) by: [f64; PARAMETERS],
 }
 
 /// The signed distance, and the root that its derivatives are divided by.
@@ -95,7 +87,8 @@ impl BentPlane {
         }
     }
 
-    fn residual(&self, p: Vec3) -> Residual {
+    /// The signed distance with its derivatives.
+    pub(super) fn residual(&self, p: Vec3) -> Residual {
         let p = p - self.origin;
         let [x, y, z] = self.axes.map(|axis| axis.dot(p));
         let (value, gradient, shape) = match self.bend {
@@ -139,7 +132,7 @@ impl BentPlane {
     }
 
     /// The surface after a step of its parameters.
-    fn moved(&self, step: &[f64; PARAMETERS]) -> Self {
+    pub(super) fn moved(&self, step: &[f64; PARAMETERS]) -> Self {
         let [x, y, z] = self.axes;
         let turn = x * step[0] + y * step[1] + z * step[2];
         let origin = self.origin + x * step[3] + y * step[4] + z * step[5];
@@ -162,87 +155,5 @@ impl BentPlane {
             tilt: self.tilt + step[8],
             ..*self
         }
-    }
-
-    fn cost(&self, points: &[Vec3], weights: &[f64]) -> f64 {
-        points.iter().zip(weights).map(|(p, w)| w * self.distance(*p).powi(2)).sum()
-    }
-
-    /// The surface of least weighted squares near this one, by Levenberg-Marquardt steps; with their weighted mean.
-    fn least_squares(self, points: &[Vec3], weights: &[f64], free: Free, steps: usize) -> (Self, f64) {
-        let (mut shape, mut damping) = (self, 1e-6);
-        let mut cost = shape.cost(points, weights);
-        for _ in 0..steps {
-            let mut rows = [[0.0; PARAMETERS + 1]; PARAMETERS];
-            for (p, weight) in points.iter().zip(weights) {
-                let Residual { value, by } = shape.residual(*p);
-                for i in (0..PARAMETERS).filter(|i| free[*i]) {
-                    for j in (0..=i).filter(|j| free[*j]) {
-                        rows[i][j] += weight * by[i] * by[j];
-                    }
-                    rows[i][PARAMETERS] -= weight * by[i] * value;
-                }
-            }
-            let largest = (0..PARAMETERS).map(|i| rows[i][i]).fold(0.0, f64::max);
-            for i in 0..PARAMETERS {
-                if !free[i] {
-                    rows[i][i] = 1.0;
-                }
-                for j in 0..i {
-                    rows[j][i] = rows[i][j];
-                }
-            }
-            let before = cost;
-            while damping < 1e6 {
-                let mut damped = rows;
-                for i in (0..PARAMETERS).filter(|i| free[*i]) {
-                    damped[i][i] += damping * (rows[i][i] + 1e-6 * largest);
-                }
-                let trial = solution(damped).map(|step| shape.moved(&step));
-                let lower = trial.map(|trial| (trial, trial.cost(points, weights))).filter(|(_, c)| *c < cost);
-                if let Some((trial, lower)) = lower {
-                    (shape, cost, damping) = (trial, lower, (damping * 0.1).max(1e-15));
-                    break;
-                }
-                damping *= 10.0;
-            }
-            if !(before - cost > 1e-10 * before) || cost.sqrt() <= ROUNDING * 0.1 {
-                break;
-            }
-        }
-        (shape, cost.sqrt())
-    }
-
-    /// The surface near this one whose largest distance from the points is least, to about `LEVEL`: by least squares whose weights
-    /// are multiplied by the distances, again and again (C. L. Lawson's rule); the weighted mean of the distances is a lower bound of
-    /// the largest one. What is above `limit` by the mean alone is not weighed, and nothing is any more once the largest distance is at most
-    /// `enough`. Gives the largest distance at the points, too.
-    pub(super) fn least_maximum(self, points: &[Vec3], free: Free, [enough, limit]: [f64; 2]) -> (Self, f64) {
-        let even = 1.0 / points.len() as f64;
-        let mut weights = vec![even; points.len()];
-        let (mut shape, mut mean) = self.least_squares(points, &weights, free, STEPS);
-        let mut best = (shape, shape.largest(points));
-        if mean > limit {
-            return best;
-        }
-        for _ in 0..WEIGHINGS {
-            if best.1 <= enough.max(ROUNDING) || best.1 <= LEVEL * mean {
-                break;
-            }
-            let products = points.iter().zip(&weights).map(|(p, w)| w * shape.distance(*p).abs());
-            weights = products.collect();
-            let sum: f64 = weights.iter().sum();
-            weights.iter_mut().for_each(|w| *w /= sum);
-            (shape, mean) = shape.least_squares(points, &weights, free, 3);
-            let largest = shape.largest(points);
-            if largest < best.1 {
-                best = (shape, largest);
-            }
-        }
-        best
-    }
-
-    fn largest(&self, points: &[Vec3]) -> f64 {
-        points.iter().map(|p| self.distance(*p).abs()).fold(0.0, f64::max)
     }
 }

@@ -17,6 +17,14 @@ const LENGTHS: usize = 14;
 const KEYS: [usize; 3] = [3, 5, 9];
 
 /// A panel of a class.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let found = cyclide::Congruences::new(&[patch, patch], 1e-9)?;
+/// let second = found.classes[0].panels[1];
+/// assert_eq!((second.panel, second.corners, second.turned_over), (1, [0, 1, 2, 3], false));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CongruentPanel {
     /// Its number among the panels given.
@@ -31,6 +39,15 @@ pub struct CongruentPanel {
 }
 
 /// Panels that are congruent: one is laid on any other by a motion, without a reflection.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let found = cyclide::Congruences::new(&[patch], 1e-9)?;
+/// assert_eq!(found.classes[0].panels.len(), 1);
+/// // Between two parallels and two meridians a torus is symmetric: its own mirror image.
+/// assert!(found.classes[0].mirror.is_some_and(|(class, _)| class == 0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CongruenceClass {
     /// The panels. The first is that to which the others were compared.

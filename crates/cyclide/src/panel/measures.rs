@@ -13,6 +13,13 @@ const STRAIGHT: f64 = 1e-12;
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// What a side of a panel is.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let sides = cyclide::PanelMeasures::new(&patch)?.sides;
+/// assert!(sides.iter().all(|side| side.form == cyclide::PanelSideForm::Arc));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PanelSideForm {
     /// The side is one point: the panel is a triangle.
@@ -57,6 +64,14 @@ pub struct PanelSide {
 }
 
 /// A largest or smallest principal curvature of a panel, with a place.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// // The tube bends most, by 1 against the outward normal.
+/// let [least, _] = cyclide::PanelMeasures::new(&patch)?.curvatures;
+/// assert!((least.value + 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvatureExtreme {
     /// Against [`CyclidePatch::unit_normal`]: positive where the centre is on the side of the normal. Infinite at a

@@ -4,11 +4,12 @@
 
 mod bent_plane;
 mod congruence;
-mod farthest;
 mod flat_pattern;
+mod least_maximum;
 mod measures;
 mod moulds;
 mod nearest;
+mod peaks;
 mod placed_mould;
 mod unit_patch;
 

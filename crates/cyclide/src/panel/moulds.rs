@@ -8,10 +8,22 @@ use crate::surface::CyclidePatch;
 
 /// Trials by which the range of curvatures of a panel is found, to each side.
 const TRIALS: usize = 10;
+/// Steps of the ladder of tolerances for kinds.
+const RUNGS: usize = 4;
+/// Differences of bulges, in tolerances, beyond which no placing helps, times eight.
+const FAR: f64 = 64.0;
 /// What is within this part of the tolerance at the points of a fit is within all of it between them too, as a rule.
 const INSIDE: f64 = 0.98;
 
 /// A panel of a mould.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let moulds = cyclide::Moulds::new(&[patch], 1e-9)?;
+/// let member = moulds.moulds[0].members[0];
+/// assert!(member.panel == 0 && member.near.max_distance < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MouldMember {
     /// Its number among the panels given.
@@ -21,6 +33,13 @@ pub struct MouldMember {
 }
 
 /// A mould with the panels that it makes.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let moulds = cyclide::Moulds::new(&[patch, patch], 1e-9)?;
+/// assert_eq!((moulds.moulds.len(), moulds.moulds[0].members.len()), (1, 2));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mould {
     /// Its form.
@@ -36,10 +55,14 @@ pub struct Mould {
 /// compared by what their difference does over the panel, so that a small panel goes with a wide range of radii. Either side of a sheet may be the
 /// outer one: a panel and one that is turned over, or mirrored, may share a mould.
 ///
-/// Cylinders and spheres have one radius: of the ranges of curvatures that are good for each panel, as few are taken as meet all ranges, which is
-/// the least number (ranges are found by fits and are as good as these). Cones and tori are led: the first panel in the order of radii takes all that its own mould makes. So with a
-/// larger tolerance a kind with the same panels has no more moulds of cylinders and spheres; but kinds change: a panel that becomes simpler may
-/// need a mould of that kind, when the one it had is still needed by others.
+/// Cylinders and spheres have one radius: of the ranges of curvatures that are good for each panel, as few are taken as meet all ranges,
+/// which is the least number (ranges are found by fits and are as good as these). Cones and tori are led: the first panel in the order of
+/// radii takes all that its own mould makes.
+///
+/// With a larger tolerance the same panels need no more moulds of cylinders and spheres. But kinds change: a panel that becomes simpler may need a mould
+/// of that kind, when the one it had is still needed by others. So the kinds of smaller tolerances are tried too, in steps that hang on the
+/// size of the panels, and the fewest moulds are taken; a panel may then be on a mould that is less simple than it could be. Fewer moulds at a larger
+/// tolerance are the rule by that, and not proved: cones and tori are led, and steps are four.
 ///
 /// ```
 /// use cyclide::{CyclidePatch, Moulds, Point3, Vec3};
@@ -70,20 +93,20 @@ impl Moulds {
     pub fn new(panels: &[CyclidePatch], tolerance: f64) -> Result<Self> {
         check_tolerance(tolerance)?;
         let workshop = Workshop::new(panels, tolerance);
-        let mut moulds = Vec::new();
-        for bend in [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus] {
-            let of_kind: Vec<usize> = workshop.of_kind(bend);
-            match bend {
-                Bend::Plane | Bend::Cone | Bend::Torus => workshop.led(of_kind, &mut moulds),
-                Bend::Cylinder | Bend::Sphere => workshop.met(of_kind, &mut moulds),
+        let mut best: Option<Self> = None;
+        let mut seen: Vec<Vec<Option<Bend>>> = Vec::new();
+        for strict in workshop.ladder() {
+            let kinds = workshop.kinds(strict);
+            if seen.contains(&kinds) {
+                continue;
             }
+            let made = workshop.moulds(&kinds);
+            if best.as_ref().is_none_or(|best| made.count() < best.count()) {
+                best = Some(made);
+            }
+            seen.push(kinds);
         }
-        let free = (0..panels.len()).filter(|k| workshop.fits[*k].is_none()).collect();
-        for mould in &mut moulds {
-            mould.members.sort_by_key(|member| member.panel);
-        }
-        moulds.sort_by(|a, b| compare(&a.shape.order(), &b.shape.order()));
-        Ok(Self { moulds, free })
+        Ok(best.unwrap_or(Self { moulds: Vec::new(), free: Vec::new() }))
     }
 
     /// How many moulds there are, with one for each free panel.
@@ -98,71 +121,118 @@ fn compare(a: &[f64], b: &[f64]) -> std::cmp::Ordering {
     pairs.find(|order| order.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// The panels with the simplest surfaces within the tolerance.
+/// The kinds of moulds, the simplest first.
+const KINDS: [Bend; 5] = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus];
+
+/// The panels with their surfaces within the tolerance.
 struct Workshop<'a> {
     panels: &'a [CyclidePatch],
-    fits: Vec<Option<PanelFit>>,
+    /// By the places of [`KINDS`].
+    fits: Vec<[Option<PanelFit>; KINDS.len()]>,
     tolerance: f64,
 }
 
-/// The curvatures that are good for a panel.
-struct Range {
+/// A panel on a mould of some kind.
+#[derive(Clone, Copy)]
+struct Job<'a> {
     panel: usize,
+    fit: &'a PanelFit,
+    own: MouldShape,
+}
+
+/// The curvatures that are good for a panel.
+struct Range<'a> {
+    job: Job<'a>,
     own: f64,
     low: f64,
     high: f64,
 }
 
+impl Range<'_> {
+    /// By the ends; the number of the panel is asked last, for panels that are the same.
+    fn order(&self, other: &Self) -> std::cmp::Ordering {
+        let numbers = |range: &Self| [range.high, range.low, range.own];
+        compare(&numbers(self), &numbers(other)).then(self.job.panel.cmp(&other.job.panel))
+    }
+}
+
 impl<'a> Workshop<'a> {
     fn new(panels: &'a [CyclidePatch], tolerance: f64) -> Self {
-        let fits = panels.iter().map(|panel| PanelPoints::new(panel).simplest(tolerance)).collect();
-        Self { panels, fits, tolerance }
+        let fits = |panel: &CyclidePatch| {
+            let points = PanelPoints::new(panel);
+            let limit = tolerance / points.unit.size;
+            KINDS.map(|bend| points.fit(bend, limit).filter(|fit| fit.max_distance <= tolerance))
+        };
+        Self { panels, fits: panels.iter().map(fits).collect(), tolerance }
     }
 
-    /// The panels of a kind.
-    fn of_kind(&self, bend: Bend) -> Vec<usize> {
-        let is_of = |fit: &Option<PanelFit>| fit.is_some_and(|fit| fit.shape.bend == bend);
-        (0..self.panels.len()).filter(|k| is_of(&self.fits[*k])).collect()
+    /// Tolerances for the kinds: the given one, and steps of a ladder that hangs on the panels only, so that what is good at a smaller tolerance is tried
+    /// at a larger one too.
+    fn ladder(&self) -> Vec<f64> {
+        let size = self.panels.iter().map(CyclidePatch::size).fold(0.0, f64::max);
+        let steps = (0..64).map(|k| size * 8.0_f64.powi(-k)).filter(|step| *step < self.tolerance);
+        std::iter::once(self.tolerance).chain(steps.take(RUNGS)).collect()
     }
 
-    fn own(&self, panel: usize) -> Option<MouldShape> {
-        Some(MouldShape::of(self.fits[panel].as_ref()?, self.panels[panel].size()))
+    /// The kind of each panel: the simplest within `strict`, or where there is none, the nearest.
+    fn kinds(&self, strict: f64) -> Vec<Option<Bend>> {
+        let kind = |fits: &[Option<PanelFit>; KINDS.len()]| {
+            let within = fits.iter().flatten().find(|fit| fit.max_distance <= strict);
+            let nearest = || fits.iter().flatten().min_by(|a, b| a.max_distance.total_cmp(&b.max_distance));
+            within.or_else(nearest).map(|fit| fit.shape.bend)
+        };
+        self.fits.iter().map(kind).collect()
+    }
+
+    /// The moulds for panels of given kinds.
+    fn moulds(&self, kinds: &[Option<Bend>]) -> Moulds {
+        let mut moulds = Vec::new();
+        for (at, bend) in KINDS.into_iter().enumerate() {
+            let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));
+            let jobs = panels.filter_map(|panel| {
+                let fit = self.fits[panel][at].as_ref()?;
+                Some(Job { panel, fit, own: MouldShape::of(fit, self.panels[panel].size()) })
+            });
+            match bend {
+                Bend::Plane | Bend::Cone | Bend::Torus => self.led(jobs.collect(), &mut moulds),
+                Bend::Cylinder | Bend::Sphere => self.met(jobs.map(|job| self.range(job)).collect(), &mut moulds),
+            }
+        }
+        for mould in &mut moulds {
+            mould.members.sort_by_key(|member| member.panel);
+        }
+        moulds.sort_by(|a, b| compare(&a.shape.order(), &b.shape.order()));
+        Moulds { moulds, free: (0..kinds.len()).filter(|panel| kinds[*panel].is_none()).collect() }
     }
 
     /// A panel on a mould, if it is within the tolerance of it.
-    fn member(&self, panel: usize, shape: &MouldShape) -> Option<MouldMember> {
-        let (points, fit) = (PanelPoints::new(&self.panels[panel]), self.fits[panel].as_ref()?);
-        let (placed, largest) = points.place(fit, shape, [0.0, self.tolerance]);
+    fn member(&self, job: &Job<'_>, shape: &MouldShape) -> Option<MouldMember> {
+        let (panel, points) = (job.panel, PanelPoints::new(&self.panels[job.panel]));
+        if job.own == *shape {
+            return Some(MouldMember { panel, near: points.near_surface(job.fit)? });
+        }
+        let (placed, largest) = points.place(job.fit, shape, [0.0, self.tolerance]);
         if largest > self.tolerance {
             return None;
         }
-        let placed = points.measured(placed);
-        // On its own mould a panel is as it was fitted.
-        let best =
-            if self.own(panel) == Some(*shape) && fit.max_distance <= placed.max_distance { *fit } else { placed };
-        let near = points.near_surface(&best)?;
+        let near = points.near_surface(&points.measured(placed))?;
         (near.max_distance <= self.tolerance).then_some(MouldMember { panel, near })
     }
 
-    /// A panel on its own mould.
-    fn alone(&self, panel: usize) -> Option<Mould> {
-        let (points, fit) = (PanelPoints::new(&self.panels[panel]), self.fits[panel].as_ref()?);
-        let near = points.near_surface(fit)?;
-        Some(Mould { shape: self.own(panel)?, members: vec![MouldMember { panel, near }] })
-    }
-
     /// Groups whose first panel in the order of radii leads.
-    fn led(&self, panels: Vec<usize>, moulds: &mut Vec<Mould>) {
-        let mut waiting: Vec<(usize, MouldShape)> =
-            panels.into_iter().filter_map(|panel| Some((panel, self.own(panel)?))).collect();
-        waiting.sort_by(|a, b| compare(&a.1.order(), &b.1.order()).then(a.0.cmp(&b.0)));
-        while let Some((leader, shape)) = waiting.first().copied() {
-            let Some(mut mould) = self.alone(leader) else { return };
+    fn led(&self, jobs: Vec<Job<'_>>, moulds: &mut Vec<Mould>) {
+        let mut waiting = jobs;
+        waiting.sort_by(|a, b| compare(&a.own.order(), &b.own.order()).then(a.panel.cmp(&b.panel)));
+        while let Some(leader) = waiting.first().copied() {
+            let mut mould = Mould { shape: leader.own, members: Vec::new() };
             let mut left = Vec::new();
-            for other in waiting.drain(..).skip(1) {
-                match self.member(other.0, &shape) {
+            for (place, job) in waiting.into_iter().enumerate() {
+                let member = if self.may_be(&job, &leader.own) { self.member(&job, &leader.own) } else { None };
+                match member {
                     Some(member) => mould.members.push(member),
-                    None => left.push(other),
+                    // The leader is gone in any case, so that there is an end.
+                    None if place > 0 => left.push(job),
+                    None => {}
                 }
             }
             moulds.push(mould);
@@ -170,51 +240,61 @@ impl<'a> Workshop<'a> {
         }
     }
 
+    /// False of a panel on a torus whose tube is bent otherwise by far more than the tolerance allows over the panel: it need not be tried.
+    fn may_be(&self, job: &Job<'_>, shape: &MouldShape) -> bool {
+        let (MouldShape::Torus { minor_radius: a, .. }, MouldShape::Torus { minor_radius: b, .. }) = (job.own, *shape)
+        else {
+            return true;
+        };
+        let [p, q, r, _] = self.panels[job.panel].corners();
+        let width = p.distance(q).min(p.distance(r));
+        // Bulges of an eighth of the curvature times the square of the width, off by a tolerance at both ends and in the middle.
+        (1.0 / a - 1.0 / b).abs() * width * width <= FAR * self.tolerance
+    }
+
     /// Groups of panels whose ranges of curvature have one in common, as few as can be.
-    fn met(&self, panels: Vec<usize>, moulds: &mut Vec<Mould>) {
-        let mut waiting: Vec<Range> = panels.into_iter().filter_map(|panel| self.range(panel)).collect();
-        waiting.sort_by(|a, b| compare(&[a.high, a.low, a.own], &[b.high, b.low, b.own]).then(a.panel.cmp(&b.panel)));
+    fn met(&self, ranges: Vec<Range<'_>>, moulds: &mut Vec<Mould>) {
+        let mut waiting = ranges;
+        waiting.sort_by(Range::order);
         while let Some(first) = waiting.first() {
-            let (point, leader) = (first.high, first.panel);
-            let (group, mut left): (Vec<Range>, Vec<Range>) = waiting.into_iter().partition(|range| range.low <= point);
+            let (point, leader) = (first.high, first.job);
+            let (group, mut left): (Vec<_>, Vec<_>) = waiting.into_iter().partition(|range| range.low <= point);
             let low = group.iter().map(|range| range.low).fold(0.0, f64::max);
             let mut own: Vec<f64> = group.iter().map(|range| range.own).collect();
             own.sort_by(f64::total_cmp);
-            let middle = own[own.len() / 2].max(low).min(point);
-            let radius = 1.0 / middle;
-            let is_sphere = self.fits[leader].is_some_and(|fit| fit.shape.bend == Bend::Sphere);
-            let shape = if is_sphere { MouldShape::Sphere { radius } } else { MouldShape::Cylinder { radius } };
+            let middle = own[own.len() / 2];
+            // A panel's own radius if it may be: nothing then is rounded.
+            let common = if middle >= low && middle <= point { middle } else { middle.max(low).min(point) };
+            let job = group.iter().find(|range| range.own.total_cmp(&common).is_eq()).map(|range| range.job.own);
+            let shape = job.unwrap_or_else(|| with_radius(&leader.own, 1.0 / common));
             let mut mould = Mould { shape, members: Vec::new() };
             for range in group {
-                match self.member(range.panel, &shape) {
+                match self.member(&range.job, &shape) {
                     Some(member) => mould.members.push(member),
                     None => left.push(range),
                 }
             }
-            // Ranges are good to the points of the fits only: one that fails by that is on its own.
+            // Ranges are good to the points of the fits only: if all fail by that, the first is on its own.
             if mould.members.is_empty() {
-                left.retain(|range| range.panel != leader);
-                mould.members.clear();
-                moulds.extend(self.alone(leader));
-            } else {
-                moulds.push(mould);
+                left.retain(|range| range.job.panel != leader.panel);
+                mould.shape = leader.own;
+                mould.members.extend(self.member(&leader, &leader.own));
             }
-            left.sort_by(|a, b| compare(&[a.high, a.low, a.own], &[b.high, b.low, b.own]).then(a.panel.cmp(&b.panel)));
+            moulds.push(mould);
+            left.sort_by(Range::order);
             waiting = left;
         }
     }
 
     /// The curvatures that are good for a panel of a cylinder or sphere.
-    fn range(&self, panel: usize) -> Option<Range> {
-        let (points, fit) = (PanelPoints::new(&self.panels[panel]), self.fits[panel].as_ref()?);
+    fn range<'b>(&self, job: Job<'b>) -> Range<'b> {
+        let points = PanelPoints::new(&self.panels[job.panel]);
         let size = points.unit.size;
-        let own = fit.shape.across.abs() / size;
-        let sphere = fit.shape.bend == Bend::Sphere;
+        let own = job.fit.shape.across.abs() / size;
+        let enough = INSIDE * self.tolerance;
         let is_good = |curvature: f64| {
-            let radius = 1.0 / curvature;
-            let shape = if sphere { MouldShape::Sphere { radius } } else { MouldShape::Cylinder { radius } };
-            let enough = INSIDE * self.tolerance;
-            curvature > 0.0 && points.place(fit, &shape, [enough, self.tolerance]).1 <= enough
+            let shape = with_radius(&job.own, 1.0 / curvature);
+            curvature > 0.0 && points.place(job.fit, &shape, [enough, self.tolerance]).1 <= enough
         };
         let reach = |sign: f64| {
             // The bulge of the panel is an eighth of the curvature times the square of its size.
@@ -229,6 +309,14 @@ impl<'a> Workshop<'a> {
             }
             good
         };
-        Some(Range { panel, own, low: reach(-1.0), high: reach(1.0) })
+        Range { job, own, low: reach(-1.0), high: reach(1.0) }
+    }
+}
+
+/// A cylinder or sphere with another radius.
+fn with_radius(shape: &MouldShape, radius: f64) -> MouldShape {
+    match shape {
+        MouldShape::Sphere { .. } => MouldShape::Sphere { radius },
+        _ => MouldShape::Cylinder { radius },
     }
 }

@@ -1,7 +1,8 @@
 //! The plane, cylinder, cone, sphere and torus nearest to a panel.
 
 use super::bent_plane::{Bend, BentPlane, PLACE};
-use super::farthest::farthest;
+use super::least_maximum::{LEVEL, ROUNDING};
+use super::peaks::peaks;
 use super::placed_mould::MouldShape;
 use super::unit_patch::UnitPatch;
 use crate::base::frame::Frame;
@@ -12,17 +13,26 @@ use crate::surface::{CyclidePatch, ParamSurface as _, PatchKind};
 
 /// Points of a fit, along each direction.
 const POINTS: u32 = 7;
+/// Rounds in which places that are farther than the points are added to them.
+const ROUNDS: usize = 5;
 /// Radii above this inverse, in units of the size of the panel, are no radii: the bulge of the panel is a ten millionth of its size.
 /// Angles of cones below this are those of cylinders.
 const FLAT: f64 = 1e-6;
 
 /// A simple surface near a panel, and how far the panel is from it.
+///
+/// ```
+/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let near = cyclide::NearSurface::simplest(&patch, 10.0)?.unwrap();
+/// assert!(matches!(near.surface, cyclide::PatchKind::Plane { .. }) && near.max_distance > 0.1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearSurface {
     /// The surface with its placement; never [`PatchKind::Cyclide`].
     pub surface: PatchKind,
     /// Largest distance of the panel from it: measured at a grid of 13 by 13 places, from the largest of which a search goes uphill
-    /// until it is known to about 1e-12 of itself. No bound is proved.
+    /// until the step is a ten millionth of the panel. No bound is proved.
     pub max_distance: f64,
     /// The parameters of the farthest place.
     pub place: (f64, f64),
@@ -132,10 +142,39 @@ impl PanelPoints {
 
     /// The nearest surface of a family, if there is one with radii; anything if the least mean of distances is above `limit`.
     pub(super) fn fit(&self, bend: Bend, limit: f64) -> Option<PanelFit> {
-        let fits = self.starts(bend).map(|start| start.least_maximum(&self.points, bend.free(), [0.0, limit]));
-        let (shape, _) = fits.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let shape = shape.tidy();
-        shape.has_radii().then(|| self.measured(shape))
+        let mut best: Option<(BentPlane, f64)> = None;
+        for start in self.starts(bend) {
+            // Another start is not better than what is below its mean.
+            let limit = best.map_or(limit, |best| best.1.min(limit));
+            let found = start.least_maximum(&self.points, bend.free(), [0.0, limit]);
+            if best.is_none_or(|best| found.1 < best.1) {
+                best = Some(found);
+            }
+        }
+        let (shape, largest) = best?;
+        let sharp = self.sharpened(shape, largest, limit);
+        sharp.shape.has_radii().then_some(sharp)
+    }
+
+    /// A surface that is nearest to the points, made nearest to the whole panel: places farther than these are added to them.
+    fn sharpened(&self, shape: BentPlane, largest: f64, limit: f64) -> PanelFit {
+        let (mut points, mut largest) = (self.points.clone(), largest);
+        let mut now = self.measured(shape);
+        let mut best = now;
+        for _ in 0..ROUNDS {
+            let distance = now.max_distance / self.unit.size;
+            if distance <= ROUNDING || distance <= LEVEL * largest || largest > limit {
+                break;
+            }
+            let far = peaks(&self.unit, |place| now.shape.distance(self.unit.at(place)));
+            points.extend(far.into_iter().map(|(_, place)| self.unit.at(place)));
+            let (shape, at_points) = now.shape.levelled(&points, shape.bend.free(), 0.0);
+            (now, largest) = (self.measured(shape), at_points);
+            if now.max_distance < best.max_distance {
+                best = now;
+            }
+        }
+        best
     }
 
     /// The given mould near a surface fitted to this panel, as near to the panel as can be: largest distance at the points, and all.
@@ -147,12 +186,14 @@ impl PanelPoints {
     }
 
     pub(super) fn measured(&self, shape: BentPlane) -> PanelFit {
-        let (distance, place) = farthest(&self.unit, |place| shape.distance(self.unit.at(place)));
+        let shape = shape.tidy();
+        let far = peaks(&self.unit, |place| shape.distance(self.unit.at(place)));
+        let (distance, place) = far.first().copied().unwrap_or((0.0, (0.5, 0.5)));
         PanelFit { shape, max_distance: distance * self.unit.size, place: self.unit.place(place) }
     }
 
     /// The surfaces that touch the panel in its middle.
-    fn starts(&self, bend: Bend) -> impl Iterator<Item = BentPlane> {
+    fn starts(&self, bend: Bend) -> impl Iterator<Item = BentPlane> + use<'_> {
         let ([e1, e2, n], [k1, k2]) = (self.frame, self.curvatures);
         let along_s = [[e1, e2, n], [-e2, e1, n]];
         let across = [k2, k1];

@@ -81,7 +81,7 @@ fn radii_are_compared_over_the_panel() {
 #[test]
 fn spheres_need_no_more_moulds_than_their_ranges() {
     // Spheres with radii from 1 to 2: by brute force, the least number of radii out of a fine ladder that serve all.
-    let panels: Vec<CyclidePatch> = (0..24).map(|k| sphere(1.0 + f64::from(k) / 23.0)).collect();
+    let panels: Vec<CyclidePatch> = (0..12).map(|k| sphere(1.0 + f64::from(k) / 11.0)).collect();
     let mut before = usize::MAX;
     for tolerance in [1e-6, 1e-4, 1e-3, 3e-3, 1e-2, 2e-2] {
         let moulds = Moulds::new(&panels, tolerance).unwrap();
@@ -94,13 +94,14 @@ fn spheres_need_no_more_moulds_than_their_ranges() {
 
 #[test]
 fn moulds_of_a_ring_at_many_tolerances() {
-    let panels = ring([16, 12]);
+    let panels = ring([10, 6]);
     let mut counts = Vec::new();
-    for tolerance in [1e-6, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3] {
+    for tolerance in [1e-6, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0] {
         let moulds = Moulds::new(&panels, tolerance).unwrap();
         check(&panels, &moulds, tolerance);
         counts.push(moulds.count());
     }
+    assert!(counts.windows(2).all(|pair| pair[1] <= pair[0]), "{counts:?}");
     assert_eq!(counts.last(), Some(&1), "all flat: {counts:?}");
 }
 

@@ -1,4 +1,4 @@
-//! Where a function of a panel's place is farthest from zero.
+//! Where a function of a panel's place is far from zero.
 
 use super::unit_patch::UnitPatch;
 
@@ -7,11 +7,13 @@ const GRID: u32 = 13;
 /// Places from which a search starts reach this part of the largest.
 const NEAR: f64 = 0.9;
 /// The last step of a search: a smooth maximum is missed by the square of it.
-const LAST: f64 = 1e-8;
+const LAST: f64 = 1e-7;
+/// Searches at most.
+const MOST: usize = 8;
 
-/// Largest absolute value over the patch, with its place: the largest of a grid, and from it and all that are nearly as
-/// large uphill in ever smaller steps.
-pub(super) fn farthest(unit: &UnitPatch, value: impl Fn((f64, f64)) -> f64) -> (f64, (f64, f64)) {
+/// The largest absolute values over the patch, with their places, the largest first: the largest of a grid, and from it and all that are nearly
+/// as large uphill in ever smaller steps.
+pub(super) fn peaks(unit: &UnitPatch, value: impl Fn((f64, f64)) -> f64) -> Vec<(f64, (f64, f64))> {
     let value = |place| value(place).abs();
     let places: Vec<(f64, f64)> = unit.grid(GRID).collect();
     let values: Vec<f64> = places.iter().map(|&p| value(p)).collect();
@@ -22,16 +24,12 @@ pub(super) fn farthest(unit: &UnitPatch, value: impl Fn((f64, f64)) -> f64) -> (
         let beside = |a: usize| a.saturating_sub(1)..=(a + 1).min(n - 1);
         beside(j).all(|j| beside(i).all(|i| values[j * n + i] <= values[k]))
     };
-    let peaks = (0..n * n).filter(|&k| values[k] >= NEAR * largest && is_peak(k));
-    let mut best = (0.0, (0.0, 0.0));
+    let mut starts: Vec<usize> = (0..n * n).filter(|&k| values[k] >= NEAR * largest && is_peak(k)).collect();
+    starts.sort_by(|a, b| values[*b].total_cmp(&values[*a]).then(a.cmp(b)));
     // On a surface that fits, all is rounding: a few searches are enough.
-    for k in peaks.take(8) {
-        let found = uphill(&value, places[k], values[k]);
-        if found.0 > best.0 {
-            best = found;
-        }
-    }
-    best
+    let mut found: Vec<_> = starts.into_iter().take(MOST).map(|k| uphill(&value, places[k], values[k])).collect();
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found
 }
 
 fn uphill(value: &impl Fn((f64, f64)) -> f64, from: (f64, f64), at: f64) -> (f64, (f64, f64)) {
