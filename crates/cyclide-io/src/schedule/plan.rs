@@ -22,7 +22,7 @@ const TITLE: usize = 2;
 const SHOWN: f64 = 0.2;
 /// Part of the room about its middle that the number of a panel takes.
 const LETTERS: f64 = 0.85;
-/// Height of titles, as part of the drawing; room between drawings.
+/// Height of titles, and room before a drawing, as parts of it.
 const TITLES: f64 = 0.025;
 const ROOM: f64 = 0.1;
 /// Places along a side at which its distance from the middle of the panel is taken.
@@ -39,7 +39,7 @@ pub(super) fn sheet(nets: &[Net], units: Units, tolerance: f64) -> Result<Sheet>
                 Vec3::ZERO
             } else {
                 let (all, own) = (sheet.bounds(), drawing.bounds());
-                Vec3::new(all.max.x + ROOM * all.diagonal() - own.min.x, all.min.y - own.min.y, 0.0)
+                Vec3::new(all.max.x + ROOM * own.diagonal() - own.min.x, all.min.y - own.min.y, 0.0)
             };
             for line in drawing.lines {
                 sheet.lines.push(SheetLine { path: moved(&line.path, shift)?, ..line });

@@ -182,7 +182,11 @@ mod tests {
         assert!(sheet.check(Units::Inch, &bytes).is_err(), "another unit");
         let text = String::from_utf8(bytes).unwrap();
         assert!(text.contains("Dach \\U+00FC r0-c1"), "lettering is ASCII");
-        for (from, to) in [("r0-c1", "r0-c2"), ("LABEL\n 10", "CUT\n 10"), ("\n2.0\n 20\n1.0\n", "\n2.0\n 20\n1.1\n")] {
+        for (from, to) in [
+            ("r0-c1", "r0-c2"),
+            ("LABEL\n100\nAcDbText", "CUT\n100\nAcDbText"),
+            ("\n2.0\n 20\n1.0\n", "\n2.0\n 20\n1.1\n"),
+        ] {
             assert!(text.contains(from), "{from}");
             assert!(sheet.check(Units::Metre, text.replace(from, to).as_bytes()).is_err(), "{from} became {to}");
         }
