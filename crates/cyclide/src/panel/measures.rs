@@ -148,10 +148,12 @@ impl PanelSide {
     fn new(side: Side, arc: Arc, limit: f64) -> Self {
         let chord = arc.chord().length();
         let bulge = 0.5 * chord * (0.25 * arc.angle()).tan();
-        let form = match (chord, bulge) {
-            (c, _) if c == 0.0 => PanelSideForm::Point,
-            (_, b) if b <= limit => PanelSideForm::Straight,
-            _ => PanelSideForm::Arc,
+        let form = if chord <= 0.0 {
+            PanelSideForm::Point
+        } else if bulge <= limit {
+            PanelSideForm::Straight
+        } else {
+            PanelSideForm::Arc
         };
         let curved = form == PanelSideForm::Arc;
         Self {

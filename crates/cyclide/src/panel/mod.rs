@@ -7,15 +7,15 @@ mod congruence;
 mod flat_pattern;
 mod least_maximum;
 mod measures;
+mod mould_shape;
 mod moulds;
 mod nearest;
 mod peaks;
-mod placed_mould;
 mod unit_patch;
 
 pub use congruence::{CongruenceClass, Congruences, CongruentPanel};
 pub use flat_pattern::FlatPattern;
 pub use measures::{CurvatureExtreme, PanelMeasures, PanelSide, PanelSideForm};
+pub use mould_shape::MouldShape;
 pub use moulds::{Mould, MouldMember, Moulds};
 pub use nearest::{NearSurface, NearestSurfaces};
-pub use placed_mould::MouldShape;

@@ -1,8 +1,8 @@
 //! Panels that one mould makes.
 
 use super::bent_plane::Bend;
+use super::mould_shape::MouldShape;
 use super::nearest::{NearSurface, PanelFit, PanelPoints};
-use super::placed_mould::MouldShape;
 use crate::error::{Result, check_tolerance};
 use crate::surface::CyclidePatch;
 

@@ -2,8 +2,8 @@
 
 use super::bent_plane::{Bend, BentPlane, PLACE};
 use super::least_maximum::{LEVEL, ROUNDING};
+use super::mould_shape::MouldShape;
 use super::peaks::peaks;
-use super::placed_mould::MouldShape;
 use super::unit_patch::UnitPatch;
 use crate::base::frame::Frame;
 use crate::base::vector::Vec3;
@@ -42,8 +42,9 @@ pub struct NearSurface {
 /// are found to lie on it, to rounding.
 ///
 /// The fits start with the surfaces that touch the panel in its middle with its curvatures (tori and cones also with the bend of its
-/// parameter lines, so that a panel of a torus starts with that torus), go on to least squares, and weigh the distances until the largest
-/// is least (`docs/math/panels.md#nearest-surfaces`). Of a surface that would need a radius of more than a million times the size of the
+/// parameter lines, so that a panel of a torus starts with that torus), of both families of lines, go on to least squares, and weigh the distances until the largest
+/// is least (`docs/math/panels.md#nearest-surfaces`). They end in the valley in which they start: of a panel that is bent by far more than a
+/// radian, or of cones whose tip is at the panel, another surface may be nearer. Of a surface that would need a radius of more than a million times the size of the
 /// panel there is none: it is one of the simpler ones. All is relative to the panel: moved, turned or scaled, it has the same surfaces.
 ///
 /// ```

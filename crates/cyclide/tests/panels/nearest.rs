@@ -118,8 +118,8 @@ fn no_surface_beside_the_nearest_is_nearer() {
             }
             // A walk of random steps that keeps what is better: fits are to half a percent, and cones and tori have several valleys.
             let (mut best, mut least) = (near.surface, at_grid);
-            for step in 0..1500 {
-                let trial = changed(&best, 0.1 * 0.5_f64.powi(step / 100), &mut random);
+            for step in 0..600 {
+                let trial = changed(&best, 0.1 * 0.5_f64.powi(step / 40), &mut random);
                 let distance = grid_distance(patch, &trial);
                 if distance < least {
                     (best, least) = (trial, distance);

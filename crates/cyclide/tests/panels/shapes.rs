@@ -116,7 +116,7 @@ pub fn mirrored(patch: &CyclidePatch) -> CyclidePatch {
 
 /// Largest distance of the patch from a surface at a fine grid.
 pub fn grid_distance(patch: &CyclidePatch, kind: &PatchKind) -> f64 {
-    let places = (0..41 * 41).map(|k| (f64::from(k % 41) / 40.0, f64::from(k / 41) / 40.0));
+    let places = (0..31 * 31).map(|k| (f64::from(k % 31) / 30.0, f64::from(k / 31) / 30.0));
     places.map(|(s, t)| kind.distance(patch.point(s, t)).unwrap()).fold(0.0, f64::max)
 }
 
