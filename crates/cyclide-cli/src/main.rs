@@ -13,7 +13,7 @@ use arguments::args::Args;
 use arguments::mistaken;
 use arguments::plan::Plan;
 use clap::Parser as _;
-use commands::{compare, gallery, inspect, make, manuals, sample, start};
+use commands::{compare, gallery, inspect, make, manuals, sample, schedule, start};
 
 fn main() -> ExitCode {
     let typed = Args::try_parse().unwrap_or_else(|error| mistaken::explain(error).exit());
@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Plan::Make(plan) => make::run(&plan),
         Plan::Compare(plan) => compare::run(&plan),
         Plan::Sample(plan) => sample::run(&plan),
+        Plan::Schedule(plan) => schedule::run(&plan),
         Plan::Report(plan) => inspect::report(&plan),
         Plan::New(plan) => start::run(&plan),
         Plan::Gallery(plan) => gallery::run(&plan),

@@ -28,6 +28,7 @@
 //! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
+//! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
 //! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
 //! | what is refused | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
 
@@ -43,6 +44,7 @@ mod formats;
 mod input;
 mod measure;
 mod report;
+mod schedule;
 mod text;
 
 pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
@@ -103,6 +105,7 @@ pub use report::{
     SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport,
     UmbilicReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
 };
+pub use schedule::{NotScheduled, ScheduleError, ScheduleOptions, WorkshopSchedule};
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 

@@ -80,7 +80,7 @@
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
 //! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
-//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]) |
+//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves` |
 //! | grids along lines of curvature | `principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalField`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
@@ -91,6 +91,7 @@
 //! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`] ([`PoseTimes`]), [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`MotionPlace`], [`SpeedPeak`], [`MotionReversal`], [`FastPlace`], [`SpeedKind`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
+//! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`]), [`ShapeChange`], [`ShortNumber`] |
@@ -104,6 +105,7 @@ mod error;
 mod mesh;
 mod model;
 mod motion;
+mod panel;
 mod rational;
 mod shape_change;
 mod short_number;
@@ -179,6 +181,9 @@ pub use motion::{
     MovingBody, Pose, PoseTimes, RationalMotion, Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw,
     TimedPose, Timing,
 };
+pub use panel::{CongruenceClass, Congruences, CongruentPanel};
+pub use panel::{CurvatureExtreme, FlatPattern, PanelMeasures, PanelSide, PanelSideForm};
+pub use panel::{Mould, MouldMember, MouldShape, Moulds, NearSurface, NearestSurfaces};
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface, RationalBezierVolume};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
@@ -191,6 +196,7 @@ pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{GridClosing, ParamSurface, QuadGrid, RingClosing, StripClosing};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use surface::{NaturalQuadric, PairKind, QuadricPair};
+pub use surface::{NormalStrip, StripForm};
 pub use surface::{
     NormalWeights, SmoothComparison, SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, SphereBlend, VertexNormals,
 };

@@ -40,6 +40,7 @@ pub const KERNEL: House = House {
         ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
         ("volume", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
         ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "error", "warning"]),
+        ("panel", &["base", "conformal", "curve", "surface", "topology", "error"]),
         (
             "mesh",
             &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "topology", "error", "warning"],
@@ -98,6 +99,7 @@ pub const IO: House = House {
         ("document", &["export", "formats", "input", "measure", "text", "error"]),
         ("report", &["document", "formats", "check", "export", "measure", "text"]),
         ("compare", &["document", "text"]),
+        ("schedule", &["document", "formats", "text"]),
     ],
     is_kernel: false,
 };

@@ -14,6 +14,7 @@ use clap_complete::Shell;
 
 use super::compare::{self, CompareArgs};
 use super::sample::{self, SampleArgs};
+use super::schedule::{self, ScheduleArgs};
 use super::words::word;
 
 const EXIT_CODES: &str = "\
@@ -136,6 +137,9 @@ pub enum Command {
     /// Sample an object of a model: points, stations, tangents, frames or normals, curvatures as CSV or JSON.
     #[command(after_help = sample::EXAMPLES)]
     Sample(SampleArgs),
+    /// List the panels, edges, nodes and beams of the nets of a model, with plans and flat patterns, for a workshop.
+    #[command(after_help = schedule::EXAMPLES)]
+    Schedule(ScheduleArgs),
     /// Build a model document and report on its objects without writing files.
     #[command(after_help = REPORT_EXAMPLES)]
     Report(ReportArgs),

@@ -7,5 +7,6 @@ pub mod effect;
 pub mod mistaken;
 pub mod plan;
 pub mod sample;
+pub mod schedule;
 pub mod starters;
 mod words;

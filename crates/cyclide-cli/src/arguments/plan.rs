@@ -17,6 +17,7 @@ use crate::arguments::compare::ComparePlan;
 use crate::arguments::effect;
 use crate::arguments::mistaken::{Wanted, refuse_suffix};
 use crate::arguments::sample::{SampleArgs, SamplePlan};
+use crate::arguments::schedule::{ScheduleArgs, SchedulePlan};
 use crate::output::failure::Failure;
 use crate::output::standard::{is_standard, is_standard_output};
 
@@ -25,6 +26,7 @@ pub enum Plan {
     Make(MakePlan),
     Compare(ComparePlan),
     Sample(SamplePlan),
+    Schedule(SchedulePlan),
     Report(ReportPlan),
     New(NewPlan),
     Gallery(GalleryPlan),
@@ -93,6 +95,7 @@ impl Args {
         match &self.command {
             Command::Build(BuildArgs { model: path, .. })
             | Command::Sample(SampleArgs { model: path, .. })
+            | Command::Schedule(ScheduleArgs { model: path, .. })
             | Command::Report(ReportArgs { model: path, .. }) => {
                 refuse_suffix(path, Wanted::Document)?;
             }
@@ -106,6 +109,7 @@ impl Args {
             }
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Compare(args) => args.plan().map(Plan::Compare),
+            Command::Schedule(args) => args.plan().map(Plan::Schedule),
             Command::Sample(args) => args.plan().map(Plan::Sample),
             Command::Report(ReportArgs { model, json, min_radius, max_speed, max_angular_speed }) => {
                 let limits = SpeedLimits { speed: max_speed, angular_speed: max_angular_speed };
@@ -329,7 +333,7 @@ pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), 
 }
 
 /// Refuses the name of a file where a folder is meant.
-fn refuse_file_name(path: &Path) -> Result<(), Failure> {
+pub fn refuse_file_name(path: &Path) -> Result<(), Failure> {
     let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
     if !path.is_dir() && (page || Format::from_path(path).is_ok()) {
         return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));

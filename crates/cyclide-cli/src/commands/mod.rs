@@ -8,4 +8,5 @@ pub mod make;
 pub mod manuals;
 mod per_object;
 pub mod sample;
+pub mod schedule;
 pub mod start;

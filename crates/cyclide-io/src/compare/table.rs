@@ -3,6 +3,7 @@
 use cyclide::ShortNumber;
 
 use super::{ComparedKind, Comparison};
+use crate::text::csv::quoted;
 use crate::text::number::push_plain;
 
 /// The columns, as they are called in JSON too.
@@ -99,9 +100,4 @@ pub(super) fn text(comparison: &Comparison) -> String {
 
 fn short(value: f64) -> String {
     ShortNumber(value).to_string()
-}
-
-/// A text as a field.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "))
 }

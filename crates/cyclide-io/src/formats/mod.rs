@@ -26,6 +26,7 @@ mod vtu;
 use entry::Entry;
 
 pub(crate) use csv::push_sample;
+pub(crate) use dxf::{Lettering, Sheet, SheetLine};
 pub use exporter::{Exporter, export};
 pub use input_kind::InputKind;
 pub use mesh_format::MeshFormat;

@@ -5,6 +5,7 @@ mod bounds;
 mod canal;
 mod dupin;
 mod net;
+mod normal_strip;
 mod param_surface;
 mod patch;
 mod quad_grid;
@@ -24,6 +25,7 @@ pub(crate) use net::SameVertices;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use net::closing_limit;
 pub use net::{CyclidicNet, GridClosing, NetFrame, RingClosing, SingularPatch, StripClosing};
+pub use normal_strip::{NormalStrip, StripForm};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub(crate) use patch::{check_following_quad, on_corner_circle, orthonormal};

@@ -24,6 +24,12 @@ pub(super) fn group_name(curve: &str, number: usize) -> String {
     format!("{}_{}", escaped(&allowed(curve, DxfVersion::R2000)), number + 1)
 }
 
+/// Lettering as the file has it: no control characters, no blanks at its ends.
+pub(super) fn allowed_lettering(text: &str) -> String {
+    let plain: String = text.trim().chars().map(|c| if c.is_control() { '_' } else { c }).collect();
+    escaped(&plain)
+}
+
 /// The name with every letter that is not allowed replaced, and cut to the length that is.
 fn allowed(name: &str, version: DxfVersion) -> String {
     let (longest, allowed): (usize, fn(char) -> bool) = match version {

@@ -11,6 +11,7 @@
 mod layers;
 mod plane;
 mod reader;
+mod sheet;
 mod skeleton;
 mod tags;
 
@@ -31,6 +32,7 @@ use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;
 
 use reader::{Drawing, read};
+pub(crate) use sheet::{Lettering, Sheet, SheetLine};
 
 /// What there is to know of the format.
 pub(super) static ENTRY: Entry = Entry {
@@ -63,11 +65,12 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         file.contour(job, &contour, &layers[contour.item])?;
     }
     let Entities { tags: entities, groups, written, next_handle, in_space, splines, .. } = file;
-    let content = Content { layers: &layers, groups: &groups, next_handle };
+    let (units, bounds) = (job.units(), job.bounds);
+    let content = Content { version, units, bounds, layers: &layers, groups: &groups, next_handle };
     let mut tags = Tags::default();
-    skeleton::opening(&mut tags, job, &content);
+    skeleton::opening(&mut tags, &content);
     tags.append(entities);
-    skeleton::closing(&mut tags, job, &content);
+    skeleton::closing(&mut tags, &content);
     let mut notes = Vec::new();
     if in_space {
         notes.push("curves in space are LINE and ARC entities, which many 2D programs show wrongly".to_owned());

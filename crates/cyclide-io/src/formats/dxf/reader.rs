@@ -18,22 +18,33 @@ const GAP: f64 = 1e-9;
 #[derive(Default)]
 pub(crate) struct Drawing {
     /// The curves in file order.
-    curves: Vec<Drawn>,
+    pub(super) curves: Vec<Drawn>,
     /// The table of layers.
-    layers: Vec<String>,
+    pub(super) layers: Vec<String>,
     /// The groups with the numbers of their entities.
     groups: Vec<FileName>,
     /// Length of a unit, millimetres.
-    unit: Option<f64>,
+    pub(super) unit: Option<f64>,
+    /// The lettering in file order.
+    pub(super) letters: Vec<ReadLettering>,
     /// The version, if it is one of ours.
     version: Option<DxfVersion>,
 }
 
+/// A line of lettering as it is read.
+pub(super) struct ReadLettering {
+    pub(super) text: String,
+    pub(super) layer: String,
+    pub(super) height: f64,
+    pub(super) at: Point3,
+    place: String,
+}
+
 /// A curve as it is read.
 #[derive(Clone)]
-struct Drawn {
-    chain: CurveChain,
-    layer: String,
+pub(super) struct Drawn {
+    pub(super) chain: CurveChain,
+    pub(super) layer: String,
     /// True if it is a polyline, not a number of single entities.
     polyline: bool,
 }
@@ -69,8 +80,17 @@ impl<'a> Groups<'a> {
     }
 }
 
-/// Reads unit, layers, groups and the curves of the ENTITIES section.
+/// Reads the file of a model: unit, layers, groups and the curves of the ENTITIES section.
 pub(crate) fn read(bytes: &[u8]) -> Result<Drawing, ReadError> {
+    let drawing = parsed(bytes)?;
+    match drawing.letters.first() {
+        Some(letters) => Err(ReadError::unsupported("TEXT", letters.place.clone())),
+        None => Ok(drawing),
+    }
+}
+
+/// Reads a file of a model or a sheet, with its lettering.
+pub(super) fn parsed(bytes: &[u8]) -> Result<Drawing, ReadError> {
     let tags = parse(bytes)?;
     let mut section = None;
     let mut drawing = Drawing::default();
@@ -92,6 +112,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Drawing, ReadError> {
             (0, "LAYER") if section == Some("TABLES") => {
                 drawing.layers.push(entity.text(2).unwrap_or_default().to_owned());
             }
+            (0, "TEXT") if section == Some("ENTITIES") => drawing.letters.push(ReadLettering {
+                text: entity.text(1).unwrap_or_default().to_owned(),
+                layer: entity.layer(),
+                height: entity.real(40)?,
+                at: entity.point(11)?,
+                place: entity.place(),
+            }),
             (0, _) if section == Some("ENTITIES") => curves.entity(&entity)?,
             (0, _) if section == Some("OBJECTS") => groups.object(&entity),
             _ => {}

@@ -1,9 +1,8 @@
 //! Everything around the entities: header, tables, blocks and objects as AutoCAD wants them.
 
 use super::tags::Tags;
-use crate::export::job::Job;
 use crate::export::options::DxfVersion;
-use cyclide::{Point3, Units};
+use cyclide::{Aabb, Point3, Units};
 
 /// Handles of the fixed records; entities get theirs from [`FIRST_FREE`] on.
 mod handles {
@@ -49,6 +48,10 @@ pub(super) struct Group {
 
 /// What the entities need around them.
 pub(super) struct Content<'a> {
+    pub(super) version: DxfVersion,
+    pub(super) units: Units,
+    /// The box around them.
+    pub(super) bounds: Aabb,
     pub(super) layers: &'a [String],
     pub(super) groups: &'a [Group],
     /// First handle not used.
@@ -59,12 +62,12 @@ pub(super) struct Content<'a> {
 const COLOURS: [usize; 7] = [7, 1, 5, 3, 6, 30, 4];
 
 /// The file up to the first entity.
-pub(super) fn opening(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
-    header(tags, job, content);
-    match job.options.dxf_version {
+pub(super) fn opening(tags: &mut Tags, content: &Content<'_>) {
+    header(tags, content);
+    match content.version {
         DxfVersion::R2000 => {
             classes(tags);
-            tables(tags, job, content.layers);
+            tables(tags, content);
             blocks(tags);
         }
         DxfVersion::R12 => r12_tables(tags, content.layers),
@@ -73,9 +76,9 @@ pub(super) fn opening(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
 }
 
 /// The file from behind the last entity.
-pub(super) fn closing(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
+pub(super) fn closing(tags: &mut Tags, content: &Content<'_>) {
     tags.begin("ENDSEC");
-    if job.options.dxf_version == DxfVersion::R2000 {
+    if content.version == DxfVersion::R2000 {
         objects(tags, content.groups);
     }
     tags.begin("EOF");
@@ -100,18 +103,18 @@ pub(super) fn version_code(version: DxfVersion) -> &'static str {
     }
 }
 
-fn header(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
-    let [unit, metric] = unit_codes(job.units());
+fn header(tags: &mut Tags, content: &Content<'_>) {
+    let [unit, metric] = unit_codes(content.units);
     tags.begin("SECTION").text(2, "HEADER");
-    tags.text(9, "$ACADVER").text(1, version_code(job.options.dxf_version));
-    if job.options.dxf_version == DxfVersion::R2000 {
+    tags.text(9, "$ACADVER").text(1, version_code(content.version));
+    if content.version == DxfVersion::R2000 {
         tags.raw("9 $DWGCODEPAGE 3 ANSI_1252");
     }
-    tags.text(9, "$EXTMIN").point(10, job.bounds.min);
-    tags.text(9, "$EXTMAX").point(10, job.bounds.max);
+    tags.text(9, "$EXTMIN").point(10, content.bounds.min);
+    tags.text(9, "$EXTMAX").point(10, content.bounds.max);
     tags.text(9, "$INSUNITS").int(70, unit);
     tags.text(9, "$MEASUREMENT").int(70, metric);
-    if job.options.dxf_version == DxfVersion::R2000 {
+    if content.version == DxfVersion::R2000 {
         tags.text(9, "$HANDSEED").handle(5, content.next_handle);
     }
     tags.begin("ENDSEC");
@@ -141,9 +144,10 @@ fn record(tags: &mut Tags, name: &str, handle: usize, owner: usize, class: &str)
     tags.text(100, "AcDbSymbolTableRecord").text(100, class);
 }
 
-fn tables(tags: &mut Tags, job: &Job<'_>, layers: &[String]) {
+fn tables(tags: &mut Tags, content: &Content<'_>) {
+    let layers = content.layers;
     tags.begin("SECTION").text(2, "TABLES");
-    viewport(tags, job);
+    viewport(tags, content);
     table(tags, "LTYPE", handles::LINETYPE_TABLE, 3);
     for (handle, name) in handles::LINETYPES.into_iter().zip(["ByBlock", "ByLayer", "Continuous"]) {
         record(tags, "LTYPE", handle, handles::LINETYPE_TABLE, "AcDbLinetypeTableRecord");
@@ -183,9 +187,9 @@ fn tables(tags: &mut Tags, job: &Job<'_>, layers: &[String]) {
 }
 
 /// The view that opens: the whole drawing.
-fn viewport(tags: &mut Tags, job: &Job<'_>) {
+fn viewport(tags: &mut Tags, content: &Content<'_>) {
     const ASPECT: f64 = 1.6;
-    let (min, max) = (job.bounds.min, job.bounds.max);
+    let (min, max) = (content.bounds.min, content.bounds.max);
     let middle = min.midpoint(max);
     let height = 1.1 * (max.y - min.y).max((max.x - min.x) / ASPECT).max(f64::MIN_POSITIVE);
     table(tags, "VPORT", handles::VIEWPORT_TABLE, 1);

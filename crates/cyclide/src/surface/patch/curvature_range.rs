@@ -11,26 +11,36 @@ impl CyclidePatch {
     /// other one is still the extreme of all values.
     #[must_use]
     pub fn k1_range(&self) -> [f64; 2] {
-        Curvature {
-            bend: self.polar.m.map(|m| -2.0 * m.dot(self.v[1])),
-            size: self.polar.m.map(|m| 2.0 * m.length()),
-            speed: self.polar.q1,
-            rounding: self.speed_rounding(0.0)[0],
-        }
-        .range(&self.node_t(), &self.singular_t())
+        self.k1_extremes().map(|(k, _)| k)
     }
 
     /// The same of the principal curvature along the t-lines, [`k2`](Self::k2), with [`node_s`](Self::node_s) and
     /// [`singular_s`](Self::singular_s).
     #[must_use]
     pub fn k2_range(&self) -> [f64; 2] {
+        self.k2_extremes().map(|(k, _)| k)
+    }
+
+    /// The values of [`k1_range`](Self::k1_range), each with the `t` of the s-line on which it is.
+    pub(crate) fn k1_extremes(&self) -> [(f64, f64); 2] {
+        Curvature {
+            bend: self.polar.m.map(|m| -2.0 * m.dot(self.v[1])),
+            size: self.polar.m.map(|m| 2.0 * m.length()),
+            speed: self.polar.q1,
+            rounding: self.speed_rounding(0.0)[0],
+        }
+        .extremes(&self.node_t(), &self.singular_t())
+    }
+
+    /// The values of [`k2_range`](Self::k2_range), each with the `s` of the t-line on which it is.
+    pub(crate) fn k2_extremes(&self) -> [(f64, f64); 2] {
         Curvature {
             bend: self.polar.m_star.map(|m| 2.0 * m.dot(self.v[0])),
             size: self.polar.m_star.map(|m| 2.0 * m.length()),
             speed: self.polar.q2,
             rounding: self.speed_rounding(0.0)[1],
         }
-        .range(&self.node_s(), &self.singular_s())
+        .extremes(&self.node_s(), &self.singular_s())
     }
 }
 
@@ -44,8 +54,8 @@ struct Curvature {
 }
 
 impl Curvature {
-    /// Smallest and largest value, infinite towards poles.
-    fn range(self, nodes: &[f64], singular: &[f64]) -> [f64; 2] {
+    /// Smallest and largest value, infinite towards poles, with their parameters.
+    fn extremes(self, nodes: &[f64], singular: &[f64]) -> [(f64, f64); 2] {
         let [mut low, mut high] = self.finite(nodes);
         let mut poles: Vec<f64> = [nodes, singular].concat();
         poles.sort_by(f64::total_cmp);
@@ -60,9 +70,9 @@ impl Curvature {
             for beside in [before, after].into_iter().filter(|end| (end - pole).abs() > 0.0) {
                 // The speed keeps its sign up to the next pole.
                 if (bend < 0.0) == (quadratic(&self.speed, 0.5 * (pole + beside)) < 0.0) {
-                    high = f64::INFINITY;
+                    high = (f64::INFINITY, pole);
                 } else {
-                    low = f64::NEG_INFINITY;
+                    low = (f64::NEG_INFINITY, pole);
                 }
             }
         }
@@ -70,7 +80,7 @@ impl Curvature {
     }
 
     /// Finite extremes: at the ends, and where the Wronskian of the two quadratics is zero, which is a quadratic again.
-    fn finite(&self, nodes: &[f64]) -> [f64; 2] {
+    fn finite(&self, nodes: &[f64]) -> [(f64, f64); 2] {
         let (mut p, mut q) = (self.bend, self.speed);
         for (end, at) in [(0, 0.0), (2, 1.0)] {
             if q[end] == 0.0 {
@@ -98,9 +108,12 @@ impl Curvature {
         let inside = roots([minor(0, 1), 0.5 * minor(0, 2), minor(1, 2)], [0.0; 3]);
         // Between two zeros of the speed that only rounding has parted, a value means nothing.
         let means = |t: &f64| quadratic(&q, *t).abs() > quadratic(&self.rounding, *t);
-        let at = |t: f64| quadratic(&p, t) / quadratic(&q, t);
-        let values = [limit(0), limit(2)].into_iter().flatten().chain(inside.into_iter().filter(means).map(at));
-        values.filter(|k| k.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], k| [lo.min(k), hi.max(k)])
+        let at = |t: f64| (quadratic(&p, t) / quadratic(&q, t), t);
+        let ends = [(0, 0.0), (2, 1.0)].into_iter().filter_map(|(end, t)| Some((limit(end)?, t)));
+        let values = ends.chain(inside.into_iter().filter(means).map(at)).filter(|(k, _)| k.is_finite());
+        values.fold([(f64::INFINITY, 0.0), (f64::NEG_INFINITY, 0.0)], |[low, high], value| {
+            [if value.0 < low.0 { value } else { low }, if value.0 > high.0 { value } else { high }]
+        })
     }
 }
 

@@ -26,6 +26,7 @@ mod recognise;
 mod rows;
 mod singular;
 mod transform;
+mod twist;
 
 pub(crate) use construct::orthonormal;
 pub(super) use corner_circle::check_quad;

@@ -1,0 +1,73 @@
+//! `schedule`: nets as lists and drawings for a workshop.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args as ClapArgs};
+use cyclide_io::{ScheduleOptions, WriteOptions};
+
+use super::args::{WriteArgs, positive};
+use super::plan::{Input, refuse_file_name};
+use crate::output::failure::Failure;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  cyclide schedule roof.json -o workshop
+  cyclide schedule roof.json -o workshop --thickness 0.04 --beam-depth -0.25
+  cyclide schedule roof.json -o workshop --object skin --tolerance 0.002 --congruent-within 0.001
+
+The folder holds panels.csv, edges.csv, nodes.csv and beams.csv, all of it with totals in schedule.json, plan.dxf with the numbers of the
+panels, beams.dxf with the beams laid flat, and patterns.dxf with the flat patterns of panels that are bent one way only: docs/schedule.md
+explains every column.";
+
+#[derive(Debug, ClapArgs)]
+pub struct ScheduleArgs {
+    /// The model document (JSON), - for standard input.
+    pub model: PathBuf,
+    /// The folder for the files, made if it does not exist.
+    #[arg(short, long = "output", value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Where the other side of the panels is: this distance along the normals, negative against them [default: that of the document's
+    /// 'offset' of the net, if it has one].
+    #[arg(long, value_name = "T", value_parser = not_zero, allow_negative_numbers = true)]
+    pub thickness: Option<f64>,
+    /// How far beams reach from the edges along the normals, negative against them [default: the thickness].
+    #[arg(long, value_name = "D", value_parser = not_zero, allow_negative_numbers = true)]
+    pub beam_depth: Option<f64>,
+    /// How far a panel may be from the plane, sphere, cylinder or torus that is its mould [default: a thousandth of the mean edge].
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// How far panels may be from each other, laid on one another, that count as one kind [default: the tolerance].
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub congruent_within: Option<f64>,
+    /// An object to schedule, construction geometry too; once for each [default: all nets that are no construction geometry].
+    #[arg(long = "object", value_name = "NAME", action = ArgAction::Append)]
+    pub objects: Vec<String>,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// Schedule a model.
+pub struct SchedulePlan {
+    pub input: Input,
+    pub folder: PathBuf,
+    pub options: ScheduleOptions,
+    pub write: WriteOptions,
+}
+
+impl ScheduleArgs {
+    pub fn plan(self) -> Result<SchedulePlan, Failure> {
+        refuse_file_name(&self.output)?;
+        let Self { model, output, thickness, beam_depth, tolerance, congruent_within, objects, write } = self;
+        let options = ScheduleOptions { thickness, beam_depth, tolerance, congruent_within, objects };
+        Ok(SchedulePlan { input: Input::File(model), folder: output, options, write: write.options() })
+    }
+}
+
+/// A finite number that is not 0.
+fn not_zero(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.abs() > 0.0 && value.is_finite() => Ok(value),
+        Ok(_) => Err("it must be finite and not 0".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}

@@ -1,0 +1,121 @@
+//! Which objects of a model are scheduled, with which thickness, and why the others are not.
+
+use cyclide::{CyclidicNet, SurfaceObject};
+use serde::Serialize;
+
+use crate::document::{BuiltObject, Document, ObjectSpec, OffsetSpec};
+
+/// An object that is not in a schedule.
+///
+/// ```
+/// use cyclide_io::{Document, ScheduleOptions, WorkshopSchedule};
+/// let text = r#"{"cyclide": 1, "objects": {
+///     "p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]},
+///     "c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
+/// let document: Document = text.parse()?;
+/// let schedule = WorkshopSchedule::new(&document, &document.build()?, &ScheduleOptions::default())?;
+/// assert_eq!(schedule.not_scheduled()[0].name, "c");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct NotScheduled {
+    /// Its name.
+    pub name: String,
+    /// The document's word for its construction.
+    pub r#type: String,
+    /// Why it is not, or where its figures stand.
+    pub why: String,
+}
+
+/// An object that is scheduled.
+pub(super) struct Chosen {
+    /// What its parts are named after.
+    pub(super) name: String,
+    /// Its nets, one or several.
+    pub(super) nets: Vec<CyclidicNet>,
+    /// The distance of the other side of its panels.
+    pub(super) thickness: Option<f64>,
+}
+
+/// The nets of an object, a single patch as one of one panel.
+fn nets_of(built: &BuiltObject) -> Vec<CyclidicNet> {
+    let net = |surface: &SurfaceObject| match surface {
+        SurfaceObject::Net(net) => Some(net.clone()),
+        SurfaceObject::Patch(patch) => Some(CyclidicNet::from(*patch)),
+        SurfaceObject::Body(_) | SurfaceObject::Triangles(_) => None,
+    };
+    built.item.surfaces().iter().filter_map(net).collect()
+}
+
+/// The objects of a model that are scheduled: those of these names, or all with nets that are no construction geometry.
+pub(super) fn choose(
+    document: &Document,
+    objects: &[BuiltObject],
+    only: &[String],
+    thickness: Option<f64>,
+) -> (Vec<Chosen>, Vec<NotScheduled>) {
+    let wanted = |built: &BuiltObject| {
+        if only.is_empty() { !built.construction } else { only.contains(&built.item.name) }
+    };
+    let by_name = |name: &str| objects.iter().find(|built| built.item.name == name);
+    let offsets = || {
+        document.objects.iter().filter_map(|(name, spec)| match spec {
+            ObjectSpec::Offset(offset) => Some((name.as_str(), offset)),
+            _ => None,
+        })
+    };
+    let own_thickness = |name: &str| {
+        let mut distances = offsets().filter(|(_, offset)| offset.of == name).map(|(_, offset)| offset.distance);
+        let first = distances.next()?;
+        distances.all(|other| other.to_bits() == first.to_bits()).then_some(first)
+    };
+    let (mut chosen, mut others) = (Vec::new(), Vec::new());
+    for ((name, spec), built) in document.objects.iter().zip(objects) {
+        let mut leave = |why: String| {
+            others.push(NotScheduled { name: name.clone(), r#type: spec.type_word().to_owned(), why });
+        };
+        if !wanted(built) {
+            leave(if only.is_empty() { "construction geometry" } else { "not asked for by --object" }.to_owned());
+            continue;
+        }
+        let nets = nets_of(built);
+        if !nets.is_empty() {
+            let thickness = thickness.or_else(|| own_thickness(name));
+            chosen.push(Chosen { name: name.clone(), nets, thickness });
+            continue;
+        }
+        match spec {
+            ObjectSpec::Offset(OffsetSpec { of, distance, thick: true, .. }) => match by_name(of) {
+                Some(source) if wanted(source) => {
+                    leave(format!(
+                        "the solid between `{of}` and its offset: its figures stand with the panels of `{of}`"
+                    ));
+                }
+                // The skin is construction geometry: the solid is what is built.
+                Some(source) => {
+                    let thickness = Some(thickness.unwrap_or(*distance));
+                    match nets_of(source) {
+                        nets if nets.is_empty() => leave(no_net(spec)),
+                        nets => chosen.push(Chosen { name: name.clone(), nets, thickness }),
+                    }
+                }
+                None => leave(no_net(spec)),
+            },
+            ObjectSpec::SupportStructure(support) => {
+                let of = &support.of;
+                leave(if by_name(of).is_some_and(|source| wanted(source) && !nets_of(source).is_empty()) {
+                    format!("its arcs are the edges of `{of}`")
+                } else {
+                    format!("its arcs are the edges of `{of}`, which is not scheduled: --object {of} schedules it")
+                });
+            }
+            _ => leave(no_net(spec)),
+        }
+    }
+    (chosen, others)
+}
+
+fn no_net(spec: &ObjectSpec) -> String {
+    format!("`{}` makes no net of panels", spec.type_word())
+}

@@ -1,0 +1,326 @@
+//! A net measured as it is built: panels, the edges between them, and the nodes where these meet.
+
+use std::collections::HashMap;
+
+use cyclide::{
+    Arc, CORNER_ANGLE, CyclidePatch, CyclidicNet, Error, FaceEdge, NormalStrip, PanelMeasures, PatchKind, Point3,
+    Result, Shell, Side, Vec3, surface_joints,
+};
+
+/// Angle from the direction of growing s at which the edges round a node begin: that along s is the first, and rounding
+/// does not turn it to the end.
+const FIRST: f64 = -0.25 * std::f64::consts::PI;
+
+/// A net with what belongs to each of its parts.
+#[derive(Debug)]
+pub(super) struct Net {
+    /// What it is called in the schedule.
+    pub(super) name: String,
+    /// Panels along s and along t.
+    pub(super) size: [usize; 2],
+    /// Vertices along s and along t.
+    vertices: [usize; 2],
+    pub(super) panels: Vec<Panel>,
+    pub(super) edges: Vec<Edge>,
+    pub(super) nodes: Vec<Node>,
+    /// Distance of the other side of its panels along the normals.
+    pub(super) thickness: Option<f64>,
+    /// Distance along the normals to which beams reach from the edges.
+    pub(super) beam_depth: Option<f64>,
+    /// The area by the whole shell: what reports say.
+    pub(super) area: f64,
+}
+
+/// A patch of a net.
+#[derive(Debug)]
+pub(super) struct Panel {
+    /// Column and row.
+    pub(super) place: [usize; 2],
+    pub(super) patch: CyclidePatch,
+    pub(super) kind: PatchKind,
+    pub(super) measures: PanelMeasures,
+    /// Area of the other side.
+    pub(super) offset_area: Option<f64>,
+    /// The nodes at its corners, binary order.
+    pub(super) nodes: [usize; 4],
+    /// The edges on its sides.
+    pub(super) sides: [Option<FaceEdge>; 4],
+}
+
+/// An arc between two nodes.
+#[derive(Debug)]
+pub(super) struct Edge {
+    /// Column and row of the vertex where it starts.
+    pub(super) place: [usize; 2],
+    /// 0 along s, 1 along t.
+    pub(super) direction: usize,
+    pub(super) arc: Arc,
+    pub(super) nodes: [usize; 2],
+    /// The panels along it; the second is missing at a border.
+    pub(super) panels: [Option<usize>; 2],
+    /// Angle between the normals of both panels, 0 where reports count no crease.
+    pub(super) crease: Option<f64>,
+    /// The same edge on the other side of the panels.
+    pub(super) offset: Option<Arc>,
+    pub(super) strip: Option<NormalStrip>,
+}
+
+/// A vertex of a net.
+#[derive(Debug)]
+pub(super) struct Node {
+    /// Column and row.
+    pub(super) place: [usize; 2],
+    pub(super) point: Point3,
+    pub(super) normal: Vec3,
+    pub(super) offset: Option<Point3>,
+    /// The edges that meet there, counter-clockwise seen against the normal.
+    pub(super) beams: Vec<Beam>,
+}
+
+/// An edge as it leaves a node.
+#[derive(Debug)]
+pub(super) struct Beam {
+    pub(super) edge: usize,
+    /// Unit tangent away from the node.
+    pub(super) direction: Vec3,
+    /// Angle to the next one, counter-clockwise.
+    pub(super) to_next: f64,
+    /// Angle out of the plane across the normal.
+    pub(super) tilt: f64,
+}
+
+impl Net {
+    /// Measures a net.
+    pub(super) fn new(name: String, net: &CyclidicNet, thickness: Option<f64>, depth: Option<f64>) -> Result<Self> {
+        let shell = net.to_shell()?;
+        let other = thickness.map(|h| other_side(net, h)).transpose()?;
+        let ([m, n], vertices) = (net.size(), net.grid().size());
+        let mut panels = Vec::with_capacity(m * n);
+        let corners: Vec<[usize; 4]> = shell.faces().iter().map(|face| corner_vertices(&shell, &face.sides)).collect();
+        for (index, face) in shell.faces().iter().enumerate() {
+            let place = [index % m, index / m];
+            let patch = net.patch(place[0], place[1]);
+            let offset_area = other.as_ref().map(|other| area(other.patch(place[0], place[1]))).transpose()?;
+            let (kind, measures) = (patch.recognise(), PanelMeasures::new(&patch)?);
+            panels.push(Panel { place, patch, kind, measures, offset_area, nodes: corners[index], sides: face.sides });
+        }
+        let mut made = Self {
+            name,
+            size: [m, n],
+            vertices,
+            panels,
+            edges: Vec::new(),
+            nodes: Vec::new(),
+            thickness,
+            beam_depth: depth,
+            area: shell.known_area()?,
+        };
+        made.take_nodes(net, other.as_ref());
+        made.take_edges(&shell, other.as_ref())?;
+        made.take_beams(net);
+        Ok(made)
+    }
+
+    /// The nodes, by the first place in which each is met; those that sides of one point join are one.
+    fn take_nodes(&mut self, net: &CyclidicNet, other: Option<&CyclidicNet>) {
+        let mut first: HashMap<usize, [usize; 2]> = HashMap::new();
+        for panel in &self.panels {
+            for (corner, &vertex) in panel.nodes.iter().enumerate() {
+                let place = self.vertex_at([panel.place[0] + corner % 2, panel.place[1] + corner / 2]);
+                let known = first.entry(vertex).or_insert(place);
+                *known = std::cmp::min_by_key(*known, place, |[i, j]| (*j, *i));
+            }
+        }
+        let mut order: Vec<(usize, [usize; 2])> = first.into_iter().collect();
+        order.sort_by_key(|(_, [i, j])| (*j, *i));
+        let numbers: HashMap<usize, usize> = order.iter().enumerate().map(|(number, (v, _))| (*v, number)).collect();
+        for panel in &mut self.panels {
+            panel.nodes = panel.nodes.map(|vertex| numbers[&vertex]);
+        }
+        let node = |(_, [i, j]): (usize, [usize; 2])| Node {
+            place: [i, j],
+            point: net.grid().point(i, j),
+            normal: net.vertex_frame(i, j)[2],
+            offset: other.map(|other| other.grid().point(i, j)),
+            beams: Vec::new(),
+        };
+        self.nodes = order.into_iter().map(node).collect();
+    }
+
+    /// The edges: those along s first, then those along t, each by rows.
+    fn take_edges(&mut self, shell: &Shell, other: Option<&CyclidicNet>) -> Result<()> {
+        let creases: HashMap<usize, f64> =
+            surface_joints(shell).into_iter().map(|joint| (joint.edge, joint.angle)).collect();
+        let mut order: Vec<(usize, Edge)> = Vec::with_capacity(shell.edges().len());
+        for (index, users) in shell.faces_along_edges().iter().enumerate() {
+            let (Some(&(face, side)), Some(arc)) = (users.first(), shell.edges()[index].curve.arc()) else { continue };
+            let panel = &self.panels[face];
+            let forward = panel.sides[side as usize].is_none_or(|use_of| use_of.forward);
+            let [i, j] = panel.place;
+            let place = self.vertex_at(match side {
+                Side::Bottom | Side::Left => [i, j],
+                Side::Top => [i, j + 1],
+                Side::Right => [i + 1, j],
+            });
+            let offset = other.map(|other| side_arc(&other.patch(i, j), side)).transpose()?;
+            let offset = offset.map(|arc| if forward { arc } else { arc.reversed() });
+            let (s, t) = side.place(if forward { 0.0 } else { 1.0 });
+            let normal = panel.patch.unit_normal(s, t);
+            let corners = side.corners().map(|corner| panel.nodes[corner]);
+            let nodes = if forward { corners } else { [corners[1], corners[0]] };
+            let strip = self.beam_depth.map(|depth| NormalStrip::new(arc, normal, [depth.min(0.0), depth.max(0.0)]));
+            let crease = creases.get(&index).map(|angle| if *angle > CORNER_ANGLE { *angle } else { 0.0 });
+            let edge = Edge {
+                place,
+                direction: side.direction(),
+                arc: *arc,
+                nodes,
+                panels: [Some(face), users.get(1).map(|user| user.0)],
+                crease,
+                offset,
+                strip: strip.transpose()?,
+            };
+            order.push((index, edge));
+        }
+        order.sort_by_key(|(_, edge)| (edge.direction, edge.place[1], edge.place[0]));
+        let numbers: HashMap<usize, usize> = order.iter().enumerate().map(|(number, (k, _))| (*k, number)).collect();
+        let renumbered = |side: FaceEdge| Some(FaceEdge { edge: *numbers.get(&side.edge)?, ..side });
+        for panel in &mut self.panels {
+            panel.sides = panel.sides.map(|side| side.and_then(renumbered));
+        }
+        self.edges = order.into_iter().map(|(_, edge)| edge).collect();
+        Ok(())
+    }
+
+    /// What meets at each node.
+    fn take_beams(&mut self, net: &CyclidicNet) {
+        for (index, edge) in self.edges.iter().enumerate() {
+            let ends = [edge.arc.start_tangent(), edge.arc.end_tangent().map(|tangent| -tangent)];
+            for (node, direction) in edge.nodes.into_iter().zip(ends) {
+                let Some(direction) = direction else { continue };
+                let node = &mut self.nodes[node];
+                let out = direction.dot(node.normal);
+                let tilt = out.atan2((direction - node.normal * out).length());
+                node.beams.push(Beam { edge: index, direction, to_next: 0.0, tilt });
+            }
+        }
+        for node in &mut self.nodes {
+            let [e1, e2, _] = net.vertex_frame(node.place[0], node.place[1]);
+            let angle = |beam: &Beam| {
+                let angle = beam.direction.dot(e2).atan2(beam.direction.dot(e1));
+                if angle < FIRST { angle + std::f64::consts::TAU } else { angle }
+            };
+            node.beams.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+            let angles: Vec<f64> = node.beams.iter().map(angle).collect();
+            let count = angles.len();
+            for (k, beam) in node.beams.iter_mut().enumerate() {
+                let turn = angles[(k + 1) % count] - angles[k];
+                beam.to_next = if turn > 0.0 { turn } else { turn + std::f64::consts::TAU };
+            }
+        }
+    }
+
+    /// A vertex, counted round in closed directions.
+    fn vertex_at(&self, place: [usize; 2]) -> [usize; 2] {
+        [place[0] % self.vertices[0], place[1] % self.vertices[1]]
+    }
+
+    /// Row and column as in all names, with as many digits as the largest needs.
+    fn numbered(&self, [column, row]: [usize; 2]) -> String {
+        let digits = |count: usize| count.saturating_sub(1).to_string().len().max(2);
+        let [columns, rows] = self.vertices.map(digits);
+        format!("r{row:0rows$}-c{column:0columns$}")
+    }
+
+    /// Row and column of a panel.
+    pub(super) fn panel_number(&self, panel: usize) -> String {
+        self.numbered(self.panels[panel].place)
+    }
+
+    pub(super) fn panel_id(&self, panel: usize) -> String {
+        format!("{}-{}", self.name, self.panel_number(panel))
+    }
+
+    /// Direction, row and column of an edge.
+    pub(super) fn edge_number(&self, edge: usize) -> String {
+        let Edge { place, direction, .. } = self.edges[edge];
+        format!("{}-{}", ["s", "t"][direction], self.numbered(place))
+    }
+
+    pub(super) fn edge_id(&self, edge: usize) -> String {
+        format!("{}-{}", self.name, self.edge_number(edge))
+    }
+
+    pub(super) fn node_id(&self, node: usize) -> String {
+        format!("{}-n-{}", self.name, self.numbered(self.nodes[node].place))
+    }
+
+    /// Length of all edges, each once.
+    pub(super) fn edge_length(&self) -> f64 {
+        self.edges.iter().map(|edge| edge.arc.length()).sum()
+    }
+}
+
+impl Edge {
+    pub(super) fn is_border(&self) -> bool {
+        self.panels[1].is_none()
+    }
+}
+
+/// The word for what a panel lies on.
+pub(super) fn kind_word(kind: &PatchKind) -> &'static str {
+    match kind {
+        PatchKind::Plane { .. } => "plane",
+        PatchKind::Sphere { .. } => "sphere",
+        PatchKind::Cylinder { .. } => "cylinder",
+        PatchKind::Cone { .. } => "cone",
+        PatchKind::Torus { .. } => "torus",
+        PatchKind::Cyclide => "cyclide",
+    }
+}
+
+/// The net on the other side of panels, refused where no panel can be so thick.
+fn other_side(net: &CyclidicNet, h: f64) -> Result<CyclidicNet> {
+    match net.patches().position(|patch| !patch.offset_is_regular(h)) {
+        None => net.offset(h),
+        Some(quad) => match net.thick(h) {
+            Err(error) => Err(error),
+            Ok(_) => Err(Error::InQuad { quad, cause: Box::new(Error::OffsetNotRegular { distance: h, limit: 0.0 }) }),
+        },
+    }
+}
+
+fn area(patch: CyclidePatch) -> Result<f64> {
+    Shell::from_surface(patch)?.known_area()
+}
+
+fn side_arc(patch: &CyclidePatch, side: Side) -> Result<Arc> {
+    match side {
+        Side::Bottom => patch.s_line(0.0),
+        Side::Top => patch.s_line(1.0),
+        Side::Left => patch.t_line(0.0),
+        Side::Right => patch.t_line(1.0),
+    }
+}
+
+/// The vertices of a face at its corners; both ends of a side of one point are one.
+fn corner_vertices(shell: &Shell, sides: &[Option<FaceEdge>; 4]) -> [usize; 4] {
+    let mut found = [None; 4];
+    for side in Side::ALL {
+        if let Some(edge) = sides[side as usize] {
+            let it = &shell.edges()[edge.edge];
+            let ends = if edge.forward { [it.start, it.end] } else { [it.end, it.start] };
+            for (corner, vertex) in side.corners().into_iter().zip(ends) {
+                found[corner] = Some(vertex);
+            }
+        }
+    }
+    for side in Side::ALL {
+        let [a, b] = side.corners();
+        if sides[side as usize].is_none() {
+            let vertex = found[a].or(found[b]);
+            (found[a], found[b]) = (vertex, vertex);
+        }
+    }
+    found.map(Option::unwrap_or_default)
+}
