@@ -4,6 +4,7 @@ mod barycentric;
 mod bounds;
 mod canal;
 mod dupin;
+mod grid_cells;
 mod net;
 mod param_surface;
 mod patch;
@@ -20,6 +21,8 @@ pub(crate) use canal::{BallLine, BallVector, MovedCylinders};
 pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
+pub use grid_cells::GridCell;
+pub(crate) use grid_cells::{beside, flooded};
 pub(crate) use net::SameVertices;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use net::closing_limit;

@@ -1,8 +1,8 @@
 //! Grids along the lines of curvature of meshes.
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalGridOptions, PrincipalStage, QuadGrid, ShortNumber,
-    principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, GridCell, Point3, PrincipalGridOptions, PrincipalStage,
+    QuadGrid, ShortNumber, principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;
@@ -102,9 +102,39 @@ fn words(stage: PrincipalStage) -> String {
     }
 }
 
+/// The lines of a grid with a border in steps: they end where no patch is beside them.
+fn lines_in_steps(grid: &QuadGrid) -> cyclide::Result<Vec<CurveObject>> {
+    let (size, quads) = (grid.size(), grid.quads());
+    let has_patch = |i: usize, j: usize| i < quads[0] && j < quads[1] && grid.cell(i, j) == GridCell::Patch;
+    let mut lines = Vec::new();
+    for d in 0..2 {
+        for line in 0..size[1 - d] {
+            let at = |k: usize| if d == 0 { (k, line) } else { (line, k) };
+            let mut points: Vec<Point3> = Vec::new();
+            for k in 0..size[d] {
+                let (i, j) = at(k);
+                points.push(grid.point(i, j));
+                let before = if d == 0 { j > 0 && has_patch(i, j - 1) } else { i > 0 && has_patch(i - 1, j) };
+                if before || has_patch(i, j) {
+                    continue;
+                }
+                if points.len() > 1 {
+                    let path = ArcPath::rounded_polyline(&points, false, &vec![0.0; points.len()])?;
+                    lines.push(CurveObject::ArcPath(path));
+                }
+                points.clear();
+            }
+        }
+    }
+    Ok(lines)
+}
+
 /// The lines of a grid, those along s first.
 fn lines(grid: &QuadGrid) -> cyclide::Result<Vec<CurveObject>> {
     let ([columns, rows], [closed, _]) = (grid.size(), grid.closed());
+    if !grid.is_whole() {
+        return lines_in_steps(grid);
+    }
     let along = (0..rows).map(|j| ((0..columns).map(|i| grid.point(i, j)).collect::<Vec<_>>(), closed));
     let across = (0..columns).map(|i| ((0..rows).map(|j| grid.point(i, j)).collect::<Vec<_>>(), false));
     let path = |(points, closed): (Vec<_>, bool)| {
