@@ -80,7 +80,7 @@
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
 //! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
-//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
+//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves` |
 //! | grids along lines of curvature | `principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalField`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
@@ -94,7 +94,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -167,7 +167,7 @@ pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, ErrorItem, FoldRemedy, Result, SurfaceFault, reasons};
+pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, Result, SurfaceFault, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
@@ -193,7 +193,7 @@ pub use surface::{
 };
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
-pub use surface::{GridClosing, ParamSurface, QuadGrid, RingClosing, StripClosing};
+pub use surface::{GridCell, GridClosing, ParamSurface, QuadGrid, RingClosing, StripClosing};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use surface::{NaturalQuadric, PairKind, QuadricPair};
 pub use surface::{NormalStrip, StripForm};

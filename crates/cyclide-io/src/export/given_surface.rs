@@ -1,6 +1,6 @@
 //! The surface that an object was made to follow, and the lines of curvature that were found on it: what pictures show.
 
-use cyclide::{Point3, QuadGrid, Vec3};
+use cyclide::{GridCell, Point3, QuadGrid, Vec3};
 
 /// A surface as it was given, by its vertices: what a skin is held against.
 ///
@@ -33,7 +33,8 @@ impl GivenSurface {
         let normal = |at: [usize; 2]| tangent(grid, at, 0).cross(tangent(grid, at, 1)).unit().unwrap_or_default();
         let normals = vertices.map(normal).collect();
         let [columns, rows] = grid.quads();
-        let quads = (0..columns * rows).map(|k| grid.corners(k % columns, k / columns));
+        let quads = (0..columns * rows).map(|k| (k % columns, k / columns));
+        let quads = quads.filter(|(i, j)| grid.cell(*i, *j) != GridCell::Outside).map(|(i, j)| grid.corners(i, j));
         let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, d], [a, d, c]]).collect();
         Self { points: grid.points().to_vec(), normals, triangles }
     }
@@ -50,12 +51,27 @@ fn tangent(grid: &QuadGrid, at: [usize; 2], direction: usize) -> Vec3 {
     if closed {
         return point(k + 1) - point(k + count - 1);
     }
-    match (k, count) {
-        (_, 2) => point(1) - point(0),
-        (0, _) => (point(1) - point(0)) * 4.0 - (point(2) - point(0)),
-        (k, count) if k + 1 == count => (point(k) - point(k - 1)) * 4.0 - (point(k) - point(k - 2)),
+    // The run of edges that quads have, in a grid with a border in steps.
+    let has_edge = |k: usize| edge_has_quad(grid, at, direction, k);
+    let first = (0..k).rev().take_while(|k| has_edge(*k)).last().unwrap_or(k);
+    let last = (k..count - 1).take_while(|k| has_edge(*k)).last().map_or(k, |k| k + 1);
+    match (k, last - first) {
+        (_, 0) => Vec3::ZERO,
+        (_, 1) => point(last) - point(first),
+        (k, _) if k == first => (point(k + 1) - point(k)) * 4.0 - (point(k + 2) - point(k)),
+        (k, _) if k == last => (point(k) - point(k - 1)) * 4.0 - (point(k) - point(k - 2)),
         (k, _) => point(k + 1) - point(k - 1),
     }
+}
+
+/// Whether a quad is beside edge `k` of the line through a vertex.
+fn edge_has_quad(grid: &QuadGrid, at: [usize; 2], direction: usize, k: usize) -> bool {
+    let (size, across) = (grid.quads(), 1 - direction);
+    let beside = [at[across].checked_sub(1), Some(at[across])].into_iter().flatten();
+    beside.filter(|line| *line < size[across] && k < size[direction]).any(|line| {
+        let [i, j] = if direction == 0 { [k, line] } else { [line, k] };
+        grid.cell(i, j) != GridCell::Outside
+    })
 }
 
 /// What was found on a surface that grids were laid on along its lines of curvature.

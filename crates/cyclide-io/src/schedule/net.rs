@@ -94,19 +94,18 @@ impl Net {
     pub(super) fn new(name: String, net: &CyclidicNet, thickness: Option<f64>, depth: Option<f64>) -> Result<Self> {
         let shell = net.to_shell()?;
         let other = thickness.map(|h| other_side(net, h)).transpose()?;
-        let ([m, n], vertices) = (net.size(), net.grid().size());
-        let mut panels = Vec::with_capacity(m * n);
+        let (size, vertices) = (net.size(), net.grid().size());
+        let mut panels = Vec::with_capacity(shell.faces().len());
         let corners: Vec<[usize; 4]> = shell.faces().iter().map(|face| corner_vertices(&shell, &face.sides)).collect();
-        for (index, face) in shell.faces().iter().enumerate() {
-            let place = [index % m, index / m];
-            let patch = net.patch(place[0], place[1]);
+        // Faces stand in the order of the patches.
+        for (index, (face, (place, patch))) in shell.faces().iter().zip(net.patches_with_quads()).enumerate() {
             let offset_area = other.as_ref().map(|other| area(other.patch(place[0], place[1]))).transpose()?;
             let (kind, measures) = (patch.recognise(), PanelMeasures::new(&patch)?);
             panels.push(Panel { place, patch, kind, measures, offset_area, nodes: corners[index], sides: face.sides });
         }
         let mut made = Self {
             name,
-            size: [m, n],
+            size,
             vertices,
             panels,
             edges: Vec::new(),

@@ -128,6 +128,48 @@ fn fields_without_effect_are_told() {
     assert_eq!(told, [("no-effect", "objects.g.columns"), ("no-effect", "objects.g.closed")]);
 }
 
+/// Steps and openings of laid grids and of rows of points, through to a solid.
+#[test]
+fn grids_in_steps_make_nets_and_solids() {
+    let laid = format!(r#"{}, "edge_length": 0.7, "border": "staircase""#, inline());
+    let net = r#""n": {"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true, "openings": [[7, 7]]}"#;
+    let wall = r#""w": {"type": "offset", "of": "n", "distance": 0.1, "thick": true}"#;
+    let built = build(&laid, &[net, wall]).unwrap();
+    let shell = &built[1].bodies[0].outer;
+    let cells = shell.faces().len();
+    assert!(cells > 40 && !shell.is_closed() && built[2].bodies[0].outer.is_closed());
+    let joints = cyclide::surface_joints(shell);
+    assert!(joints.iter().all(|joint| joint.angle < 1e-7)); // rounding of normals
+    // Twice the skin, and a rim over each free edge.
+    let wall = &built[2].bodies[0].outer;
+    let free = 4 * cells - 2 * joints.len();
+    assert_eq!(wall.faces().len(), 2 * cells + free);
+
+    let row = |y: f64, n: usize| {
+        let at = |k: usize| if k < n { format!("[{k}, {y}, 0]") } else { "null".to_owned() };
+        format!("[{}]", (0..4).map(at).collect::<Vec<_>>().join(", "))
+    };
+    let steps = |more: &str| {
+        let rows = [row(0.0, 4), row(1.0, 4), row(2.0, 3), row(3.0, 2)].join(", ");
+        build(
+            &laid,
+            &[&format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}], "frame": [[1, 0, 0], [0, 1, 0]]{more}}}"#)],
+        )
+    };
+    let flat = steps("").unwrap();
+    // Three quads, two and one.
+    assert!((flat[1].bodies[0].outer.area() - 6.0).abs() < 1e-12);
+    for (more, words) in [
+        (r#", "openings": [[2, 1]]"#, ["objects.n.openings[0]", "there is no quad in column 2, row 1"]),
+        (r#", "openings": [[0, 1]]"#, ["objects.n.openings", "has no way to the first one"]),
+        (r#", "closed": [true, false]"#, ["objects.n", "`null` goes with an open one"]),
+        (r#", "make_circular": {"border": {"first_row": "g"}}"#, ["objects.n", "`g`"]),
+    ] {
+        let message = steps(more).map(|_| ()).unwrap_err();
+        assert!(words.iter().all(|w| message.contains(w)), "{message}");
+    }
+}
+
 #[test]
 fn what_is_refused_is_shown_at_its_place() {
     let with = |more: &str| format!("{}, {more}", inline());

@@ -37,6 +37,9 @@ pub enum GridBorder {
     /// The largest rectangle of whole cells on the surface.
     #[default]
     Inside,
+    /// All whole cells on the surface that hang together: the border runs in steps along that of the surface, and round its holes. A
+    /// grid that is closed is the largest band.
+    Staircase,
     /// All of the surface: where the box of its points is larger, the grid is continued smoothly, and the net is to be trimmed.
     Cover,
 }

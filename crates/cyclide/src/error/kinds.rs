@@ -1,6 +1,6 @@
 //! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
 
-use super::{ErrorItem, FoldRemedy, SurfaceFault};
+use super::{ErrorItem, FoldRemedy, GridCellFault, SurfaceFault};
 use crate::shape_change::ShapeChange;
 
 /// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
@@ -1110,6 +1110,13 @@ pub enum Error {
         vertices: [usize; 2],
         /// The triangles, from 0.
         triangles: [usize; 2],
+    },
+    /// The cells of a grid are no part of it that can be made, or something needs all of them.
+    CellsUnfit {
+        /// What is wrong.
+        fault: GridCellFault,
+        /// A quad where it is, s fastest, from 0.
+        index: usize,
     },
     /// Triangles are not one piece of a surface with a border.
     NotASurface {

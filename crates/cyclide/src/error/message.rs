@@ -783,6 +783,7 @@ impl std::fmt::Display for Error {
                 "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over, or left out if it is there twice",
                 triangles[0], triangles[1], vertices[0], vertices[1]
             ),
+            Self::CellsUnfit { fault, index } => f.write_str(&fault.words(*index)),
             Self::NotASurface { fault, index } => {
                 write!(f, "the mesh is not one piece of a surface with a border: {}", fault.words(*index))
             }

@@ -4,6 +4,7 @@
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
 mod fold_remedy;
+mod grid_cell_fault;
 mod item;
 mod kinds;
 mod message;
@@ -15,6 +16,7 @@ mod volume_message;
 mod words;
 
 pub use fold_remedy::FoldRemedy;
+pub use grid_cell_fault::GridCellFault;
 pub use item::ErrorItem;
 pub use kinds::Error;
 pub use surface_fault::SurfaceFault;

@@ -135,6 +135,7 @@ impl Error {
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
+            Self::CellsUnfit { .. } => "cells-unfit",
             Self::NotASurface { .. } => "not-a-surface",
             Self::FlatSurface { .. } => "flat-surface",
             Self::UmbilicsRemain { .. } => "umbilics-remain",
@@ -237,6 +238,7 @@ impl Error {
             | Self::NoSuchVertex { triangle, .. }
             | Self::NonManifoldEdge { triangle, .. }
             | Self::NotASurface { index: triangle, .. } => Some(triangle),
+            Self::CellsUnfit { index: quad, .. } => Some(quad),
             Self::InconsistentOrientation { triangles: [_, second], .. } => Some(second),
             Self::ZeroCoordinate { index }
             | Self::PointOnAxis { index, .. }

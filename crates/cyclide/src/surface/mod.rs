@@ -4,6 +4,7 @@ mod barycentric;
 mod bounds;
 mod canal;
 mod dupin;
+mod grid_cells;
 mod net;
 mod normal_strip;
 mod param_surface;
@@ -21,6 +22,8 @@ pub(crate) use canal::{BallLine, BallVector, MovedCylinders};
 pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
+pub use grid_cells::GridCell;
+pub(crate) use grid_cells::{beside, flooded};
 pub(crate) use net::SameVertices;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use net::closing_limit;

@@ -1,11 +1,12 @@
 //! A rectangular grid of points, the vertices of a net of quads.
 
+use super::grid_cells::GridCell;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
 
 /// Vertices of a regular net of quads: `size[0]` along s, `size[1]` along t, s fastest. A closed direction joins its
-/// last vertices to its first, which are not repeated.
+/// last vertices to its first, which are not repeated. Of an open grid quads may be left out: [`with_cells`](Self::with_cells).
 ///
 /// ```
 /// use cyclide::{Point3, QuadGrid};
@@ -19,6 +20,8 @@ pub struct QuadGrid {
     points: Vec<Point3>,
     size: [usize; 2],
     closed: [bool; 2],
+    /// What each quad is, s fastest; `None` if all have patches.
+    cells: Option<Vec<GridCell>>,
 }
 
 impl QuadGrid {
@@ -40,7 +43,25 @@ impl QuadGrid {
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
-        Ok(Self { points, size, closed })
+        Ok(Self { points, size, closed, cells: None })
+    }
+
+    /// The same grid of other points.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_points(&self, points: Vec<Point3>) -> Result<Self> {
+        Self::new(points, self.size, self.closed).map(|grid| grid.masked(self.cells.clone()))
+    }
+
+    /// The grid with cells that were checked.
+    pub(in crate::surface) fn masked(self, cells: Option<Vec<GridCell>>) -> Self {
+        Self { cells, ..self }
+    }
+
+    /// What each quad is, if not all have patches.
+    pub(in crate::surface) fn cells(&self) -> Option<&[GridCell]> {
+        self.cells.as_deref()
     }
 
     /// Refuses a grid that is a point at its place.
@@ -53,7 +74,7 @@ impl QuadGrid {
 
     /// The grid of one quad with its corners in binary order.
     pub(in crate::surface) fn of_corners(corners: [Point3; 4]) -> Self {
-        Self { points: corners.to_vec(), size: [2, 2], closed: [false, false] }
+        Self { points: corners.to_vec(), size: [2, 2], closed: [false, false], cells: None }
     }
 
     /// Vertices along s and along t.
@@ -74,7 +95,7 @@ impl QuadGrid {
         &self.points
     }
 
-    /// Quads along s and along t.
+    /// Quads along s and along t, of the whole rectangle.
     #[must_use]
     pub fn quads(&self) -> [usize; 2] {
         [0, 1].map(|d| if self.closed[d] { self.size[d] } else { self.size[d] - 1 })

@@ -75,7 +75,11 @@ impl QuadGrid {
     fn has_seam(&self, seam: Seam) -> bool {
         let (d, across) = (seam.direction, 1 - seam.direction);
         let (last, lines) = (self.size()[d] - 1, self.size()[across]);
-        if self.closed()[d] || self.quads()[d] < FEWEST_QUADS || (seam.reversed && self.closed()[across]) {
+        if !self.is_whole()
+            || self.closed()[d]
+            || self.quads()[d] < FEWEST_QUADS
+            || (seam.reversed && self.closed()[across])
+        {
             return false;
         }
         let at = |k: usize, line: usize| if d == 0 { self.point(k, line) } else { self.point(line, k) };
@@ -99,7 +103,7 @@ impl CyclidicNet {
     pub fn measure_seam(&self, seam: Seam) -> Option<SeamMeasure> {
         let (d, across) = (seam.direction, 1 - seam.direction);
         let (last, lines) = (self.size().get(d)?.checked_sub(1)?, self.size()[across]);
-        if self.grid().closed()[d] {
+        if self.grid().closed()[d] || !self.grid().is_whole() {
             return None;
         }
         let patch = |k: usize, line: usize| if d == 0 { self.patch(k, line) } else { self.patch(line, k) };

@@ -12,7 +12,7 @@ const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
 /// Where the parts of a net are in a [`Sewing`].
 #[derive(Debug)]
 pub(super) struct Skin {
-    /// Vertex of each grid vertex; those of a side of one point are the same.
+    /// Vertex of each grid vertex (0 where it has none); those of a side of one point are the same.
     pub(super) vertices: Vec<usize>,
     /// Edge along s from each grid vertex, `None` where it is one point or outside.
     pub(super) along_s: Vec<Option<usize>>,
@@ -27,7 +27,7 @@ impl Sewing {
         let grid = net.grid();
         let [m, n] = net.size();
         self.faces.reserve_exact(m * n);
-        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+        for ([i, j], patch) in net.patches_with_quads() {
             let [k0, k1, k2, k3] = grid.corners(i, j);
             // A part of a larger surface: it may be small, but not a point.
             let corners = [k0, k1, k2, k3].map(|k| grid.points()[k]);
@@ -36,19 +36,24 @@ impl Sewing {
             range::check_size_in_place(ErrorItem::Patch, size, place, f64::EPSILON)
                 .map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
-            self.face(net.patch(i, j), edges, same_sense);
+            self.face(patch, edges, same_sense);
         }
         Ok(skin)
     }
 
-    /// Adds the vertices and edges of a net.
+    /// Adds the vertices and edges of a net's patches.
     fn frame_of(&mut self, net: &CyclidicNet) -> Result<Skin> {
         let grid = net.grid();
-        let ([m, n], closed) = (grid.size(), grid.closed());
+        let [m, n] = grid.size();
         let places = || (0..n).flat_map(|j| (0..m).map(move |i| (i, j)));
-        let next = |i: usize, j: usize| {
-            [(closed[0] || i + 1 < m).then_some((i + 1, j)), (closed[1] || j + 1 < n).then_some((i, j + 1))]
-        };
+        let has_edge = |at: [usize; 2], d: usize| grid.patches_beside(at, d).contains(&true);
+        let next =
+            |i: usize, j: usize| [has_edge([i, j], 0).then_some((i + 1, j)), has_edge([i, j], 1).then_some((i, j + 1))];
+        let mut used = vec![grid.is_whole(); m * n];
+        if !grid.is_whole() {
+            net.patches_with_quads()
+                .for_each(|([i, j], _)| grid.corners(i, j).into_iter().for_each(|k| used[k] = true));
+        }
         // A side of one point is one vertex: that of its first corner.
         let mut same = SameVertices::new(m * n);
         for (i, j) in places() {
@@ -61,7 +66,7 @@ impl Sewing {
             }
         }
         let mut vertices = vec![0; m * n];
-        for k in 0..m * n {
+        for k in (0..m * n).filter(|k| used[*k]) {
             vertices[k] = match same.first(k) {
                 first if first < k => vertices[first],
                 _ => self.vertex(grid.points()[k]),

@@ -41,7 +41,7 @@ impl CyclidicNet {
         range::check_size_in_place(ErrorItem::Thickness, h.abs(), place, range::SMALLEST_IN_PLACE)?;
         // The upper one is ahead along the normals, and outside is its f_s × f_t unless the patches are flipped.
         let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
-        let along = !self.patch(0, 0).is_flipped();
+        let along = !self.first_is_flipped();
         for (d, (below, above)) in lower.sides_of_one_point().into_iter().zip(upper.sides_of_one_point()).enumerate() {
             let names = [["s = 0", "s = 1"], ["t = 0", "t = 1"]][d];
             if let Some(k) = (0..2).find(|&k| self.grid().closed()[1 - d] && below[k] != above[k]) {
@@ -60,17 +60,22 @@ impl CyclidicNet {
 
     /// Refuses distances beyond a curvature centre, and nets whose patches do not all have `f_s × f_t` on the same side.
     fn check_between(&self, h: f64) -> Result<()> {
-        let flipped = self.patch(0, 0).is_flipped();
-        if let Some(quad) = self.patches().position(|patch| patch.is_flipped() != flipped) {
-            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 }.in_quad(quad));
+        let flipped = self.first_is_flipped();
+        if let Some((quad, _)) = self.patches_with_quads().find(|(_, patch)| patch.is_flipped() != flipped) {
+            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 }.in_quad(self.number(quad)));
         }
         self.check_offset_regular(h)
+    }
+
+    fn first_is_flipped(&self) -> bool {
+        self.patches().next().is_some_and(|patch| patch.is_flipped())
     }
 
     /// Which of the open sides s = 0, s = 1 and t = 0, t = 1 are one point.
     fn sides_of_one_point(&self) -> [[bool; 2]; 2] {
         let ([m, n], closed) = (self.grid().size(), self.grid().closed());
         let point = |i: usize, j: usize| self.grid().point(i, j);
+        let closed = if self.grid().is_whole() { closed } else { [true; 2] };
         let s_side = |i: usize| !closed[0] && (1..n).all(|j| point(i, j) == point(i, 0));
         let t_side = |j: usize| !closed[1] && (1..m).all(|i| point(i, j) == point(0, j));
         [[s_side(0), s_side(m - 1)], [t_side(0), t_side(n - 1)]]
@@ -103,19 +108,22 @@ struct Rims<'a> {
 impl Rims<'_> {
     /// Adds the rims, and says how many.
     fn sew(mut self, sewing: &mut Sewing) -> Result<usize> {
-        let ([m, n], closed) = (self.nets[0].grid().size(), self.nets[0].grid().closed());
-        let quads = self.nets[0].size();
+        let grid = self.nets[0].grid();
+        let [m, n] = grid.size();
         let mut made = 0;
-        if !closed[1] {
-            for i in 0..quads[0] {
-                made += self.rim(sewing, 0, [(i, 0), (i + 1, 0)], self.along)?;
-                made += self.rim(sewing, 0, [(i, n - 1), (i + 1, n - 1)], !self.along)?;
+        // Over every edge with a patch on one side only.
+        for (i, j) in (0..m).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            match grid.patches_beside([i, j], 0) {
+                [false, true] => made += self.rim(sewing, 0, [(i, j), (i + 1, j)], self.along)?,
+                [true, false] => made += self.rim(sewing, 0, [(i, j), (i + 1, j)], !self.along)?,
+                _ => {}
             }
         }
-        if !closed[0] {
-            for j in 0..quads[1] {
-                made += self.rim(sewing, 1, [(0, j), (0, j + 1)], !self.along)?;
-                made += self.rim(sewing, 1, [(m - 1, j), (m - 1, j + 1)], self.along)?;
+        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+            match grid.patches_beside([i, j], 1) {
+                [false, true] => made += self.rim(sewing, 1, [(i, j), (i, j + 1)], !self.along)?,
+                [true, false] => made += self.rim(sewing, 1, [(i, j), (i, j + 1)], self.along)?,
+                _ => {}
             }
         }
         Ok(made)

@@ -8,7 +8,7 @@ use super::spherical_cube::SphericalCube;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, GridCellFault, Result};
 use crate::surface::{CyclidicNet, DupinCyclide, check_following_quad, on_corner_circle};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
@@ -37,12 +37,15 @@ impl CyclideGrid {
     /// normal to all layers. Of a closed net they close.
     ///
     /// # Errors
-    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; with the quad `offset-on-focal-set` where an offset shrinks
+    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; `cells-unfit` (a net with quads left out); with the quad `offset-on-focal-set` where an offset shrinks
     /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with the nearest and its distance;
     /// `below-rounding-of-place` of a layer thinner than 1.5e-11 of the coordinates; `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
         if distances.len() < 2 {
             return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
+        }
+        if !net.grid().is_whole() {
+            return Err(Error::CellsUnfit { fault: GridCellFault::Layers, index: 0 });
         }
         if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });

@@ -58,8 +58,8 @@ fn panels_of_one_surface_share_its_mould() {
     for (mould, expected) in
         moulds.moulds.iter().zip([[0.0, 0.0], [2.0, 0.0], [0.4, 0.0], [1.5, 0.0], [2.5, 0.0], [3.0, 1.0]])
     {
-        for k in 0..2 {
-            assert!((form(&mould.shape)[k] - expected[k]).abs() < 1e-9, "{:?}", mould.shape);
+        for (found, expected) in form(&mould.shape).into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{:?}", mould.shape);
         }
     }
 }

@@ -7,8 +7,8 @@ mod oracle;
 mod surfaces;
 
 use cyclide::{
-    CircularMesh, CircularMeshOptions, GridBorder, Point3, PrincipalGridOptions, PrincipalGrids, UmbilicRule, Vec3,
-    make_circular, principal_grids,
+    CircularMesh, CircularMeshOptions, CyclidicNet, GridBorder, GridCell, NetFrame, Point3, PrincipalGridOptions,
+    PrincipalGrids, UmbilicRule, Vec3, make_circular, principal_grids, surface_joints,
 };
 use std::f64::consts::PI;
 use surfaces::Mesh;
@@ -57,6 +57,38 @@ fn surfaces_without_umbilics() {
         if name == "vault" {
             let in_hole = |p: &Point3| (p.x - 1.0).abs() < 1.9 && p.y.abs() < 1.1;
             assert!(report.holes == 1 && !grids.grids[0].points().iter().any(in_hole));
+        }
+    }
+}
+
+/// All whole cells: the border follows that of the surface in steps, and the hole of the vault is an opening.
+#[test]
+fn a_border_in_steps_covers_more() {
+    let vault = surfaces::vault([60, 40]);
+    for (name, mesh, most, least) in [
+        ("hypar", surfaces::hypar(48), 0.03, 0.84),
+        ("shear", surfaces::shear(48), 0.03, 0.84),
+        ("paraboloid", surfaces::paraboloid(48), 0.08, 0.84),
+        ("vault", vault, 0.1, 0.84),
+    ] {
+        let inside = laid(&mesh, &edge(0.5)).unwrap().report.coverage;
+        let grids = laid(&mesh, &PrincipalGridOptions { border: GridBorder::Staircase, ..edge(0.5) }).unwrap();
+        let (grid, coverage) = (&grids.grids[0], grids.report.coverage);
+        assert!(coverage >= least && coverage > inside && coverage < 1.0, "{name}: covers {coverage}, {inside}");
+        let made = circular(&grids, 0);
+        assert!(moves(&made) <= most && made.warnings().is_empty(), "{name}: {} {:?}", moves(&made), made.warnings());
+        let [m, n] = grid.quads();
+        let openings = (0..m * n).filter(|k| grid.cell(k % m, k / m) == GridCell::Opening).count();
+        assert_eq!(openings > 0, name == "vault", "{name}: {openings}");
+        let net = CyclidicNet::new(made.grid, NetFrame::Auto).unwrap();
+        assert!(net.singular_patches().is_empty(), "{name}");
+        // Normals that agree to rounding.
+        assert!(surface_joints(&net.to_shell().unwrap()).iter().all(|joint| joint.angle < 1e-7), "{name}");
+        if name == "vault" {
+            let body = net.thick(0.1).unwrap().outer;
+            assert!(body.is_closed());
+            let handles = body.vertices().len() as i64 - body.edges().len() as i64 + body.faces().len() as i64;
+            assert_eq!(handles, 0, "a ring has one");
         }
     }
 }

@@ -1,8 +1,10 @@
 //! Nets and whole cyclides: from grids and parameters to the kernel's surfaces.
 
+use std::collections::BTreeSet;
+
 use cyclide::{
-    Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, NetFrame, QuadGrid, SurfaceObject, Vec3,
-    Warning,
+    Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, GridCell, GridCellFault, NetFrame, Point3,
+    QuadGrid, SurfaceObject, Vec3, Warning,
 };
 
 use super::net_hints::{hint, seam_words};
@@ -88,7 +90,27 @@ impl<'a> Builder<'a> {
         Ok(vec![SurfaceObject::Net(net)])
     }
 
+    /// The grid with the openings.
     fn grid(&mut self, spec: &CyclidicNetSpec) -> Result<QuadGrid> {
+        let grid = self.grid_as_given(spec)?;
+        if spec.openings.is_empty() {
+            return Ok(grid);
+        }
+        let [columns, rows] = grid.quads();
+        for (index, [i, j]) in spec.openings.iter().enumerate() {
+            let [i, j] = [*i, *j].map(|k| k as usize);
+            if i >= columns || j >= rows || grid.cell(i, j) == GridCell::Outside {
+                let message = format!("there is no quad in column {i}, row {j}: the grid has {columns} x {rows} quads");
+                return Err(Error::Input(self.diagnostic(["openings".into(), index.into()], &message)));
+            }
+        }
+        let open: BTreeSet<[usize; 2]> = spec.openings.iter().map(|at| at.map(|k| k as usize)).collect();
+        let given = grid.clone();
+        let cell = |i, j| if open.contains(&[i, j]) { GridCell::Opening } else { given.cell(i, j) };
+        grid.with_cells(cell).map_err(|e| self.refused_at([Step::from("openings")], &e))
+    }
+
+    fn grid_as_given(&mut self, spec: &CyclidicNetSpec) -> Result<QuadGrid> {
         let rows = match &spec.grid {
             GridSource::Rows(rows) => rows,
             GridSource::File(file) => {
@@ -113,10 +135,21 @@ impl<'a> Builder<'a> {
             let message = format!("row {row} has {} points, the first has {columns}", rows[row].len());
             return Err(Error::Input(self.diagnostic(["grid".into(), row.into()], &message)));
         }
-        let points = rows.iter().flatten().map(|p| p.point()).collect();
-        let size = [columns, rows.len()];
-        QuadGrid::new(points, size, spec.closed.unwrap_or_default())
-            .map_err(|e| self.refused_at([Step::from("grid")], &e))
+        let points: Vec<Option<Point3>> = rows.iter().flatten().map(|p| p.map(Coordinates::point)).collect();
+        let (size, closed) = ([columns, rows.len()], spec.closed.unwrap_or_default());
+        let made = if let Some(points) = points.iter().copied().collect::<Option<Vec<_>>>() {
+            QuadGrid::new(points, size, closed)
+        } else if closed == [false; 2] {
+            let has = |i: usize, j: usize| points[i + j * columns].is_some();
+            let cell = |i, j| {
+                let whole = has(i, j) && has(i + 1, j) && has(i, j + 1) && has(i + 1, j + 1);
+                if whole { GridCell::Patch } else { GridCell::Outside }
+            };
+            QuadGrid::of_cells(&points, size, cell)
+        } else {
+            return Err(self.unfit("a closed grid has all its points: `null` goes with an open one"));
+        };
+        made.map_err(|e| self.refused_at([Step::from("grid")], &e))
     }
 
     /// One of the grids of another object.
@@ -217,7 +250,9 @@ impl<'a> Builder<'a> {
                 format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
-        if let KernelError::CollapsedOnCurve { .. } = error {
+        if let KernelError::CollapsedOnCurve { .. } | KernelError::CellsUnfit { fault: GridCellFault::Curves, .. } =
+            error
+        {
             return self.refused_at(["make_circular".into(), "border".into()], error);
         }
         if let KernelError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. } = error {

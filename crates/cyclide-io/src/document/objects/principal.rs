@@ -1,8 +1,8 @@
 //! Grids along the lines of curvature of meshes.
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, PrincipalField, PrincipalGridOptions, PrincipalGrids,
-    PrincipalStage, QuadGrid, ShortNumber, principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, Point3, PrincipalField, PrincipalGridOptions,
+    PrincipalGrids, PrincipalStage, QuadGrid, ShortNumber, principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;
@@ -113,11 +113,9 @@ fn words(stage: PrincipalStage) -> String {
 
 /// The lines of a grid, those along s first.
 fn lines(grid: &QuadGrid) -> cyclide::Result<Vec<CurveObject>> {
-    let ([columns, rows], [closed, _]) = (grid.size(), grid.closed());
-    let along = (0..rows).map(|j| ((0..columns).map(|i| grid.point(i, j)).collect::<Vec<_>>(), closed));
-    let across = (0..columns).map(|i| ((0..rows).map(|j| grid.point(i, j)).collect::<Vec<_>>(), false));
-    let path = |(points, closed): (Vec<_>, bool)| {
+    let path = |(vertices, closed): (Vec<usize>, bool)| {
+        let points: Vec<Point3> = vertices.into_iter().map(|v| grid.points()[v]).collect();
         ArcPath::rounded_polyline(&points, closed, &vec![0.0; points.len()]).map(CurveObject::ArcPath)
     };
-    along.chain(across).map(path).collect()
+    grid.lines().into_iter().map(path).collect()
 }

@@ -269,7 +269,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::AngleOutOfRange { .. } if matches!(spec, ObjectSpec::Revolution(_)) => Blame::Field("angle"),
         E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
-        E::NotOfArcs { .. } => Blame::Field("of"),
+        E::NotOfArcs { .. } | E::CellsUnfit { .. } => Blame::Field("of"),
         E::CountDiffers { what: I::Radius, .. } => Blame::Field("radius"),
         _ if matches!(spec, ObjectSpec::Revolution(_) | ObjectSpec::Pipe(_)) => Blame::Field("of"),
         E::ZeroAxis { .. } => Blame::Field("normal"),

@@ -79,6 +79,10 @@ pub struct CyclidicNetSpec {
     pub construction: bool,
     /// The vertices.
     pub grid: GridSource,
+    /// Quads that stay open, as pairs of column and row from 0 (s first): their corners are part of the net, which runs on smoothly
+    /// round them, but they have no patch. Of an open grid.
+    #[serde(default)]
+    pub openings: Vec<[u32; 2]>,
     /// Whether the grid is closed along s (the last column joins the first) and along t (the last row joins the first). Do not
     /// repeat the first points. Default: open. For a grid inline only.
     pub closed: Option<[bool; 2]>,
@@ -105,8 +109,9 @@ pub struct CyclidicNetSpec {
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Grid")]
 pub enum GridSource {
-    /// Rows of points: s grows along a row, t from row to row. All rows have equally many.
-    Rows(#[schemars(length(min = 2))] Vec<Vec<Coordinates>>),
+    /// Rows of points: s grows along a row, t from row to row. All rows have equally many. `null` stands where there is no point:
+    /// the border of an open grid may run in steps.
+    Rows(#[schemars(length(min = 2))] Vec<Vec<Option<Coordinates>>>),
     /// A mesh of quads in a file of its own.
     File(MeshFile),
     /// A grid that another object lays along the lines of curvature of a mesh.
@@ -149,7 +154,8 @@ pub struct LaidGrid {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshFile {
-    /// Path of the Wavefront OBJ file, relative to the document: a regular grid of quads, open or closed.
+    /// Path of the Wavefront OBJ file, relative to the document: a regular grid of quads, open or closed, with a border in steps or
+    /// straight.
     pub obj: String,
 }
 
@@ -168,7 +174,7 @@ impl<'de> Deserialize<'de> for GridSource {
         impl<'de> serde::de::Visitor<'de> for GridVisitor {
             type Value = GridSource;
             fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("rows of points `[[[x, y, z], …], …]`, `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`")
+                f.write_str("rows of points `[[[x, y, z], …], …]` (`null` where there is none), `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`")
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<GridSource, A::Error> {
                 Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(GridSource::Rows)

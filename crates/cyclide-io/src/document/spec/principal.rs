@@ -58,7 +58,8 @@ pub struct PrincipalGridSpec {
     /// border and lays several grids, `smooth` smooths the directions until none is left.
     #[serde(default)]
     pub umbilics: UmbilicRule,
-    /// `inside`: the largest rectangle of whole cells; `cover`: all of the surface and more, continued smoothly, to be trimmed.
+    /// `inside`: the largest rectangle of whole cells; `staircase`: all whole cells that hang together, with a border in steps and
+    /// openings; `cover`: all of the surface and more, continued smoothly, to be trimmed.
     #[serde(default)]
     pub border: GridBorder,
     /// Whether a tube gets a grid that is closed along s. Default: yes, unless its lines of curvature are spirals that come back

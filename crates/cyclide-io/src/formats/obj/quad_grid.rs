@@ -1,11 +1,14 @@
 //! A structured grid from a mesh of quads: the rows and columns are found from the connections alone.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 
-use cyclide::{Error, QuadGrid};
+use cyclide::{Error, GridCell, QuadGrid};
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::text::place::{Diagnostic, Source, decode};
+
+/// Quads of the rectangle round a grid in steps, at most: a long diagonal band has few of them.
+const MOST_QUADS: usize = 10_000_000;
 
 /// A quad grid read from a file.
 ///
@@ -17,9 +20,9 @@ use crate::text::place::{Diagnostic, Source, decode};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjGrid {
-    /// The grid: a rectangle, a tube (one direction closed) or a torus (both closed).
+    /// The grid: a rectangle, a part of one with a border in steps, a tube (one direction closed) or a torus (both closed).
     pub grid: QuadGrid,
-    /// Number in the file, from 1, of each point of the grid.
+    /// Number in the file, from 1, of each point of the grid; 0 where a border in steps leaves none.
     pub numbers: Vec<usize>,
     /// Numbers of the points that no face uses: left out.
     pub unused: Vec<usize>,
@@ -40,8 +43,8 @@ pub struct ObjGrid {
 ///
 /// # Errors
 /// A message with file, line and column, and a reason: `not-a-quad`, `non-manifold-edge`, `non-manifold-vertex`,
-/// `several-components`, `extraordinary-vertex` (an inner vertex without four quads, or an inward corner of the border),
-/// `not-a-grid` (one-sided, or closed with a shift), and the kernel's for points out of range and closed directions of
+/// `several-components`, `extraordinary-vertex` (an inner vertex without four quads, or one of the border with more than three),
+/// `not-a-grid` (one-sided, closed with a shift, or over itself), `cells-unfit` (a hole: fill it, and leave its quads open), and the kernel's for points out of range and closed directions of
 /// fewer than three quads.
 pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
@@ -49,14 +52,23 @@ pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnosti
     let mesh = Mesh::new(source, &polygons)?;
     mesh.check_connected()?;
     mesh.check_vertices()?;
-    let Layout { vertices, size, closed } = mesh.layout()?;
-
-    let points = vertices.iter().map(|&v| polygons.points[v]).collect();
-    let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &vertices))?;
+    let (vertices, grid) = if mesh.is_in_steps() {
+        let Steps { vertices, faces, size } = mesh.steps()?;
+        let points: Vec<_> = vertices.iter().map(|v| v.map(|v| polygons.points[v])).collect();
+        let has_face = |i: usize, j: usize| faces[i + j * (size[0] - 1)].is_some();
+        let cell = |i, j| if has_face(i, j) { GridCell::Patch } else { GridCell::Outside };
+        let grid = QuadGrid::of_cells(&points, size, cell).map_err(|error| mesh.refused_in_steps(&error))?;
+        (vertices, grid)
+    } else {
+        let Layout { vertices, size, closed } = mesh.layout()?;
+        let points = vertices.iter().map(|&v| polygons.points[v]).collect();
+        let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &vertices))?;
+        (vertices.into_iter().map(Some).collect(), grid)
+    };
     let mut used = vec![false; polygons.points.len()];
-    vertices.iter().for_each(|&v| used[v] = true);
+    vertices.iter().flatten().for_each(|&v| used[v] = true);
     let unused = used.iter().enumerate().filter(|(_, used)| !**used).map(|(v, _)| v + 1).collect();
-    Ok(ObjGrid { grid, numbers: vertices.iter().map(|v| v + 1).collect(), unused })
+    Ok(ObjGrid { grid, numbers: vertices.iter().map(|v| v.map_or(0, |v| v + 1)).collect(), unused })
 }
 
 /// The vertices of a grid, s fastest.
@@ -64,6 +76,13 @@ struct Layout {
     vertices: Vec<usize>,
     size: [usize; 2],
     closed: [bool; 2],
+}
+
+/// The vertices and faces of the rectangle round a grid in steps, s fastest.
+struct Steps {
+    vertices: Vec<Option<usize>>,
+    faces: Vec<Option<usize>>,
+    size: [usize; 2],
 }
 
 /// A face with its corners named as the grid names them: a0 (0,0), a1 (1,0), a2 (0,1), a3 (1,1).
@@ -173,7 +192,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Inner vertices have four quads, those of the border one or two, in one fan.
+    /// Inner vertices have four quads, those of the border one to three, in one fan.
     fn check_vertices(&self) -> Result<(), Box<Diagnostic>> {
         let mut quads = vec![0usize; self.polygons.points.len()];
         let mut border_edges = vec![0usize; quads.len()];
@@ -193,9 +212,9 @@ impl<'a> Mesh<'a> {
                 return Err(self.refused_at_vertex(v, "non-manifold-vertex", message));
             }
             let message = match (border, quads) {
-                (0, 0 | 4) | (2, 1 | 2) => continue,
+                (0, 0 | 4) | (2, 1..=3) => continue,
                 (0, _) => format!("point {number} is an inner vertex of {quads} quads: only 4 make a grid"),
-                _ => format!("point {number} is a border vertex of {quads} quads: only 1 or 2 make a grid"),
+                _ => format!("point {number} is a border vertex of {quads} quads: only 1 to 3 make a grid"),
             };
             return Err(self.refused_at_vertex(v, "extraordinary-vertex", message));
         }
@@ -242,8 +261,77 @@ impl<'a> Mesh<'a> {
     }
 
     fn not_a_grid(&self, face: usize) -> Box<Diagnostic> {
-        let message = "the rows through this face do not close up: the mesh is one-sided, or closed with a shift";
+        let message = "the rows through this face do not close up: the mesh is one-sided, closed with a shift, or lies over itself";
         self.refused(face, "not-a-grid", message)
+    }
+
+    /// The kernel's refusal of a part of a rectangle.
+    fn refused_in_steps(&self, error: &Error) -> Box<Diagnostic> {
+        let message = match error {
+            Error::CellsUnfit { fault: cyclide::GridCellFault::Enclosed, .. } => {
+                "the mesh has a hole: fill it with quads and list them in `openings` of the net".to_owned()
+            }
+            _ => error.to_string(),
+        };
+        self.source.diagnostic(0..0, "", message).with_reason(error.reason())
+    }
+
+    /// True if the border has inward corners.
+    fn is_in_steps(&self) -> bool {
+        let mut quads = vec![0usize; self.polygons.points.len()];
+        self.quads.iter().flatten().for_each(|v| quads[*v] += 1);
+        quads.contains(&3)
+    }
+
+    /// Finds the place of every face by going from neighbour to neighbour.
+    fn steps(&self) -> Result<Steps, Box<Diagnostic>> {
+        let [a0, a1, a3, a2] = self.quads[0];
+        let first = Cell { face: 0, corners: [a0, a1, a2, a3] };
+        let mut cells: Vec<Option<(Cell, [i64; 2])>> = vec![None; self.quads.len()];
+        cells[0] = Some((first, [0, 0]));
+        let mut open = VecDeque::from([(first, [0, 0])]);
+        while let Some((cell, [i, j])) = open.pop_front() {
+            let ways = [
+                (Way::ForwardS, [i + 1, j]),
+                (Way::BackS, [i - 1, j]),
+                (Way::ForwardT, [i, j + 1]),
+                (Way::BackT, [i, j - 1]),
+            ];
+            for (way, to) in ways {
+                let Some(next) = self.step(cell, way) else { continue };
+                match cells[next.face] {
+                    Some(known) if known == (next, to) => {}
+                    Some(_) => return Err(self.not_a_grid(next.face)),
+                    None => {
+                        cells[next.face] = Some((next, to));
+                        open.push_back((next, to));
+                    }
+                }
+            }
+        }
+        let found = || cells.iter().flatten();
+        let low = [0, 1].map(|d| found().map(|(_, at)| at[d]).min().unwrap_or(0));
+        let high = [0, 1].map(|d| found().map(|(_, at)| at[d]).max().unwrap_or(0));
+        let quads = [0, 1].map(|d| (high[d] - low[d] + 1).unsigned_abs() as usize);
+        if quads[0].saturating_mul(quads[1]) > MOST_QUADS {
+            return Err(self.not_a_grid(0));
+        }
+        let size = quads.map(|n| n + 1);
+        let (mut faces, mut vertices) = (vec![None; quads[0] * quads[1]], vec![None; size[0] * size[1]]);
+        for (cell, at) in found() {
+            let [i, j] = [0, 1].map(|d| (at[d] - low[d]).unsigned_abs() as usize);
+            // Two sheets over each other are no grid.
+            if faces[i + j * quads[0]].replace(cell.face).is_some() {
+                return Err(self.not_a_grid(cell.face));
+            }
+            for (k, v) in cell.corners.into_iter().enumerate() {
+                let place = &mut vertices[i + k % 2 + (j + k / 2) * size[0]];
+                if place.replace(v).is_some_and(|other| other != v) {
+                    return Err(self.not_a_grid(cell.face));
+                }
+            }
+        }
+        Ok(Steps { vertices, faces, size })
     }
 
     /// Finds the rows and columns.

@@ -1,5 +1,5 @@
 use super::*;
-use cyclide::Point3;
+use cyclide::{GridCell, Point3};
 
 fn read(text: &str) -> Result<ObjGrid, String> {
     read_quad_grid("m.obj", text.as_bytes()).map_err(|d| d.to_string())
@@ -130,11 +130,40 @@ fn refusals_name_line_and_reason() {
 }
 
 #[test]
-fn an_inward_corner_is_extraordinary() {
+fn a_border_may_run_in_steps() {
     let full = text([2, 2], [false; 2], straight);
     let without_last: Vec<&str> = full.lines().take(9 + 3).collect();
-    let message = read(&without_last.join("\n")).unwrap_err();
-    assert!(message.contains("point 5 is a border vertex of 3 quads") && message.contains("[extraordinary-vertex]"));
+    let found = read(&without_last.join("\n")).unwrap();
+    assert_eq!((found.grid.size(), found.grid.cell(1, 1)), ([3, 3], GridCell::Outside));
+    assert_eq!((&found.numbers[..], &found.unused[..]), (&[1, 2, 3, 4, 5, 6, 7, 8, 0][..], &[9][..]));
+    // A hole of four quads, whose point in the middle no face uses.
+    let full = text([4, 4], [false; 2], straight);
+    let hole = [5, 6, 9, 10].map(|quad| 25 + quad);
+    let ring: Vec<&str> = full.lines().enumerate().filter(|(k, _)| !hole.contains(k)).map(|(_, line)| line).collect();
+    let message = read(&ring.join("\n")).unwrap_err();
+    assert!(message.contains("the mesh has a hole") && message.contains("[cells-unfit]"), "{message}");
+}
+
+#[test]
+fn a_ramp_that_lies_over_itself_is_no_grid() {
+    // Quads round a corner and on, more than a turn, over where they began.
+    let ring = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1), (0, 0)];
+    let mut lines: (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
+    let mut numbers = std::collections::HashMap::new();
+    for (k, (i, j)) in ring.into_iter().enumerate() {
+        let mut number = |i: i32, j: i32| {
+            // The last quad and the side by which it is reached are one floor up.
+            let floor = i32::from(k == 8 || (k == 7 && j == 1));
+            *numbers.entry((i, j, floor)).or_insert_with(|| {
+                lines.0.push(format!("v {i} {j} {floor}"));
+                lines.0.len()
+            })
+        };
+        let face = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+        lines.1.push(format!("f {} {} {} {}", face[0], face[1], face[2], face[3]));
+    }
+    let message = read(&[lines.0, lines.1].concat().join("\n")).unwrap_err();
+    assert!(message.contains("[not-a-grid]") && message.contains("lies over itself"), "{message}");
 }
 
 #[test]

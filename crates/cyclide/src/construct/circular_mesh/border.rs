@@ -36,7 +36,7 @@ impl<'a> Holds<'a> {
         match border {
             Border::Free => {}
             Border::Pinned => {
-                for v in (0..4).flat_map(|side| side_vertices(grid, side)) {
+                for v in grid.border_vertices() {
                     holds[v] = Hold::Pinned;
                 }
             }
@@ -126,7 +126,7 @@ pub(super) fn corners_on_curves(grid: &QuadGrid, border: Border<'_>, edge: f64) 
             Error::BorderCurvesApart { vertex, distance, limit }
         })?;
     }
-    QuadGrid::new(points, grid.size(), grid.closed())
+    grid.with_points(points)
 }
 
 /// The common point of two curves near a point, by projections from one to the other; their distance if there is none.

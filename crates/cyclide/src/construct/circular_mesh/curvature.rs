@@ -31,9 +31,13 @@ impl Curvature {
         stride: [usize; 2],
         corners: f64,
     ) -> Option<Self> {
-        let [columns, rows] = [0, 1].map(|d| around(grid, centre[d], d, stride[d]));
+        let [columns, rows] = [0, 1].map(|d| around(grid, centre, d, stride[d]));
         let ([w, e], [s, n]) = (columns?, rows?);
         let [i, j] = centre;
+        // The corners of the stencil, over which a border in steps may run.
+        for line in [s, n] {
+            around(grid, [i, line], 0, stride[0])?;
+        }
         let at = |i: usize, j: usize| points[grid.index(i, j)];
         let along = [at(e, j) - at(w, j), at(i, n) - at(i, s)];
         let normal = along[0].unit()?.cross(along[1].unit()?).unit()?;

@@ -8,6 +8,7 @@
 //! diverges.
 
 use super::block::Block;
+use super::neighbours::place;
 use super::normal_equations::{BlockMatrix, Pattern};
 use crate::base::vector::Vec3;
 use crate::surface::QuadGrid;
@@ -23,7 +24,8 @@ pub(super) fn triples(grid: &QuadGrid) -> Vec<[usize; 3]> {
     let inner = |d: usize| if grid.closed()[d] { grid.size()[d] } else { grid.size()[d].saturating_sub(2) };
     let along_s = (0..n).flat_map(|j| (0..inner(0)).map(move |i| [0, 1, 2].map(|k| grid.index(i + k, j))));
     let along_t = (0..inner(1)).flat_map(|j| (0..m).map(move |i| [0, 1, 2].map(|k| grid.index(i, j + k))));
-    along_s.chain(along_t).collect()
+    let is_line = |t: &[usize; 3], d: usize| t[..2].iter().all(|k| grid.has_edge(place(grid, *k), d));
+    along_s.filter(|t| is_line(t, 0)).chain(along_t.filter(|t| is_line(t, 1))).collect()
 }
 
 /// The metric M; a vertex without a normal slides in every direction.

@@ -22,7 +22,7 @@ pub(super) fn sweep(
     let mut swept = points.clone();
     let [m, n] = grid.size();
     for j in 0..n - 1 {
-        for i in 0..m - 1 {
+        for i in (0..m - 1).filter(|i| grid.has_quad(*i, j)) {
             let [a0, a1, a2, a3] = grid.corners(i, j);
             if let Some(corner) = projection([a0, a1, a2, a3].map(|k| swept[k])).filter(|_| holds.is_free(a3)) {
                 swept[a3] = corner;

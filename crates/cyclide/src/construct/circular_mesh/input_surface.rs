@@ -71,10 +71,28 @@ impl Foot {
     /// True if it is on an edge of the open border.
     pub(super) fn is_on_border(&self, grid: &QuadGrid) -> bool {
         let used = || (0..3).filter(|&k| self.weights[k] > 0.0).map(|k| place(grid, self.vertices[k]));
+        if !grid.is_whole() {
+            return is_on_steps(grid, &used().collect::<Vec<_>>());
+        }
         (0..2).filter(|&d| !grid.closed()[d]).any(|d| {
             let last = grid.size()[d] - 1;
             used().all(|at| at[d] == 0) || used().all(|at| at[d] == last)
         })
+    }
+}
+
+/// True if vertices are one of a border in steps, or the ends of one of its edges.
+fn is_on_steps(grid: &QuadGrid, at: &[[usize; 2]]) -> bool {
+    let edge = |a: [usize; 2], b: [usize; 2]| {
+        (0..2).any(|d| b[1 - d] == a[1 - d] && b[d] == a[d] + 1 && grid.is_border_edge(a, d))
+    };
+    match *at {
+        [a] => {
+            let from = |d: usize| a[d] > 0 && grid.is_border_edge([a[0] + d - 1, a[1] - d], d);
+            (0..2).any(|d| grid.is_border_edge(a, d) || from(d))
+        }
+        [a, b] => edge(a, b) || edge(b, a),
+        _ => false,
     }
 }
 
@@ -95,7 +113,7 @@ pub(super) fn foot(p: Point3, start: usize, points: &[Point3], grid: &QuadGrid) 
     let mut best: Option<Foot> = None;
     for i in columns {
         for j in pair(grid, [i, j], 1, 1).into_iter().map(|k| place(grid, k)[1]).chain([j]) {
-            if i >= grid.quads()[0] || j >= grid.quads()[1] {
+            if i >= grid.quads()[0] || j >= grid.quads()[1] || !grid.has_quad(i, j) {
                 continue;
             }
             let [a0, a1, a2, a3] = grid.corners(i, j);

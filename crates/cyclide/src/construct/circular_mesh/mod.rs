@@ -85,6 +85,8 @@ impl CircularMesh {
 /// their speed ([`QuadGrid::closing`]). That costs moves of hundredths of an edge and is solved together with the circles
 /// (`docs/math/circular-meshes.md#closed-grids`).
 ///
+/// Where quads are left out ([`QuadGrid::with_cells`]) the border in steps is the border, and vertices that belong to no quad stay.
+///
 /// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes some
 /// hundredths of a second. `progress` is called after each step.
 ///
@@ -101,7 +103,8 @@ impl CircularMesh {
 /// ```
 ///
 /// # Errors
-/// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range),
+/// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range), `cells-unfit` (curves for
+/// the sides of a grid with quads left out),
 /// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves),
 /// `collapsed-on-curve` (neighbours have the same nearest point on the curve of their side), `not-converged` (with the
 /// step and the residual reached: the border is held too tightly, or the grid is folded), `net-does-not-close` (a pinned
@@ -151,7 +154,7 @@ pub fn make_circular(
         if moved && !holds.is_pinned(v) { origin + p.to_vec() * scale } else { grid.points()[v] }
     };
     let after: Vec<Point3> = points.iter().enumerate().map(to_world).collect();
-    let rejected_quads = report::rejected(&after, &quads);
+    let rejected_quads = report::rejected(&after, grid);
     let shape = Guard { grid, before: &given, after: &points, edge }.shape_change();
     let refusable = !options.allow_shape_change && rejected_quads.is_empty();
     if let Some(change) = shape.filter(|change| refusable && change.is_lost()) {
@@ -162,7 +165,7 @@ pub fn make_circular(
     let [angle_before, angle_after] = comparison.angles();
     let warnings = comparison.warnings(&moves, world_edge, shape.as_ref());
     let residual_after = measure(&after);
-    let made = QuadGrid::new(after, grid.size(), grid.closed())?;
+    let made = grid.with_points(after)?;
     let report = CircularMeshReport {
         steps,
         residual_before,
@@ -193,14 +196,16 @@ fn check_distinct(points: &[Point3], quads: &[[usize; 4]]) -> Result<()> {
 /// # Errors
 /// `coincident-points`, `parameter-out-of-range`.
 fn median_edge(grid: &QuadGrid) -> Result<f64> {
-    let size = Aabb::of_points(grid.points().iter().copied()).map_or(0.0, Aabb::diagonal);
+    let used = grid.used_vertices();
+    let of_quads = grid.points().iter().zip(&used).filter(|(_, used)| **used).map(|(p, _)| *p);
+    let size = Aabb::of_points(of_quads).map_or(0.0, Aabb::diagonal);
     let limit = COINCIDENT_LIMIT * size;
     let [m, n] = grid.size();
     let mut lengths = Vec::new();
     for j in 0..n {
         for i in 0..m {
             let first = grid.index(i, j);
-            let next = [(i + 1 < m || grid.closed()[0], (i + 1, j)), (j + 1 < n || grid.closed()[1], (i, j + 1))];
+            let next = [(grid.has_edge([i, j], 0), (i + 1, j)), (grid.has_edge([i, j], 1), (i, j + 1))];
             for (_, (i, j)) in next.into_iter().filter(|(exists, _)| *exists) {
                 let second = grid.index(i, j);
                 let distance = grid.points()[first].distance(grid.points()[second]);

@@ -13,8 +13,8 @@ pub(super) fn place(grid: &QuadGrid, vertex: usize) -> [usize; 2] {
     [vertex % grid.size()[0], vertex / grid.size()[0]]
 }
 
-/// The places before and after place `k` of a direction, a stride away; the last ones of an open direction where
-/// it ends sooner.
+/// The places before and after place `k` of a direction of the whole rectangle, a stride away; the last ones of an open direction
+/// where it ends sooner.
 pub(super) fn clamped(grid: &QuadGrid, k: usize, direction: usize, stride: usize) -> [usize; 2] {
     let size = grid.size()[direction];
     if grid.closed()[direction] {
@@ -23,10 +23,31 @@ pub(super) fn clamped(grid: &QuadGrid, k: usize, direction: usize, stride: usize
     [k.saturating_sub(stride), (k + stride).min(size - 1)]
 }
 
-/// The same, if the direction does not end sooner.
-pub(super) fn around(grid: &QuadGrid, k: usize, direction: usize, stride: usize) -> Option<[usize; 2]> {
-    let inside = grid.closed()[direction] || (k >= stride && k + stride < grid.size()[direction]);
-    inside.then(|| clamped(grid, k, direction, stride))
+/// As [`clamped`], of a vertex, and no farther than the edges of the grid's quads lead.
+fn reached(grid: &QuadGrid, at: [usize; 2], direction: usize, stride: usize) -> [usize; 2] {
+    let whole = clamped(grid, at[direction], direction, stride);
+    if grid.is_whole() {
+        return whole;
+    }
+    let edge = |k: usize| {
+        let mut start = at;
+        start[direction] = k;
+        grid.has_edge(start, direction)
+    };
+    let here = at[direction];
+    let before = (whole[0]..here).rev().take_while(|k| edge(*k)).last().unwrap_or(here);
+    let after = (here..whole[1]).take_while(|k| edge(*k)).last().map_or(here, |k| k + 1);
+    [before, after]
+}
+
+/// The same, if the grid does not end sooner.
+pub(super) fn around(grid: &QuadGrid, at: [usize; 2], direction: usize, stride: usize) -> Option<[usize; 2]> {
+    let k = at[direction];
+    if grid.closed()[direction] {
+        return Some(clamped(grid, k, direction, stride));
+    }
+    let found = reached(grid, at, direction, stride);
+    (k >= stride && found == [k - stride, k + stride]).then_some(found)
 }
 
 /// The index of a vertex one or more places from `[i, j]` along a direction.
@@ -34,7 +55,7 @@ pub(super) fn along(grid: &QuadGrid, [i, j]: [usize; 2], direction: usize, k: us
     if direction == 0 { grid.index(k, j) } else { grid.index(i, k) }
 }
 
-/// The vertices before and after `at` along a direction, as [`clamped`].
+/// The vertices before and after `at` along a direction, at the border those where the grid ends.
 pub(super) fn pair(grid: &QuadGrid, at: [usize; 2], direction: usize, stride: usize) -> [usize; 2] {
-    clamped(grid, at[direction], direction, stride).map(|k| along(grid, at, direction, k))
+    reached(grid, at, direction, stride).map(|k| along(grid, at, direction, k))
 }

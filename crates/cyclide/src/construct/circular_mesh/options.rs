@@ -1,7 +1,7 @@
 //! What the user can ask of [`make_circular`](super::make_circular).
 
 use crate::curve::ParamCurve;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, GridCellFault, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
@@ -66,6 +66,9 @@ impl CircularMeshOptions<'_> {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
         }
         if let Border::OnCurves(sides) = self.border {
+            if !grid.is_whole() {
+                return Err(Error::CellsUnfit { fault: GridCellFault::Curves, index: 0 });
+            }
             for (side, curve) in sides.iter().enumerate() {
                 // Sides 0 and 1 bound t, sides 2 and 3 bound s.
                 if curve.is_some() && grid.closed()[1 - side / 2] {

@@ -180,7 +180,8 @@ impl Comparison<'_> {
     pub(super) fn moves(&self) -> VertexMoves {
         let points = self.before.points();
         let mut moves = VertexMoves::default();
-        let share = 1.0 / points.len() as f64;
+        // Vertices of no quad have not moved.
+        let share = 1.0 / self.before.used_vertices().iter().filter(|used| **used).count().max(1) as f64;
         for (v, (from, to)) in points.iter().zip(self.after).enumerate() {
             let (length, normal) = (from.distance(*to), self.normals[v].map_or(0.0, |n| n.dot(*to - *from).abs()));
             let off = if length == 0.0 { 0.0 } else { input_surface::height(*to, v, points, self.before) };
@@ -231,9 +232,10 @@ impl Comparison<'_> {
 }
 
 /// Quads without an embedded circular shape.
-pub(super) fn rejected(points: &[Point3], quads: &[[usize; 4]]) -> Vec<usize> {
-    let embedded = |quad: &[usize; 4]| side_product(points, *quad).is_some_and(|product| product.w < 0.0);
-    quads.iter().enumerate().filter(|(_, quad)| !embedded(quad)).map(|(index, _)| index).collect()
+pub(super) fn rejected(points: &[Point3], grid: &QuadGrid) -> Vec<usize> {
+    let embedded =
+        |[i, j]: &[usize; 2]| side_product(points, grid.corners(*i, *j)).is_some_and(|product| product.w < 0.0);
+    grid.all_quads().filter(|quad| !embedded(quad)).map(|[i, j]| i + j * grid.quads()[0]).collect()
 }
 
 /// How neighbouring turns of the grid lines agree (cosine, weighted by their sizes) and the mean turn, if they zigzag:

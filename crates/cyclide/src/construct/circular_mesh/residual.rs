@@ -13,10 +13,9 @@ use crate::surface::QuadGrid;
 /// The sides of a quad as pairs of its corners, in cyclic order.
 const SIDES: [(usize, usize); 4] = [(0, 1), (1, 3), (3, 2), (2, 0)];
 
-/// The corners of every quad, s fastest.
+/// The corners of every quad of the grid, s fastest.
 pub(super) fn quads(grid: &QuadGrid) -> Vec<[usize; 4]> {
-    let [m, n] = grid.quads();
-    (0..n).flat_map(|j| (0..m).map(move |i| grid.corners(i, j))).collect()
+    grid.all_quads().map(|[i, j]| grid.corners(i, j)).collect()
 }
 
 /// Unit sides and their lengths; `None` if a side has no direction.

@@ -3,7 +3,9 @@
 use std::collections::{HashMap, VecDeque};
 
 use super::rectangles::{Rectangle, largest, longest_band};
+use super::staircase;
 use super::walker::{Place, Walker};
+use crate::surface::GridCell;
 
 /// Cells along each side of a piece at least.
 pub(super) const LEAST_CELLS: usize = 3;
@@ -26,13 +28,17 @@ pub(super) struct Lattice<'a> {
     highest: [i64; 2],
 }
 
-/// A rectangle of cells with all corners.
+/// A rectangle of cells with all corners, or one round a grid in steps.
 pub(super) struct Piece {
-    pub(super) places: Vec<Place>,
+    /// `None` where a grid in steps has no point.
+    pub(super) places: Vec<Option<Place>>,
     /// Points along s and t.
     pub(super) size: [usize; 2],
     pub(super) closed: bool,
-    pub(super) cells: usize,
+    /// Cells on the surface.
+    pub(super) count: usize,
+    /// What each cell of a grid in steps is.
+    pub(super) cells: Option<Vec<GridCell>>,
 }
 
 impl<'a> Lattice<'a> {
@@ -137,29 +143,64 @@ impl<'a> Lattice<'a> {
         self.edges.get(&at).is_some_and(|edges| edges[d])
     }
 
-    /// The largest rectangle of cells whose four edges hold; of a lattice that comes back all round, if there is such a band.
-    pub(super) fn largest_piece(&self) -> Option<Piece> {
-        let wrapped = |x: i64| self.columns.map_or(x, |columns| x.rem_euclid(columns));
+    fn wrapped(&self, x: i64) -> i64 {
+        self.columns.map_or(x, |columns| x.rem_euclid(columns))
+    }
+
+    /// The box of all cells: its first one, its columns, and of every cell, row by row, whether its four edges hold.
+    fn valid_cells(&self) -> ([i64; 2], usize, Vec<bool>) {
         let low = [if self.columns.is_some() { 0 } else { self.lowest[0] }, self.lowest[1]];
         let across = self.columns.map_or(self.highest[0] - low[0], |columns| columns);
         let [columns, rows] = [across, self.highest[1] - low[1]].map(|n| n.max(0) as usize);
         let mut valid = Vec::with_capacity(columns * rows);
         for (j, i) in (0..rows as i64).flat_map(|j| (0..columns as i64).map(move |i| (j, i))) {
             let at = [low[0] + i, low[1] + j];
-            let right = [wrapped(at[0] + 1), at[1]];
+            let right = [self.wrapped(at[0] + 1), at[1]];
             valid.push(
                 self.holds(at, 0) && self.holds(at, 1) && self.holds([at[0], at[1] + 1], 0) && self.holds(right, 1),
             );
         }
+        (low, columns, valid)
+    }
+
+    /// The largest rectangle of cells whose four edges hold; of a lattice that comes back all round, if there is such a band.
+    pub(super) fn largest_piece(&self) -> Option<Piece> {
+        let (low, columns, valid) = self.valid_cells();
         let band = self.columns.and_then(|_| longest_band(&valid, columns, LEAST_CELLS));
         let closed = band.is_some();
         let Rectangle { from, size } = band.or_else(|| largest(&valid, columns, LEAST_CELLS))?;
         let points = [size[0] + usize::from(!closed), size[1] + 1];
         let mut places = Vec::with_capacity(points[0] * points[1]);
         for (j, i) in (0..points[1]).flat_map(|j| (0..points[0]).map(move |i| (j, i))) {
-            let at = [wrapped(low[0] + (from[0] + i) as i64), low[1] + (from[1] + j) as i64];
-            places.push(*self.places.get(&at)?);
+            let at = [self.wrapped(low[0] + (from[0] + i) as i64), low[1] + (from[1] + j) as i64];
+            places.push(Some(*self.places.get(&at)?));
         }
-        Some(Piece { places, size: points, closed, cells: size[0] * size[1] })
+        Some(Piece { places, size: points, closed, count: size[0] * size[1], cells: None })
+    }
+
+    /// All cells that hang together round the largest rectangle of them; of a lattice that comes back only a band, which has no steps.
+    pub(super) fn piece_in_steps(&self) -> Option<Piece> {
+        if self.is_closed() {
+            return self.largest_piece();
+        }
+        let (low, columns, valid) = self.valid_cells();
+        let all = staircase::piece(&valid, [columns, valid.len() / columns.max(1)], LEAST_CELLS)?;
+        // The box of what is left.
+        let inside: Vec<[usize; 2]> =
+            (0..all.len()).filter(|k| all[*k] != GridCell::Outside).map(|k| [k % columns, k / columns]).collect();
+        let [from, to] = [0, 1].map(|end| {
+            [0, 1].map(|d| {
+                let along = inside.iter().map(|cell| cell[d]);
+                if end == 0 { along.min() } else { along.max() }.unwrap_or(0)
+            })
+        });
+        let cells: Vec<GridCell> =
+            (from[1]..=to[1]).flat_map(|j| (from[0]..=to[0]).map(move |i| i + j * columns)).map(|k| all[k]).collect();
+        let count = cells.iter().filter(|cell| **cell == GridCell::Patch).count();
+        let size = [0, 1].map(|d| to[d] - from[d] + 2);
+        let at = |i: usize, j: usize| [low[0] + (from[0] + i) as i64, low[1] + (from[1] + j) as i64];
+        let places = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| (i, j)));
+        let places = places.map(|(i, j)| self.places.get(&at(i, j)).copied()).collect();
+        Some(Piece { places, size, closed: false, count, cells: Some(cells) })
     }
 }

@@ -20,6 +20,7 @@ mod rectangles;
 mod report;
 mod shape_tensors;
 mod sheet;
+mod staircase;
 mod walker;
 
 pub use field::PrincipalField;
@@ -126,7 +127,8 @@ impl PrincipalGrids {
 ///
 /// Curvatures come from cubics fitted to the nearest vertices (noise is smoothed away first), directions from a field that is smoothed
 /// as little as rids it of umbilics, coordinates from two sparse least-squares problems, each aligned with one family of lines, the
-/// points from straight walks in these coordinates. The largest rectangle of cells is the grid. The steps and constants are those of
+/// points from straight walks in these coordinates. The largest rectangle of cells is the grid, or all cells that hang together
+/// ([`GridBorder`]). The steps and constants are those of
 /// `docs/math/principal-grids.md`.
 ///
 /// The mesh is one piece with a border: a roof, with holes or without, or a tube, which gets a grid closed along s. The same input
@@ -265,7 +267,7 @@ pub fn principal_grids(
     let mut grids = Vec::new();
     for laid in found {
         let points = laid.grid.points().iter().map(|p| to_world(*p)).collect();
-        grids.push(QuadGrid::new(points, laid.grid.size(), laid.grid.closed())?);
+        grids.push(laid.grid.with_points(points)?);
         report.pieces.push(GridPiece { edges: laid.piece.edges.map(|x| x * scale), ..laid.piece });
     }
     report.coverage = report.pieces.iter().map(|piece| piece.coverage).sum();

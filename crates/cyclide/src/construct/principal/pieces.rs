@@ -7,11 +7,12 @@ use super::lattice::{Lattice, Piece};
 use super::mesh_table::MeshTable;
 use super::point_grid::PointGrid;
 use super::report::GridPiece;
+use super::staircase;
 use super::walker::Walker;
 use crate::base::vector::Point3;
 use crate::construct::principal_rules::GridBorder;
 use crate::error::Result;
-use crate::surface::QuadGrid;
+use crate::surface::{GridCell, QuadGrid};
 
 /// Places of the lattice that are tried along each direction.
 const PHASES: usize = 3;
@@ -68,15 +69,25 @@ pub(super) fn laid(
         let seeds = seeds(&walker, if steps.cut || !grids.is_empty() { SEEDS } else { 1 });
         let mut best: Option<Piece> = None;
         for lattice in lattices(&walker, steps, seeds) {
-            let found = lattice.largest_piece();
+            let found = match steps.border {
+                GridBorder::Staircase => lattice.piece_in_steps(),
+                _ => lattice.largest_piece(),
+            };
             best = match (best, found) {
-                (Some(best), Some(found)) if (best.closed, best.cells) >= (found.closed, found.cells) => Some(best),
+                (Some(best), Some(found)) if (best.closed, best.count) >= (found.closed, found.count) => Some(best),
                 (best, found) => found.or(best),
             };
         }
         let Some(piece) = best else { break };
-        let points: Vec<Point3> = piece.places.iter().map(|place| walker.point(*place, jets)).collect();
-        let grid = QuadGrid::new(points, piece.size, [piece.closed, false])?;
+        let points: Vec<Option<Point3>> = piece.places.iter().map(|at| at.map(|at| walker.point(at, jets))).collect();
+        let made = match &piece.cells {
+            Some(cells) => staircase::grid(points, piece.size, cells),
+            None => points
+                .into_iter()
+                .collect::<Option<_>>()
+                .map(|points| QuadGrid::new(points, piece.size, [piece.closed, false])),
+        };
+        let Some(grid) = made.transpose()? else { break };
         cover(table, &grid, &mut open, steps.lengths[1].abs());
         let piece = GridPiece { coverage: area_of(&grid) / area, edges: extreme_edges(&grid) };
         grids.push(Laid { grid, piece });
@@ -136,21 +147,24 @@ fn cover(table: &MeshTable, grid: &QuadGrid, open: &mut [bool], edge: f64) {
     }
 }
 
-fn area_of(grid: &QuadGrid) -> f64 {
+/// The quads that have patches.
+fn patches(grid: &QuadGrid) -> impl Iterator<Item = (usize, usize)> {
     let [columns, rows] = grid.quads();
-    let quads = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let quads = (0..rows).flat_map(move |j| (0..columns).map(move |i| (i, j)));
+    quads.filter(|(i, j)| grid.cell(*i, *j) == GridCell::Patch)
+}
+
+fn area_of(grid: &QuadGrid) -> f64 {
     let area = |(i, j)| {
         let [a, b, c, d] = grid.corners(i, j).map(|k| grid.points()[k]);
         // Half the cross product of the diagonals.
         0.5 * (d - a).cross(c - b).length()
     };
-    quads.map(area).sum()
+    patches(grid).map(area).sum()
 }
 
 fn extreme_edges(grid: &QuadGrid) -> [f64; 2] {
-    let [columns, rows] = grid.quads();
-    let quads = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
-    let lengths = quads.flat_map(|(i, j)| {
+    let lengths = patches(grid).flat_map(|(i, j)| {
         let [a, b, c, d] = grid.corners(i, j).map(|k| grid.points()[k]);
         [a.distance(b), c.distance(d), a.distance(c), b.distance(d)]
     });

@@ -92,6 +92,17 @@
 //! assert_eq!(error.reason(), "inconsistent-orientation");
 //! ```
 //!
+//! # `cells-unfit`
+//! The quads of a grid go all round one that is outside.
+//! ```
+//! use cyclide::{GridCell, Point3, QuadGrid};
+//! let points = (0..16).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
+//! let hole = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
+//! let error = QuadGrid::new(points, [4, 4], [false; 2])?.with_cells(hole).unwrap_err();
+//! assert_eq!(error.reason(), "cells-unfit");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `not-a-surface`
 //! Triangles for a grid along lines of curvature meet in a vertex alone.
 //! ```

@@ -6,6 +6,7 @@
 //! circular quad this comes back up to a positive real factor, which the lengths take up:
 //! `|w3| = |w1| |w2| / |w0| · delta_12/delta_03`.
 
+use super::ways::Way;
 use super::{CyclidicNet, NetFrame, frame};
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -23,8 +24,9 @@ const CLOSING_LIMIT: f64 = 1e-9;
 const EDGE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl CyclidicNet {
-    /// The net over a grid whose quads are embedded and concircular, with the given frame. Quads are counted from 0, s
-    /// fastest. The limits (1e-9 of a quad's size, 1e-9 radians round a closed direction) are for exact vertices: far
+    /// The net over a grid whose quads are embedded and concircular, with the given frame: that of vertex (0, 0), or of the first
+    /// one that belongs to a quad, s fastest, where quads are left out. Quads are counted from 0, s
+    /// fastest, in the whole rectangle. The limits (1e-9 of a quad's size, 1e-9 radians round a closed direction) are for exact vertices: far
     /// from the origin these are rounded, and to the limits is added what that makes of the shortest edge.
     ///
     /// The weights are those of the whole net: neighbouring patches agree pointwise on the edge they share. Their
@@ -38,12 +40,12 @@ impl CyclidicNet {
     pub fn new(grid: QuadGrid, frame: NetFrame) -> Result<Self> {
         grid.check_place()?;
         let [m, n] = grid.quads();
-        // ln(delta_12/delta_03) of every quad.
-        let mut kappa = Vec::with_capacity(m * n);
-        for quad in 0..m * n {
-            let a = grid.corners(quad % m, quad / m).map(|k| grid.points()[k]);
+        // ln(delta_12/delta_03) of every quad; what is outside asks for nothing.
+        let mut kappa = vec![0.0; m * n];
+        for [i, j] in grid.all_quads() {
+            let (quad, a) = (i + j * m, grid.corners(i, j).map(|k| grid.points()[k]));
             check_quad(&a).map_err(|e| e.in_quad(quad))?;
-            kappa.push((a[1].distance(a[2]) / a[0].distance(a[3])).ln());
+            kappa[quad] = (a[1].distance(a[2]) / a[0].distance(a[3])).ln();
         }
         let (v1, v2) = match frame {
             NetFrame::Auto => frame::fitted(&grid)?,
@@ -63,9 +65,10 @@ impl CyclidicNet {
         let lengths = lengths(&grid, &kappa, limit)?;
         let weights = directions.iter().zip(&lengths).map(|(w, l)| *w * *l).collect();
         let net = Self { grid, weights, v, turn };
-        for quad in 0..m * n {
-            let (corners, weights) = net.pairs(quad % m, quad / m);
-            CyclidePatch::from_rounded_weights(corners, weights, v1, v2, rounding).map_err(|e| e.in_quad(quad))?;
+        for [i, j] in net.grid.all_quads() {
+            let (corners, weights) = net.pairs(i, j);
+            CyclidePatch::from_rounded_weights(corners, weights, v1, v2, rounding)
+                .map_err(|e| e.in_quad(net.number([i, j])))?;
         }
         Ok(net)
     }
@@ -93,20 +96,14 @@ fn step(w: Quat, d: Vec3, v: Vec3) -> Quat {
     next * (1.0 / next.norm())
 }
 
-/// Unit weights of all vertices: along the first row, and from it along the columns.
+/// Unit weights of all vertices of the grid.
 fn transported(grid: &QuadGrid, v: [Vec3; 2]) -> Vec<Quat> {
-    let [m, n] = grid.size();
-    let mut w = vec![Quat::ONE; m * n];
-    for j in 0..n {
-        for i in 0..m {
-            let before = match (i, j) {
-                (0, 0) => continue,
-                (_, 0) => (i - 1, 0, v[0]),
-                _ => (i, j - 1, v[1]),
-            };
-            let chord = grid.point(i, j) - grid.point(before.0, before.1);
-            w[grid.index(i, j)] = step(w[grid.index(before.0, before.1)], frame::unit(chord), before.2);
-        }
+    let mut w = vec![Quat::ONE; grid.points().len()];
+    for Way { before, to, direction, forward } in Way::all(grid) {
+        let chord = grid.points()[to] - grid.points()[before];
+        // Backwards both the chord and the direction are turned round.
+        let along = if forward { v[direction] } else { -v[direction] };
+        w[to] = step(w[before], frame::unit(chord), along);
     }
     w
 }
@@ -119,11 +116,11 @@ pub(crate) fn closing_limit(grid: &QuadGrid) -> f64 {
 /// The angle by which the frame may be off after a row and a column, because the vertices are rounded.
 fn rounding(grid: &QuadGrid) -> f64 {
     let ([cells, rows], largest) = (grid.quads(), |p: &Point3| p.to_vec().max_abs());
-    let sides = |quad: usize| {
-        let a = grid.corners(quad % cells, quad / cells).map(|k| grid.points()[k]);
+    let sides = |[i, j]: [usize; 2]| {
+        let a = grid.corners(i, j).map(|k| grid.points()[k]);
         a[0].distance(a[1]).min(a[0].distance(a[2])).min(a[1].distance(a[3])).min(a[2].distance(a[3]))
     };
-    let shortest = (0..cells * rows).map(sides).fold(f64::INFINITY, f64::min);
+    let shortest = grid.all_quads().map(sides).fold(f64::INFINITY, f64::min);
     let far = grid.points().iter().map(largest).fold(0.0, f64::max);
     EDGE_ROUNDING * (cells + rows) as f64 * (far / shortest)
 }

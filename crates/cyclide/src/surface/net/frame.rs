@@ -1,5 +1,6 @@
 //! The frame at the first vertex that fits all edges of a net best (`docs/math/cyclides-and-nets.md#automatic-frame`).
 
+use super::ways::Way;
 use crate::base::svd3;
 use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
@@ -21,7 +22,8 @@ pub enum NetFrame {
     /// The frame whose copies at all vertices are nearest to the directions of the edges.
     #[default]
     Auto,
-    /// Unit directions of growing s and t at vertex (0, 0), perpendicular to each other.
+    /// Unit directions of growing s and t at vertex (0, 0) (where quads are left out, at the first vertex that belongs to one),
+    /// perpendicular to each other.
     First(Vec3, Vec3),
 }
 
@@ -39,25 +41,25 @@ pub(super) fn unit(chord: Vec3) -> Vec3 {
 /// # Errors
 /// `ambiguous-frame` if that rotation is not unique.
 pub(super) fn fitted(grid: &QuadGrid) -> Result<(Vec3, Vec3)> {
-    let [m, n] = grid.size();
-    // Aᵀ = A^-1 of the vertices, as the images of the axes: carried with the rows like the frames.
-    let mut back = vec![[Vec3::X, Vec3::Y, Vec3::Z]; m * n];
+    let m = grid.size()[0];
+    // Aᵀ = A^-1 of the vertices, as the images of the axes: carried like the frames.
+    let mut back = vec![[Vec3::X, Vec3::Y, Vec3::Z]; grid.points().len()];
+    let used = grid.used_vertices();
+    let first = used.iter().position(|used| *used).unwrap_or(0);
+    for Way { before, to, .. } in Way::all(grid) {
+        let d = unit(grid.points()[to] - grid.points()[before]);
+        // The rows of A: A_new = R A_old, and (R A)ᵀ x = Aᵀ R x; the images of the axes under Aᵀ R.
+        let old = back[before];
+        back[to] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| apply(old, mirrored(axis, d)));
+    }
     let mut sum = [Vec3::ZERO; 3];
-    for j in 0..n {
-        for i in 0..m {
-            let index = grid.index(i, j);
-            if (i, j) != (0, 0) {
-                let before = if j == 0 { (i - 1, 0) } else { (i, j - 1) };
-                let d = unit(grid.point(i, j) - grid.point(before.0, before.1));
-                // The rows of A: A_new = R A_old, and (R A)ᵀ x = Aᵀ R x; the images of the axes under Aᵀ R.
-                let old = back[grid.index(before.0, before.1)];
-                back[index] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| apply(old, mirrored(axis, d)));
-            }
-            let Some(target) = target(grid, i, j) else { continue };
-            let signs = [if i % 2 == 0 { 1.0 } else { -1.0 }, if j % 2 == 0 { 1.0 } else { -1.0 }, 1.0];
-            for k in 0..3 {
-                sum[k] += apply(back[index], target[k]) * signs[k];
-            }
+    for (index, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+        let at = [index % m, index / m];
+        let Some(target) = target(grid, at) else { continue };
+        let sign = |d: usize| if (at[d] + [first % m, first / m][d]).is_multiple_of(2) { 1.0 } else { -1.0 };
+        let signs = [sign(0), sign(1), 1.0];
+        for k in 0..3 {
+            sum[k] += apply(back[index], target[k]) * signs[k];
         }
     }
     let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
@@ -112,17 +114,19 @@ fn mirrored(x: Vec3, d: Vec3) -> Vec3 {
 }
 
 /// Orthonormal frame nearest to the directions of the edges at a vertex; `None` if these cancel or are parallel.
-fn target(grid: &QuadGrid, i: usize, j: usize) -> Option<[Vec3; 3]> {
+fn target(grid: &QuadGrid, [i, j]: [usize; 2]) -> Option<[Vec3; 3]> {
     let at = grid.point(i, j);
     let along = |d: usize| {
         let (k, size) = ([i, j][d], grid.size()[d]);
-        let place = |k: usize| if d == 0 { grid.point(k, j) } else { grid.point(i, k) };
+        let place = |k: usize| if d == 0 { [k, j] } else { [i, k] };
+        let point = |[i, j]: [usize; 2]| grid.point(i, j);
         let mut sum = Vec3::ZERO;
-        if grid.closed()[d] || k + 1 < size {
-            sum += unit(place(k + 1) - at);
+        if (grid.closed()[d] || k + 1 < size) && grid.has_edge([i, j], d) {
+            sum += unit(point(place(k + 1)) - at);
         }
-        if grid.closed()[d] || k > 0 {
-            sum += unit(at - place((k + size - 1) % size));
+        let before = place((k + size - 1) % size);
+        if (grid.closed()[d] || k > 0) && grid.has_edge(before, d) {
+            sum += unit(at - point(before));
         }
         sum.unit()
     };

@@ -13,6 +13,7 @@ mod offset;
 mod same_vertices;
 mod singular;
 mod transform;
+mod ways;
 
 #[cfg(feature = "circular-mesh")]
 pub(crate) use build::closing_limit;
@@ -21,6 +22,7 @@ pub use frame::NetFrame;
 pub(crate) use same_vertices::SameVertices;
 pub use singular::SingularPatch;
 
+use super::grid_cells::GridCell;
 use super::patch::CyclidePatch;
 use super::quad_grid::QuadGrid;
 use crate::base::quat::Quat;
@@ -53,7 +55,7 @@ impl CyclidicNet {
         &self.grid
     }
 
-    /// Patches along s and along t.
+    /// Patches along s and along t, of the whole rectangle: see [`QuadGrid::cell`].
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         self.grid.quads()
@@ -90,19 +92,28 @@ impl CyclidicNet {
     /// The patch of quad `(i, j)`.
     ///
     /// # Panics
-    /// If there is no such quad.
+    /// If there is no such quad, or it is outside.
     #[must_use]
     pub fn patch(&self, i: usize, j: usize) -> CyclidePatch {
-        let [m, n] = self.size();
-        assert!(i < m && j < n, "quad ({i}, {j}) of a net of {m} x {n}");
+        assert!(self.grid.has_quad(i, j), "quad ({i}, {j}) is outside the net");
         let (corners, weights) = self.pairs(i, j);
         CyclidePatch::from_weights_unchecked(corners, weights, self.v[0], self.v[1])
     }
 
-    /// All patches, s fastest.
+    /// All patches, s fastest; none of openings and of what is outside.
     pub fn patches(&self) -> impl Iterator<Item = CyclidePatch> {
-        let [m, n] = self.size();
-        (0..m * n).map(move |quad| self.patch(quad % m, quad / m))
+        self.patches_with_quads().map(|(_, patch)| patch)
+    }
+
+    /// The quads that have patches, along s and along t, with these, s fastest.
+    pub fn patches_with_quads(&self) -> impl Iterator<Item = ([usize; 2], CyclidePatch)> {
+        let with_patch = self.grid.all_quads().filter(|[i, j]| self.grid.cell(*i, *j) == GridCell::Patch);
+        with_patch.map(|[i, j]| ([i, j], self.patch(i, j)))
+    }
+
+    /// The number of a quad in the rectangle, s fastest.
+    pub(crate) fn number(&self, [i, j]: [usize; 2]) -> usize {
+        i + j * self.size()[0]
     }
 
     /// Corners and weights of quad `(i, j)`, binary order.

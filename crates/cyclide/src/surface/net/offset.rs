@@ -6,7 +6,6 @@ use crate::base::range;
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
 use crate::surface::patch::CyclidePatch;
-use crate::surface::quad_grid::QuadGrid;
 
 /// Centres of curvature are as near as each other up to this part of their distance.
 const SAME_LIMIT: f64 = 1e-9;
@@ -22,8 +21,8 @@ impl CyclidicNet {
             let limit = if patch.offset_is_regular(0.0) { patch.offset_limit(h) } else { 0.0 };
             limit.clamp(-h.abs(), h.abs())
         };
-        let beyond = self.patches().enumerate().filter(|(_, patch)| !patch.offset_is_regular(h));
-        let limits: Vec<(usize, f64)> = beyond.map(|(quad, patch)| (quad, limit(&patch))).collect();
+        let beyond = self.patches_with_quads().filter(|(_, patch)| !patch.offset_is_regular(h));
+        let limits: Vec<(usize, f64)> = beyond.map(|(quad, patch)| (self.number(quad), limit(&patch))).collect();
         let nearest = limits.iter().map(|(_, limit)| limit.abs()).fold(f64::INFINITY, f64::min);
         // The first of those that have the same but for rounding, as of a torus.
         match limits.into_iter().find(|(_, limit)| limit.abs() <= nearest * (1.0 + SAME_LIMIT)) {
@@ -54,10 +53,9 @@ impl CyclidicNet {
         }
         // An edge of one point has one vertex, bit for bit.
         let mut same = SameVertices::new(m * n);
-        let cells = self.size()[0];
-        for (quad, patch) in self.patches().enumerate() {
-            patch.check_not_focal(h).map_err(|error| error.in_quad(quad))?;
-            let corners = self.grid.corners(quad % cells, quad / cells);
+        for ([i, j], patch) in self.patches_with_quads() {
+            patch.check_not_focal(h).map_err(|error| error.in_quad(self.number([i, j])))?;
+            let corners = self.grid.corners(i, j);
             for [a, b] in patch.offset_points(h).into_iter().flatten() {
                 same.join(corners[a], corners[b]);
             }
@@ -65,7 +63,7 @@ impl CyclidicNet {
         for k in 0..m * n {
             points[k] = points[same.first(k)];
         }
-        let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
+        let grid = self.grid.with_points(points)?;
         grid.check_place()?;
         Ok(Self::from_weights_unchecked(grid, self.weights.clone(), self.v, self.turn))
     }

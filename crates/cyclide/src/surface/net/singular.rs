@@ -31,7 +31,7 @@ impl CyclidicNet {
             let found = SingularPatch { quad, singular_s: patch.singular_s(), singular_t: patch.singular_t() };
             (!found.singular_s.is_empty() || !found.singular_t.is_empty()).then_some(found)
         };
-        self.quads().filter_map(singular).collect()
+        self.patches_with_quads().filter_map(singular).collect()
     }
 
     /// The quads whose `f_s × f_t` is against the normal at a corner: one family of their lines runs against the frame,
@@ -42,12 +42,6 @@ impl CyclidicNet {
             let (q1, q2) = (patch.q1(), patch.q2());
             [q1[0] * q2[0], q1[0] * q2[2], q1[2] * q2[0], q1[2] * q2[2]].iter().any(|q| *q < 0.0)
         };
-        self.quads().filter(|(_, patch)| against(patch)).map(|(quad, _)| quad).collect()
-    }
-
-    /// All quads with their patches.
-    fn quads(&self) -> impl Iterator<Item = ([usize; 2], CyclidePatch)> {
-        let [m, _] = self.size();
-        self.patches().enumerate().map(move |(quad, patch)| ([quad % m, quad / m], patch))
+        self.patches_with_quads().filter(|(_, patch)| against(patch)).map(|(quad, _)| quad).collect()
     }
 }

@@ -4,7 +4,6 @@ use super::CyclidicNet;
 use crate::base::quat::Quat;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::quad_grid::QuadGrid;
 
 impl Conformal for CyclidicNet {
     /// The image under `y -> (a y + b)(c y + d)^-1`, with the same parameters: vertices by the map, weights
@@ -15,14 +14,14 @@ impl Conformal for CyclidicNet {
     /// Those of patches, with the quad: `point-at-infinity`, `patch-through-infinity`, `parameter-out-of-range`,
     /// `coincident-points`, `not-in-space`; `below-rounding-of-place`.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        for (quad, patch) in self.patches().enumerate() {
-            patch.image(map).map_err(|e| e.in_quad(quad))?;
+        for [i, j] in self.grid.all_quads() {
+            self.patch(i, j).image(map).map_err(|e| e.in_quad(self.number([i, j])))?;
         }
         let lost = |index| Error::at_infinity(ErrorItem::Vertex, index);
         let places = self.grid.points().iter().enumerate();
         let images = places.map(|(k, a)| map.map_weighted(*a).ok_or_else(|| lost(k)));
         let (points, factors): (Vec<_>, Vec<_>) = images.collect::<Result<Vec<_>>>()?.into_iter().unzip();
-        let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
+        let grid = self.grid.with_points(points)?;
         grid.check_place()?;
         let weights: Vec<Quat> = factors.iter().zip(&self.weights).map(|(f, w)| *f * *w).collect();
         // A common factor changes nothing: lengths around 1.

@@ -142,12 +142,10 @@ impl Facets {
             }
         }
         for grid in &field.grids {
-            let ([m, n], [round, _]) = (grid.size(), grid.closed());
-            let row = |j: usize| (0..m).map(|i| grid.point(i, j)).collect::<Vec<_>>();
-            let column = |i: usize| (0..n).map(|j| grid.point(i, j)).collect::<Vec<_>>();
-            for (points, closed, light) in
-                (0..n).map(|j| (row(j), round, lights[0])).chain((0..m).map(|i| (column(i), false, lights[1])))
-            {
+            for (vertices, closed) in grid.lines() {
+                // Lines along s go from a vertex to the next one.
+                let light = lights[usize::from(vertices[1] != vertices[0] + 1)];
+                let points = vertices.into_iter().map(|v| grid.points()[v]).collect();
                 self.add_ribbon(&Polyline { object, points, closed }, LINE * scale, light, camera);
             }
         }

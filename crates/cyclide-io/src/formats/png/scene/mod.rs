@@ -265,12 +265,12 @@ impl Scene<'_> {
         let mut drawn = DrawnLabels::default();
         // Where colours stand for values they are no colours of objects.
         let ink = |k: usize| if self.coloured.is_some() { Ink::TEXT } else { Ink::object(k) };
-        let named: Vec<(Ink, &str, Option<(f64, f64)>)> = names
+        let named: Vec<ObjectName<'_>> = names
             .iter()
             .zip(places)
             .enumerate()
             .filter(|(_, (name, _))| names.len() > 1 && !name.is_empty())
-            .map(|(k, (name, place))| (ink(k), name.as_str(), *place))
+            .map(|(k, (name, place))| ObjectName { ink: ink(k), name, place: *place })
             .collect();
         let margin = 0.4 * sheet.margin();
         drawn.add_names(sheet, [margin, top, sheet.width - margin, bottom], &named);

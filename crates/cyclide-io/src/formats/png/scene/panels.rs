@@ -70,13 +70,13 @@ impl Panel {
 /// The panels of the faces of an object, if they are those of one net: in its order, the columns fastest.
 pub(super) fn panels(job: &Job<'_>, item: usize, faces: usize) -> Option<Vec<Panel>> {
     let [SurfaceObject::Net(net)] = job.model.items[item].surfaces() else { return None };
-    let [columns, rows] = net.size();
+    let quads: Vec<[usize; 2]> = net.patches_with_quads().map(|(quad, _)| quad).collect();
     // A net that is cut at singular lines has more faces.
-    if columns * rows != faces {
+    if quads.len() != faces {
         return None;
     }
     let digits = net.grid().size().map(|count| count.saturating_sub(1).to_string().len().max(2));
-    Some((0..faces).map(|k| Panel { row: k / columns, column: k % columns, digits }).collect())
+    Some(quads.into_iter().map(|[column, row]| Panel { row, column, digits }).collect())
 }
 
 /// A text with the left end of its base line.
@@ -85,6 +85,13 @@ struct Label {
     start: (f64, f64),
     size: f64,
     ink: Ink,
+}
+
+/// The name of an object, and the middle of what is seen of it.
+pub(super) struct ObjectName<'a> {
+    pub(super) ink: Ink,
+    pub(super) name: &'a str,
+    pub(super) place: Option<(f64, f64)>,
 }
 
 /// What is written on the drawing.
@@ -99,10 +106,10 @@ pub(super) struct DrawnLabels {
 impl DrawnLabels {
     /// Places for the names of objects: at the middle of what is seen of each, not on each other, and inside the room (left, top, right,
     /// bottom).
-    pub(super) fn add_names(&mut self, sheet: Sheet, room: [f64; 4], named: &[(Ink, &str, Option<(f64, f64)>)]) {
+    pub(super) fn add_names(&mut self, sheet: Sheet, room: [f64; 4], named: &[ObjectName<'_>]) {
         let size = 1.05 * sheet.text_size();
         let mut placed = 0;
-        for (ink, name, place) in named {
+        for ObjectName { ink, name, place } in named {
             let Some((x, y)) = *place else { continue };
             let text = lettering::fitted(name, size, 0.4 * sheet.width);
             let wide = lettering::width(&text, size);
@@ -136,7 +143,7 @@ impl DrawnLabels {
                 let start = (x - 0.5 * wide, y + 0.5 * size);
                 let place = rectangle(start, wide, size);
                 let free = seen.shows(*surface, place) && self.is_free(place);
-                free.then(|| (Label { text, start, size, ink: Ink::TEXT }, wide))
+                free.then_some((Label { text, start, size, ink: Ink::TEXT }, wide))
             };
             in_sight.iter().filter_map(label).collect()
         };

@@ -42,7 +42,7 @@ pub(super) struct Guard<'a> {
     pub(super) edge: f64,
 }
 
-/// Each moved vertex on the input: its foot; `None` for vertices beyond the border of the input.
+/// Each moved vertex on the input: its foot; `None` for vertices beyond the border of the input, and for those of no quad.
 type Feet = Vec<Option<Foot>>;
 
 impl Guard<'_> {
@@ -53,12 +53,16 @@ impl Guard<'_> {
             let unit = normals(points, grid, stride).into_iter().map(Option::unwrap_or_default);
             unit.collect::<Vec<Vec3>>()
         });
-        let [thin, thinner] = [self.before, self.after].map(thickness);
-        let (size, spread) = (extent(self.before), spread(grid, &before));
+        let used = grid.used_vertices();
+        let of_quads = |points: &[Point3]| -> Vec<Point3> {
+            points.iter().zip(&used).filter(|(_, used)| **used).map(|(p, _)| *p).collect()
+        };
+        let [thin, thinner] = [self.before, self.after].map(|points| thickness(&of_quads(points)));
+        let (size, spread) = (extent(&of_quads(self.before)), spread(grid, &before));
         if !(thin > FLAT * size && spread > FLAT) {
             return None;
         }
-        let feet = self.feet(&before);
+        let feet = self.feet(&before, &used);
         let turn = turn(&feet, &before, &after);
         let bent = bending(grid, &before, stride);
         let noise = is_noise(grid, self.before, &before, stride);
@@ -75,8 +79,11 @@ impl Guard<'_> {
         })
     }
 
-    fn feet(&self, normals: &[Vec3]) -> Feet {
+    fn feet(&self, normals: &[Vec3], used: &[bool]) -> Feet {
         let within = |(v, p): (usize, &Point3)| {
+            if !used[v] {
+                return None;
+            }
             let foot = foot(*p, v, self.before, self.grid)?;
             let away = *p - foot.point(self.before);
             let normal = foot.vector(normals).unit()?;

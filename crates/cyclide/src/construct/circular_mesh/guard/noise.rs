@@ -7,7 +7,7 @@
 //! short as that stride too), noise on a base that is curved in any direction the second. (Own derivation.)
 
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::circular_mesh::neighbours::{along, around, clamped, vertices};
+use crate::construct::circular_mesh::neighbours::{along, around, clamped, pair, place, vertices};
 use crate::surface::QuadGrid;
 
 /// Second differences that agree by less than this are noise: smooth shapes of four quads to a wave have 0.
@@ -44,17 +44,19 @@ fn agreements(grid: &QuadGrid, points: &[Point3], normals: &[Vec3], stride: [usi
 
 /// The vertex a stride on.
 fn next(grid: &QuadGrid, at: [usize; 2], d: usize, stride: [usize; 2]) -> Option<[usize; 2]> {
-    let exists = grid.closed()[d] || at[d] + stride[d] < grid.size()[d];
-    exists.then(|| {
-        let mut next = at;
-        next[d] = clamped(grid, at[d], d, stride[d])[1];
-        next
-    })
+    let mut next = at;
+    next[d] = if grid.closed()[d] {
+        clamped(grid, at[d], d, stride[d])[1]
+    } else {
+        let after = pair(grid, at, d, stride[d])[1];
+        place(grid, after)[d]
+    };
+    (grid.closed()[d] || next[d] == at[d] + stride[d]).then_some(next)
 }
 
 /// The second difference along a direction.
 fn bend(grid: &QuadGrid, points: &[Point3], at: [usize; 2], d: usize, stride: [usize; 2]) -> Option<Vec3> {
-    let [before, after] = around(grid, at[d], d, stride[d])?.map(|k| points[along(grid, at, d, k)]);
+    let [before, after] = around(grid, at, d, stride[d])?.map(|k| points[along(grid, at, d, k)]);
     let centre = points[grid.index(at[0], at[1])];
     Some((after - centre) - (centre - before))
 }
@@ -62,6 +64,7 @@ fn bend(grid: &QuadGrid, points: &[Point3], at: [usize; 2], d: usize, stride: [u
 /// The mixed second difference over the cell that starts at a vertex.
 fn twist(grid: &QuadGrid, points: &[Point3], at: [usize; 2], stride: [usize; 2]) -> Option<Vec3> {
     let (s, t) = (next(grid, at, 0, stride)?, next(grid, at, 1, stride)?);
+    next(grid, t, 0, stride)?;
     let point = |[i, j]: [usize; 2]| points[grid.index(i, j)];
     Some((point([s[0], t[1]]) - point(t)) - (point(s) - point(at)))
 }

@@ -22,10 +22,11 @@ pub(super) fn lowered(grid: &QuadGrid, stride: usize) -> [usize; 2] {
 /// The sum of `|N(i+s) - N(i)|²` over both directions.
 pub(super) fn bending(grid: &QuadGrid, normals: &[Vec3], stride: [usize; 2]) -> f64 {
     let mut sum = 0.0;
-    for at in vertices(grid) {
+    let used = grid.used_vertices();
+    for at in vertices(grid).filter(|at| used[grid.index(at[0], at[1])]) {
         for d in 0..2 {
             let on = at[d] + stride[d];
-            if grid.closed()[d] || on < grid.size()[d] {
+            if (grid.closed()[d] || on < grid.size()[d]) && used[along(grid, at, d, on)] {
                 sum += (normals[along(grid, at, d, on)] - normals[grid.index(at[0], at[1])]).length_squared();
             }
         }
@@ -37,14 +38,16 @@ pub(super) fn bending(grid: &QuadGrid, normals: &[Vec3], stride: [usize; 2]) -> 
 /// larger of both.
 pub(super) fn spread(grid: &QuadGrid, normals: &[Vec3]) -> f64 {
     let [m, n] = grid.size();
+    let used = grid.used_vertices();
+    let vertices = used.iter().filter(|used| **used).count();
     let of_lines = |lines: usize, count: usize, at: &dyn Fn(usize, usize) -> usize| {
         let mut sum = 0.0;
         for line in 0..lines {
-            let on_line = || (0..count).map(|k| normals[at(line, k)]);
-            let mean = on_line().fold(Vec3::ZERO, |sum, normal| sum + normal) / count as f64;
+            let on_line = || (0..count).map(|k| at(line, k)).filter(|k| used[*k]).map(|k| normals[k]);
+            let mean = on_line().fold(Vec3::ZERO, |sum, normal| sum + normal) / on_line().count().max(1) as f64;
             sum += on_line().map(|normal| (normal - mean).length_squared()).sum::<f64>();
         }
-        (sum / (m * n) as f64).sqrt()
+        (sum / vertices as f64).sqrt()
     };
     let (rows, columns) = (of_lines(n, m, &|j, i| grid.index(i, j)), of_lines(m, n, &|i, j| grid.index(i, j)));
     rows.max(columns)

@@ -1,0 +1,48 @@
+//! Why the cells of a grid are no part of it that can be made.
+
+/// What is wrong with the cells of a grid that is not whole, or with what is asked of it.
+///
+/// ```
+/// use cyclide::{Error, GridCell, GridCellFault, Point3, QuadGrid};
+/// let points = (0..16).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
+/// let hole = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
+/// let error = QuadGrid::new(points, [4, 4], [false; 2])?.with_cells(hole).unwrap_err();
+/// assert_eq!(error, Error::CellsUnfit { fault: GridCellFault::Enclosed, index: 4 });
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GridCellFault {
+    /// No cell is left.
+    None,
+    /// A cell has no way to the first one.
+    Apart,
+    /// A cell meets others in a corner alone.
+    Corner,
+    /// A cell is outside although the grid goes all round it.
+    Enclosed,
+    /// A cell of the grid has no point at a corner.
+    NoPoint,
+    /// The grid is closed.
+    Closed,
+    /// Curves for the sides of a grid that is not whole.
+    Curves,
+    /// Layers over a net that is not whole.
+    Layers,
+}
+
+impl GridCellFault {
+    /// The fault in words, with what helps.
+    pub(super) fn words(self, cell: usize) -> String {
+        match self {
+            Self::None => "no quad of the grid is left".to_owned(),
+            Self::Apart => format!("quad {cell} has no way to the first one: give each piece a grid of its own"),
+            Self::Corner => format!("quad {cell} meets another in a corner alone: leave it out, or fill in beside it"),
+            Self::Enclosed => format!("the grid goes all round quad {cell}, which is outside: make it an opening"),
+            Self::NoPoint => format!("quad {cell} has no point at a corner"),
+            Self::Closed => "a closed grid is whole: no quads of it can be left out".to_owned(),
+            Self::Curves => "a border in steps has no sides for curves: leave it free, or hold it".to_owned(),
+            Self::Layers => "layers and blocks need a grid without steps and openings".to_owned(),
+        }
+    }
+}
