@@ -330,6 +330,14 @@ fn each_object_has_a_file_of_its_own() {
     let index = String::from_utf8(folder.read("o.vtm")).unwrap();
     assert!(index.contains(r#"<DataSet index="0" name="left side" file="o-left_side.vtu"/>"#), "{index}");
     assert!(!folder.path("o.vtu").exists() && !folder.path("o.dxf").exists());
+    // Plain cells are those of blocks: what is none has no such file, and is not in the index.
+    let block = r#"{"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "cells": 2}"#;
+    folder.write("b.json", &format!(r#"{{"cyclide": 1, "objects": {{"block": {block}, "round": {}}}}}"#, circle(0)));
+    let run = folder.run("build b.json -o q.vtu -o q.step --per-object --vtu-cells linear");
+    assert!(run.code == 0 && run.stderr.contains("no such file of round [no-effect]"), "{}", run.stderr);
+    assert!(folder.path("q-block.vtu").exists() && folder.path("q-round.step").exists());
+    assert!(!folder.path("q-round.vtu").exists());
+    assert!(!String::from_utf8(folder.read("q.vtm")).unwrap().contains("round"));
     // Nothing is written where two would be one, or to standard output.
     folder.write("two.json", &document("a b", "A_B"));
     let run = folder.run("build two.json -o p.vtu --per-object");

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use cyclide_io::{
     CheckError, ExportError, ExportOptions, Exporter, FileReport, GeometryReport, NO_EFFECT, ObjectReport, Report,
-    TIGHTER_THAN_RADIUS,
+    TIGHTER_THAN_RADIUS, VtuCells,
 };
 
 use crate::arguments::effect;
@@ -38,11 +38,20 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         options.title = if model.items.len() == 1 || plan.per_object { None } else { stem() };
     }
     // Of nothing there are no files, which is refused below.
-    let parts = if plan.per_object && !model.items.is_empty() {
+    let mut parts = if plan.per_object && !model.items.is_empty() {
         per_object::split(model, provenance, &plan.outputs)?
     } else {
         vec![Part { model, provenance, outputs: plan.outputs.clone() }]
     };
+    if plan.per_object && options.vtu_cells == VtuCells::Linear {
+        let names = per_object::leave_out_plain(&mut parts, &plan.outputs);
+        if !names.is_empty() {
+            let names = names.join(", ");
+            terminal::warning(&format!(
+                "plain cells in VTU are those of blocks: there is no such file of {names} [{NO_EFFECT}]"
+            ));
+        }
+    }
     let paths = parts.iter().flat_map(|part| &part.outputs).map(|(path, _)| path);
     let indices = if plan.per_object { per_object::indices(&parts, &plan.outputs) } else { Vec::new() };
     for path in paths.chain(indices.iter().map(|(path, _)| path)) {

@@ -37,6 +37,21 @@ pub fn split(model: Model, provenance: Vec<Provenance>, outputs: &[(PathBuf, For
     Ok(parts)
 }
 
+/// Leaves the VTU files of objects out that are no blocks, where plain cells are asked for, which are those of blocks; unless there
+/// are none at all, which is refused where they are written. Gives the names of these objects.
+pub fn leave_out_plain(parts: &mut [Part], outputs: &[(PathBuf, Format)]) -> Vec<String> {
+    let has_blocks = |part: &Part| part.model.items.iter().any(|item| !item.volumes().is_empty());
+    if !outputs.iter().any(|(_, format)| *format == Format::Vtu) || !parts.iter().any(has_blocks) {
+        return Vec::new();
+    }
+    let others = parts.iter_mut().filter(|part| !has_blocks(part));
+    let without = |part: &mut Part| {
+        part.outputs.retain(|(_, format)| *format != Format::Vtu);
+        part.model.items.iter().map(|item| item.name.clone()).collect::<Vec<_>>()
+    };
+    others.flat_map(without).collect()
+}
+
 /// The whole model again.
 pub fn joined(parts: Vec<Part>) -> (Model, Vec<Provenance>) {
     let units = parts.first().map_or(Units::default(), |part| part.model.units);
@@ -50,11 +65,13 @@ pub fn joined(parts: Vec<Part>) -> (Model, Vec<Provenance>) {
 
 /// For each VTU output the file that names those of the objects as blocks.
 pub fn indices(parts: &[Part], outputs: &[(PathBuf, Format)]) -> Vec<(PathBuf, Vec<u8>)> {
-    let vtu = outputs.iter().enumerate().filter(|(_, (_, format))| *format == Format::Vtu);
-    let index = |(number, (path, _)): (usize, &(PathBuf, Format))| {
+    let vtu = outputs.iter().filter(|(_, format)| *format == Format::Vtu);
+    let index = |(path, _): &(PathBuf, Format)| {
         let block = |part: &Part| {
-            let file = part.outputs.get(number)?.0.file_name()?.to_string_lossy().into_owned();
-            Some((part.model.items.first()?.name.clone(), file))
+            let name = &part.model.items.first()?.name;
+            let file = of_object(path, &in_file_names(name));
+            let is_written = part.outputs.iter().any(|(output, _)| *output == file);
+            is_written.then_some((name.clone(), file.file_name()?.to_string_lossy().into_owned()))
         };
         let blocks: Vec<(String, String)> = parts.iter().filter_map(block).collect();
         (path.with_extension("vtm"), vtk_multi_block(&blocks))

@@ -70,7 +70,7 @@ fn motion(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
 fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
     let count = count_alone(plan, "a surface")?;
     if plan.json {
-        return Err(Failure::Usage("--json is for curves and motions, the object is a surface".to_owned()));
+        return Err(Failure::Usage("JSON is for curves and motions, the object is a surface: take CSV".to_owned()));
     }
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
@@ -80,7 +80,7 @@ fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
 fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<String, Failure> {
     let count = count_alone(plan, "a volume")?;
     if plan.json {
-        return Err(Failure::Usage("--json is for curves and motions, the object is a volume".to_owned()));
+        return Err(Failure::Usage("JSON is for curves and motions, the object is a volume: take CSV".to_owned()));
     }
     if plan.cells {
         let places = object.provenance.places.iter().flatten().map(|places| places.len() as f64);

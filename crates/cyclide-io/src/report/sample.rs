@@ -2,7 +2,8 @@
 //! curvatures on surfaces.
 
 use cyclide::{
-    Body, CyclideVolume, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface,
+    Body, CyclideVolume, FaceGeometry as _, Geometry, ParamSurface as _, Point3, ShellFace, StructuredGrid,
+    SurfaceObject, TriangleSurface,
 };
 
 use super::curve_sample::{CurveSamples, SampleOptions, SamplePlaces};
@@ -93,32 +94,57 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
 #[must_use]
 pub fn sample_cells(built: &BuiltObject) -> Option<String> {
     let blocks = built.item.volumes();
-    built.provenance.places.as_ref().filter(|_| !blocks.is_empty()).map(|places| volumes(blocks, places))
+    let places = built.provenance.places.as_ref().filter(|_| !blocks.is_empty())?;
+    let grid = StructuredGrid::new(blocks, places.clone()).ok()?;
+    let mut table = VolumeTable::new(blocks.len());
+    let [s, t, u] = grid.places();
+    for block in 0..blocks.len() {
+        let places = u.iter().flat_map(|u| t.iter().flat_map(move |t| s.iter().map(move |s| [*s, *t, *u])));
+        let nodes = grid.block_nodes(block).zip(grid.jacobians(block));
+        places.zip(nodes).for_each(|(at, (node, jacobian))| table.push(block, at, grid.nodes()[node], *jacobian));
+    }
+    Some(table.text)
+}
+
+/// Rows of points of blocks, with the number of the block where there are several.
+struct VolumeTable {
+    text: String,
+    several: bool,
+}
+
+impl VolumeTable {
+    fn new(blocks: usize) -> Self {
+        let several = blocks > 1;
+        Self { text: format!("{}s,t,u,x,y,z,jacobian\n", if several { "block," } else { "" }), several }
+    }
+
+    fn push(&mut self, block: usize, [s, t, u]: [f64; 3], p: Point3, jacobian: f64) {
+        if self.several {
+            self.text += &format!("{block},");
+        }
+        push_plain(&mut self.text, s);
+        for value in [t, u, p.x, p.y, p.z, jacobian] {
+            push_field(&mut self.text, Some(value));
+        }
+        self.text.push('\n');
+    }
 }
 
 /// The points of blocks at these parameters, row by row.
 fn volumes(blocks: &[CyclideVolume], [s, t, u]: &[Vec<f64>; 3]) -> String {
-    let several = blocks.len() > 1;
+    let mut table = VolumeTable::new(blocks.len());
     let [mut x, mut y, mut z, mut jacobians] = [(); 4].map(|()| vec![0.0; s.len()]);
-    let mut out = format!("{}s,t,u,x,y,z,jacobian\n", if several { "block," } else { "" });
     for (index, block) in blocks.iter().enumerate() {
         for &u in u {
             for &t in t {
                 block.row([t, u]).points_and_jacobians(s, [&mut x, &mut y, &mut z], &mut jacobians);
                 for (k, s) in s.iter().enumerate() {
-                    if several {
-                        out += &format!("{index},");
-                    }
-                    push_plain(&mut out, *s);
-                    for value in [t, u, x[k], y[k], z[k], jacobians[k]] {
-                        push_field(&mut out, Some(value));
-                    }
-                    out.push('\n');
+                    table.push(index, [*s, t, u], Point3::new(x[k], y[k], z[k]), jacobians[k]);
                 }
             }
         }
     }
-    out
+    table.text
 }
 
 fn triangles(surface: &TriangleSurface, count: usize) -> String {

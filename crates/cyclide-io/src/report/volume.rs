@@ -286,7 +286,9 @@ impl VolumeReport {
         for k in 0..PLACES.pow(3) {
             let at = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
             let metric = volume.metric(at);
-            self.jacobian = self.jacobian.with(metric.jacobian, metric.jacobian);
+            // A zero has one sign.
+            let jacobian = metric.jacobian + 0.0;
+            self.jacobian = self.jacobian.with(jacobian, jacobian);
             self.orthogonality = self.orthogonality.max(metric.orthogonality());
             self.residual = self.residual.max(metric.residual);
             if metric.standing.contains(&true) {

@@ -329,6 +329,40 @@ fn cells_are_there_and_inverted_ones_are_told() {
     assert!(told.message.contains("the block folds there"), "{told:?}");
 }
 
+/// Beside an axis far from the origin cells are as short as rounding: more of them help nothing, and it is said.
+#[test]
+fn cells_that_rounding_inverts_say_so() {
+    let at = |x: f64, y: f64, z: f64| format!("[{}, {}, {}]", x + 1e6, y + 1e6, z + 1e6);
+    let (c, s) = 1.0_f64.sin_cos();
+    let floor = |z: f64| [at(1.0, 0.0, z), at(0.0, 0.0, z), at(s, c, z), at(0.0, 0.0, z)].join(", ");
+    let cells = r#"[{"count": 30, "first": 1e-7, "fine": "end"}, 1000, 1]"#;
+    let wedge = format!(
+        r#""b": {{"type": "cyclide-volume", "corners": [{}, {}], "cells": {cells}}}"#,
+        floor(0.0),
+        floor(1.0)
+    );
+    let built = build(&wedge).unwrap();
+    let told = built.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
+    assert!(told.message.contains("as short as the rounding of their place, and fewer cells help"), "{told:?}");
+    let line = format!(r#"{wedge}, "x": {{"type": "coordinate-surfaces", "of": "b", "s": [0, 1]}}"#);
+    let (reason, message) = refused(&line);
+    assert_eq!(reason.as_deref(), Some("collapsed-side"), "{message}");
+    assert!(message.contains("x.s[1]") && message.contains("s = 1 is a line or a point of every block"), "{message}");
+}
+
+/// The table of the cells holds the nodes of the grid, bit for bit: those that blocks share are one.
+#[test]
+fn the_table_of_cells_holds_the_nodes() {
+    let ring = r#""w": {"type": "cyclide-grid", "whole": {"a": 4, "c": 1, "mu": [1.3, 1.6, 2], "segments": [6, 4]}, "cells": [3, 3, 2]}"#;
+    let table = sample_cells(&build(ring).unwrap()).unwrap();
+    let points: std::collections::BTreeSet<Vec<&str>> =
+        table.lines().skip(1).map(|row| row.split(',').skip(4).take(3).collect()).collect();
+    let cells = report(ring).cells.unwrap();
+    assert_eq!(points.len(), cells.nodes);
+    // As many rows as nodes of all blocks.
+    assert_eq!(table.lines().count() - 1, 6 * 4 * 2 * 4 * 4 * 3);
+}
+
 /// The place of a fold is among those whose Jacobian is reported.
 #[test]
 fn the_range_of_the_jacobian_has_the_fold() {

@@ -1,6 +1,6 @@
 //! The list of warnings: what each is about, what was measured, and above which limit it is said.
 
-use super::{SpikeRemedy, SwingPart};
+use super::{InvertedCause, SpikeRemedy, SwingPart};
 use crate::shape_change::ShapeChange;
 
 /// A remark on a result that is valid but may not be what was meant.
@@ -615,7 +615,7 @@ pub enum Warning {
         block: usize,
         /// Its place in the block along s, t and u, from 0.
         at: [usize; 3],
-        /// Whether that block folds, or may do so.
-        folds: bool,
+        /// Why.
+        cause: InvertedCause,
     },
 }

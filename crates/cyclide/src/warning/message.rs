@@ -465,10 +465,10 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*t),
                 ShortNumber(*u)
             ),
-            Self::CellsInverted { count, cells, block, at: [i, j, k], folds } => write!(
+            Self::CellsInverted { count, cells, block, at: [i, j, k], cause } => write!(
                 f,
                 "{count} of {cells} cells are inverted, first cell {i}, {j}, {k} of block {block}: {}",
-                if *folds { "the block folds there" } else { "their straight sides are too coarse for its arcs, and more cells help" }
+                cause.words()
             ),
         }
     }

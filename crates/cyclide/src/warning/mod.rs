@@ -4,6 +4,7 @@
 //! it where the result is a plain [`Body`](crate::Body) that could not keep them (a neck, a bridge, a turn). [`Warning::reason`] gives the stable
 //! kebab-case name that reports and the documentation use.
 
+mod inverted_cause;
 mod kinds;
 mod message;
 mod reason;
@@ -11,6 +12,7 @@ mod spike_remedy;
 mod swing_part;
 mod words;
 
+pub use inverted_cause::InvertedCause;
 pub use kinds::Warning;
 pub use spike_remedy::SpikeRemedy;
 pub use swing_part::SwingPart;

@@ -1,8 +1,8 @@
 //! Volumes: from corners and a frame to the kernel's blocks.
 
 use cyclide::{
-    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, ErrorItem, Point3, SphericalCube, SurfaceObject,
-    VolumeFrame,
+    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, ErrorItem, Point3, Shell, SphericalCube,
+    SurfaceObject, VolumeFrame,
 };
 
 use super::Builder;
@@ -212,6 +212,20 @@ impl Builder<'_> {
                 let error = volumes[0].surface(axis, *x).err();
                 let refused = |e| self.refused_at([Step::from(*field), Step::from(index)], &e);
                 error.map_or(Ok(()), |e| Err(refused(e)))?;
+            }
+            for (index, x) in values.iter().enumerate() {
+                let is_line = |volume: &CyclideVolume| {
+                    volume.surface(axis, *x).is_ok_and(|face| Shell::from_surface(face).is_err())
+                };
+                if volumes.iter().all(is_line) {
+                    let words =
+                        format!("{field} = {x} is a line or a point of every block, at an axis or a pole: no surface");
+                    return Err(self.refused_in_words(
+                        [Step::from(*field), Step::from(index)],
+                        "collapsed-side",
+                        words,
+                    ));
+                }
             }
             let made = CyclideVolume::coordinate_bodies(volumes, axis, values);
             let made = made.map_err(|e| self.refused_at([Step::from(*field)], &e))?;

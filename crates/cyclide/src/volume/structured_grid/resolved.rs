@@ -6,7 +6,7 @@ use super::super::param_volume::ParamVolume as _;
 use super::{GridQuality, StructuredGrid};
 use crate::base::range;
 use crate::error::{ErrorItem, Result};
-use crate::warning::Warning;
+use crate::warning::{InvertedCause, Warning};
 
 /// Roundings of the largest coordinate that a cell is long at least: its ends are off by a few of them, and its directions by a tenth then.
 const SHORTEST: f64 = 64.0 * f64::EPSILON;
@@ -61,7 +61,22 @@ impl StructuredGrid {
     pub fn warnings(&self, quality: &GridQuality) -> Vec<Warning> {
         let Some(first) = quality.first_inverted else { return Vec::new() };
         let (block, at) = self.cell_place(first);
-        let folds = self.blocks()[block].folds() != FoldVerdict::Regular;
-        vec![Warning::CellsInverted { count: quality.inverted, cells: self.cell_count(), block, at, folds }]
+        let cause = if self.blocks()[block].folds() != FoldVerdict::Regular {
+            InvertedCause::Fold
+        } else if self.has_rounded_side(first) {
+            InvertedCause::Rounding
+        } else {
+            InvertedCause::TooCoarse
+        };
+        vec![Warning::CellsInverted { count: quality.inverted, cells: self.cell_count(), block, at, cause }]
+    }
+
+    /// Whether a side of a cell that is no point is as short as the rounding of its ends.
+    fn has_rounded_side(&self, cell: usize) -> bool {
+        let corners = self.cell(cell).map(|node| self.nodes()[node]);
+        let place = corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let sides = (0..3).flat_map(|axis| (0..8).filter(move |k| k >> axis & 1 == 0).map(move |k| (k, k | 1 << axis)));
+        let mut lengths = sides.map(|(from, to)| corners[from].distance(corners[to])).filter(|length| *length > 0.0);
+        lengths.any(|length| length <= SHORTEST * place)
     }
 }

@@ -39,7 +39,7 @@ use cyclide::{Aabb, Point3, SurfaceMesh, Vec3};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};
-use panels::{DrawnLabels, Panel, Seen};
+use panels::{DrawnLabels, ObjectName, Panel, Seen};
 use patch::{Patch, patches};
 use quantity::Coloured;
 use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
