@@ -19,9 +19,17 @@ const MARK: f64 = 0.15;
 /// Part of the length that lettering may take.
 const ALONG: f64 = 0.8;
 
+/// A strip laid flat, before it has its place on the sheet.
+struct Drawn {
+    outline: ArcPath,
+    /// Where the net's own edge is, in the middle.
+    mark: ArcPath,
+    letters: Lettering,
+}
+
 /// All strips, in the order of their table.
 pub(super) fn sheet(nets: &[Net]) -> Result<Sheet> {
-    let mut drawn: Vec<(ArcPath, Vec<(usize, ArcPath)>, Lettering)> = Vec::new();
+    let mut drawn: Vec<Drawn> = Vec::new();
     for net in nets {
         for (index, edge) in net.edges.iter().enumerate() {
             let Some(strip) = &edge.strip else { continue };
@@ -46,18 +54,16 @@ pub(super) fn sheet(nets: &[Net]) -> Result<Sheet> {
                 text,
                 at: Point3::new(0.0, middle, 0.0),
             };
-            drawn.push((outline, vec![(SCORE, ArcPath::new(vec![mark], false)?)], letters));
+            drawn.push(Drawn { outline, mark: ArcPath::new(vec![mark], false)?, letters });
         }
     }
     let bounds = |path: &ArcPath| path.arcs().iter().map(Arc::bounds).reduce(Aabb::union).unwrap_or(EMPTY);
-    let boxes: Vec<Aabb> = drawn.iter().map(|(outline, ..)| bounds(outline)).collect();
+    let boxes: Vec<Aabb> = drawn.iter().map(|strip| bounds(&strip.outline)).collect();
     let places = Shelf::of(&boxes);
     let mut sheet = Sheet { layers: LAYERS.to_vec(), ..Sheet::default() };
-    for ((outline, marks, letters), shift) in drawn.into_iter().zip(places) {
+    for (Drawn { outline, mark, letters }, shift) in drawn.into_iter().zip(places) {
         sheet.lines.push(SheetLine { layer: CUT, path: moved(&outline, shift)? });
-        for (layer, path) in marks {
-            sheet.lines.push(SheetLine { layer, path: moved(&path, shift)? });
-        }
+        sheet.lines.push(SheetLine { layer: SCORE, path: moved(&mark, shift)? });
         sheet.letters.push(Lettering { at: letters.at + shift, ..letters });
     }
     Ok(sheet)

@@ -59,7 +59,10 @@ impl Table {
         for item in items {
             write(&mut row, Some(&item));
         }
-        debug_assert!(columns.is_empty() || row.cells.len() % columns.len() == 0, "{name}: rows are of one length");
+        debug_assert!(
+            columns.is_empty() || row.cells.len().is_multiple_of(columns.len()),
+            "{name}: rows are of one length"
+        );
         Self { name, columns, cells: row.cells }
     }
 

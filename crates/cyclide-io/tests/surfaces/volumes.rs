@@ -336,11 +336,8 @@ fn cells_that_rounding_inverts_say_so() {
     let (c, s) = 1.0_f64.sin_cos();
     let floor = |z: f64| [at(1.0, 0.0, z), at(0.0, 0.0, z), at(s, c, z), at(0.0, 0.0, z)].join(", ");
     let cells = r#"[{"count": 30, "first": 1e-7, "fine": "end"}, 1000, 1]"#;
-    let wedge = format!(
-        r#""b": {{"type": "cyclide-volume", "corners": [{}, {}], "cells": {cells}}}"#,
-        floor(0.0),
-        floor(1.0)
-    );
+    let wedge =
+        format!(r#""b": {{"type": "cyclide-volume", "corners": [{}, {}], "cells": {cells}}}"#, floor(0.0), floor(1.0));
     let built = build(&wedge).unwrap();
     let told = built.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
     assert!(told.message.contains("as short as the rounding of their place, and fewer cells help"), "{told:?}");

@@ -204,9 +204,9 @@ mod tests {
             assert!((strip.curvature() - k).abs() < 1e-13, "the principal curvature along the side");
             let want = offsets.map(|offset| offset.s_line(t).unwrap().length());
             let outline = strip.outline().unwrap();
-            for i in 0..2 {
-                assert!((strip.lengths()[i] - want[i]).abs() < 1e-13);
-                assert!((outline.arcs()[2 * i].length() - want[i]).abs() < 1e-13, "also when laid flat");
+            for (i, want) in want.into_iter().enumerate() {
+                assert!((strip.lengths()[i] - want).abs() < 1e-13);
+                assert!((outline.arcs()[2 * i].length() - want).abs() < 1e-13, "also when laid flat");
                 assert!((outline.arcs()[2 * i + 1].length() - 0.55).abs() < 1e-14);
             }
         }

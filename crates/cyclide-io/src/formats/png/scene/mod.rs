@@ -167,12 +167,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             }
         }
         if let Some(seen) = &seen {
-            let drawn = scene.labels(
-                (&names, &visible.places(names.len())),
-                seen,
-                &numbered,
-                (sheet, [header, height - footer]),
-            );
+            let drawn = scene.labels(&names, (&visible, seen), &numbered, (sheet, [header, height - footer]));
             drawn.draw(&mut canvas);
             let said = drawn.said.join("; ");
             notes.extend((!said.is_empty()).then(|| said.clone()));
@@ -257,8 +252,8 @@ impl Scene<'_> {
     /// Names of objects, if there are several, and numbers of panels.
     fn labels(
         &self,
-        (names, places): (&[String], &[Option<(f64, f64)>]),
-        seen: &Seen,
+        names: &[String],
+        (visible, seen): (&Visible, &Seen),
         numbered: &[(u32, Panel)],
         (sheet, [top, bottom]): (Sheet, [f64; 2]),
     ) -> DrawnLabels {
@@ -267,10 +262,10 @@ impl Scene<'_> {
         let ink = |k: usize| if self.coloured.is_some() { Ink::TEXT } else { Ink::object(k) };
         let named: Vec<ObjectName<'_>> = names
             .iter()
-            .zip(places)
+            .zip(visible.places(names.len()))
             .enumerate()
             .filter(|(_, (name, _))| names.len() > 1 && !name.is_empty())
-            .map(|(k, (name, place))| ObjectName { ink: ink(k), name, place: *place })
+            .map(|(k, (name, place))| ObjectName { ink: ink(k), name, place })
             .collect();
         let margin = 0.4 * sheet.margin();
         drawn.add_names(sheet, [margin, top, sheet.width - margin, bottom], &named);

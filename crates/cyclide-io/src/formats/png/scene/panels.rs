@@ -241,7 +241,8 @@ mod tests {
     fn names_keep_apart_and_inside() {
         let mut drawn = DrawnLabels::default();
         let place = Some((790.0, 300.0));
-        let named: Vec<_> = (0..7).map(|k| (Ink::object(k), "a long name", place)).collect();
+        let name = |k: usize| ObjectName { ink: Ink::object(k), name: "a long name", place };
+        let named: Vec<_> = (0..7).map(name).collect();
         drawn.add_names(SHEET, [20.0, 80.0, 780.0, 500.0], &named);
         // Five places are tried for each.
         assert_eq!((drawn.labels.len(), drawn.said.len()), (5, 1));
