@@ -6,6 +6,7 @@ mod border;
 mod closing;
 mod curvature;
 mod dense_rows;
+mod dissection;
 mod fairness;
 mod finish;
 mod guard;
@@ -140,10 +141,13 @@ pub fn make_circular(
     check_distinct(&points, &quads)?;
     let edge = world_edge / scale;
     let terms = quads.iter().map(|q| &q[..]).chain(triples.iter().map(|t| &t[..]));
-    let pattern = Pattern::new(points.len(), terms).ok_or(search::refused(0, residual_before))?;
+    // Rings may lose rank at their solution. Their last digits depend on rounding, and with this order some are worse.
+    let order = (grid.closed() != [true; 2]).then(|| dissection::elimination_order(grid));
+    let pattern = Pattern::new(points.len(), order.as_deref(), terms).ok_or(search::refused(0, residual_before))?;
     let metric = fairness::metric(&pattern, &triples, &normals, edge);
-    let max_steps = options.max_steps;
-    let problem = Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, max_steps };
+    let (max_steps, damping) = (options.max_steps, search::first_damping(grid.quads()));
+    let problem =
+        Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, damping, max_steps };
     let steps = problem.search(&mut points, progress)?;
     if steps > 0 {
         finish::sweep(&mut points, grid, (&quads, &closing), &holds);

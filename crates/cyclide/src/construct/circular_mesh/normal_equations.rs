@@ -1,11 +1,12 @@
 //! The damped normal equations `(J^T J + lambda M) dx = -J^T r` in blocks of one vertex by another, and their
 //! restriction to the moves that border vertices may make.
 //!
-//! The pattern never changes, so faer orders (approximate minimum degree) and analyses it once; each step is one sparse
+//! The pattern never changes, so faer analyses it once, in an order of elimination that it is given; each step is one sparse
 //! Cholesky factorisation into the memory of the last one. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par, Side};
@@ -35,8 +36,13 @@ pub(super) struct Workspace {
 }
 
 impl Pattern {
-    /// Pattern of a sum of squares whose terms each couple a few vertices; `None` if there is no memory for its factor.
-    pub(super) fn new<'a>(vertices: usize, terms: impl Iterator<Item = &'a [usize]>) -> Option<Self> {
+    /// Pattern of a sum of squares whose terms each couple a few vertices, which are eliminated in an order that has each of
+    /// them once (faer's approximate minimum degree if there is none); `None` if there is no memory for its factor.
+    pub(super) fn new<'a>(
+        vertices: usize,
+        elimination: Option<&[usize]>,
+        terms: impl Iterator<Item = &'a [usize]>,
+    ) -> Option<Self> {
         let mut columns: Vec<Vec<usize>> = (0..vertices).map(|v| vec![v]).collect();
         for term in terms {
             for &v in term {
@@ -58,7 +64,14 @@ impl Pattern {
         }
         let size = 3 * vertices;
         let coordinates = SymbolicSparseColMat::new_checked(size, size, starts, None, indices);
-        let order = SymmetricOrdering::Amd;
+        let coordinates_of = |v: &usize| [3 * v, 3 * v + 1, 3 * v + 2];
+        let eliminated: Vec<usize> = elimination.unwrap_or_default().iter().flat_map(coordinates_of).collect();
+        let mut places = vec![0; eliminated.len()];
+        eliminated.iter().enumerate().for_each(|(place, coordinate)| places[*coordinate] = place);
+        let order = match elimination {
+            Some(_) => SymmetricOrdering::Custom(PermRef::new_checked(&eliminated, &places, size)),
+            None => SymmetricOrdering::Amd,
+        };
         let factor = factorize_symbolic_cholesky(coordinates.as_ref(), Side::Lower, order, Default::default()).ok()?;
         Some(Self { first, row, coordinates, factor })
     }
@@ -190,7 +203,7 @@ mod tests {
 
     #[test]
     fn solves_a_matrix_that_fills_in() {
-        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let pattern = Pattern::new(6, Some(&[3, 0, 5, 1, 4, 2]), PAIRS.iter().map(|p| &p[..])).unwrap();
         let x: Vec<Vec3> = (0..6).map(|k| Vec3::new(k as f64, 1.0, -2.0 * k as f64)).collect();
         let a = matrix(&pattern);
         let solved = solved(&pattern, &a, &[Block::IDENTITY; 6], &product(&x));
@@ -204,7 +217,7 @@ mod tests {
 
     #[test]
     fn moves_stay_in_the_ranges_of_the_projectors() {
-        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let pattern = Pattern::new(6, Some(&[3, 0, 5, 1, 4, 2]), PAIRS.iter().map(|p| &p[..])).unwrap();
         let along = Vec3::new(0.6, 0.0, 0.8);
         let mut projectors = [Block::IDENTITY; 6];
         (projectors[0], projectors[3]) = (Block::ZERO, Block::square(along));
@@ -219,7 +232,7 @@ mod tests {
     }
     #[test]
     fn dense_rows_add_their_squares() {
-        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let pattern = Pattern::new(6, Some(&[3, 0, 5, 1, 4, 2]), PAIRS.iter().map(|p| &p[..])).unwrap();
         let a = matrix(&pattern);
         // More rows than are solved at once; the last one names a vertex twice.
         let row = |k: usize| (0..6).map(|v| (v, Vec3::new((k + v) as f64 % 5.0, (k * v) as f64 % 3.0, 1.0))).collect();

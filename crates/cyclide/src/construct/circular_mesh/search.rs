@@ -16,6 +16,11 @@ const RESIDUAL_LIMIT: f64 = 1e-12;
 const GOOD_ENOUGH: f64 = 1e-10;
 /// The damping at the start.
 const DAMPING: f64 = 1.0;
+/// The damping at the start on grids with more quads than [`LARGE`] in a direction: the farther a grid reaches, the longer are
+/// the waves that bend it for next to nothing, and both of 200 by 200 quads that were tried refused two steps first.
+const DAMPING_LARGE: f64 = 25.0;
+/// See [`DAMPING_LARGE`].
+const LARGE: usize = 150;
 /// Growth of the damping after a rejected step.
 const REJECTED: f64 = 5.0;
 /// A step that moves a vertex by more than this part of the median edge is rejected.
@@ -70,6 +75,8 @@ pub(super) struct Problem<'a> {
     pub(super) holds: &'a Holds<'a>,
     /// Median edge of the input.
     pub(super) edge: f64,
+    /// At the start.
+    pub(super) damping: f64,
     pub(super) max_steps: usize,
 }
 
@@ -118,7 +125,7 @@ impl Problem<'_> {
     ) -> Result<usize> {
         let mut r = self.residuals(points).ok_or(refused(0, f64::INFINITY))?;
         let mut workspace = None;
-        let mut damping = DAMPING;
+        let mut damping = self.damping;
         let mut costs = vec![r.cost()];
         let mut linear = None;
         let mut polish = if self.closing.is_empty() { 0 } else { POLISH };
@@ -238,6 +245,11 @@ impl Problem<'_> {
         let factored = self.pattern.factored(workspace, (&linear.matrix, &self.metric, damping), projectors)?;
         Some(solve(&factored, projectors, &linear.rows, &r.closing, &linear.downhill))
     }
+}
+
+/// The damping at the start on a grid of so many quads.
+pub(super) fn first_damping(quads: [usize; 2]) -> f64 {
+    if quads[0].max(quads[1]) > LARGE { DAMPING_LARGE } else { DAMPING }
 }
 
 /// The error of a search that ends with this residual.

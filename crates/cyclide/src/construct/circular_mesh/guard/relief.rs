@@ -151,21 +151,28 @@ impl Moments {
 /// Sums over windows of `half` places to both sides along each direction, cut off at open borders and at once round.
 fn window_sums(grid: &QuadGrid, values: Vec<f64>, half: [usize; 2]) -> Vec<f64> {
     (0..2).fold(values, |values, d| {
-        let round = if grid.closed()[d] { (grid.size()[d] - 1) / 2 } else { grid.size()[d] - 1 };
-        let half = half[d].min(round);
-        let sum = |at: [usize; 2]| {
-            let mut sum = values[grid.index(at[0], at[1])];
-            for step in 1..=half {
-                for (side, far) in clamped(grid, at[d], d, step).into_iter().enumerate() {
-                    let inside = if side == 0 { at[d] >= step } else { at[d] + step < grid.size()[d] };
-                    if inside || grid.closed()[d] {
-                        sum += values[along(grid, at, d, far)];
-                    }
-                }
+        let count = grid.size()[d];
+        let mut sums = vec![0.0; values.len()];
+        for line in 0..grid.size()[1 - d] {
+            let line = grid.line(d, line);
+            // Sums of the first places; in a closed direction of twice round.
+            let mut first = vec![0.0];
+            for k in 0..if grid.closed()[d] { 2 * count } else { count } {
+                first.push(first[k] + values[line[k % count]]);
             }
-            sum
-        };
-        vertices(grid).map(sum).collect()
+            for (k, &vertex) in line.iter().enumerate() {
+                let (from, to) = if !grid.closed()[d] {
+                    (k.saturating_sub(half[d]), (k + half[d] + 1).min(count))
+                } else if 2 * half[d] + 1 >= count {
+                    (0, count)
+                } else {
+                    let from = (k + count - half[d]) % count;
+                    (from, from + 2 * half[d] + 1)
+                };
+                sums[vertex] = first[to] - first[from];
+            }
+        }
+        sums
     })
 }
 
