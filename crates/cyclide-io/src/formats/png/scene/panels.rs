@@ -79,6 +79,9 @@ pub(super) fn panels(job: &Job<'_>, item: usize, faces: usize) -> Option<Vec<Pan
     Some(quads.into_iter().map(|[column, row]| Panel { row, column, digits }).collect())
 }
 
+/// The index of a panel's surface, its number, and its middle in the picture.
+type Placed = (u32, Panel, (f64, f64));
+
 /// A text with the left end of its base line.
 struct Label {
     text: String,
@@ -131,13 +134,13 @@ impl DrawnLabels {
     }
 
     /// Numbers on panels, of which each has the index of its surface and its middle in the picture.
-    pub(super) fn add_panels(&mut self, sheet: Sheet, seen: &Seen, panels: &[(u32, Panel, (f64, f64))]) {
+    pub(super) fn add_panels(&mut self, sheet: Sheet, seen: &Seen, panels: &[Placed]) {
         let in_sight: Vec<_> = panels.iter().filter(|(surface, _, at)| seen.at(*at) == *surface).collect();
         if panels.is_empty() {
             return;
         }
         let fit = |full: bool, size: f64| -> Vec<(Label, f64)> {
-            let label = |(surface, panel, (x, y)): &&(u32, Panel, (f64, f64))| {
+            let label = |(surface, panel, (x, y)): &&Placed| {
                 let text = panel.words(full);
                 let wide = lettering::width(&text, size);
                 let start = (x - 0.5 * wide, y + 0.5 * size);
@@ -202,7 +205,7 @@ mod tests {
     const SHEET: Sheet = Sheet { width: 800.0, height: 600.0, fixed: false, scale: 1.0 };
 
     /// A picture of squares of this size, the last column hidden behind a wall.
-    fn squares(size: usize) -> (Seen, Vec<(u32, Panel, (f64, f64))>) {
+    fn squares(size: usize) -> (Seen, Vec<Placed>) {
         let mut seen = Seen::new((800, 600));
         let columns = 800 / size;
         for (x, y) in (0..800 * 600).map(|k| (k % 800, k / 800)) {
@@ -228,7 +231,8 @@ mod tests {
             assert!(drawn.said[0].contains(said), "{}", drawn.said[0]);
             assert!(form.is_empty() || drawn.labels.iter().any(|label| label.text == form));
             for (k, [left, top, right, bottom]) in drawn.taken.iter().enumerate() {
-                let inside = |a: f64, b: f64| (a / size as f64).floor() == (b / size as f64).floor();
+                let cell = |x: f64| (x / size as f64).floor() as i64;
+                let inside = |a: f64, b: f64| cell(a) == cell(b);
                 assert!(inside(*left, *right) && inside(*top, *bottom), "{}", drawn.labels[k].text);
                 for [a, b, c, d] in &drawn.taken[..k] {
                     assert!(right <= a || c <= left || bottom <= b || d <= top);
