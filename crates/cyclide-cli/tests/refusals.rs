@@ -351,3 +351,18 @@ fn refinements_stop_at_their_cap() {
     assert!(folder.fails(1, "build c.json --tolerance 1e-15 -o c.csv").contains("[too-many-pieces]"));
     assert!(folder.fails(2, "sample c.json --count 10000001").contains("--count"));
 }
+
+/// A list that several contours share is refused with the contour it does not fit.
+#[test]
+fn shared_lists_name_the_contour() {
+    let table = "contour,x,y\n0,0,0\n0,1,0\n0,2,1\n1,0,5\n1,1,5\n1,2,6\n1,3,9\n";
+    let document = r#"{"cyclide": 1, "objects": {"c": {"type": "moebius-spline", "points": {"csv": "p.csv", "contour": "contour"}, "knots": [0, 1, 2]}}}"#;
+    let folder = Folder::with(&[("p.csv", table), ("d.json", document)]);
+    for command in
+        ["curve p.csv --kind moebius-spline --knots 0,1,2 --contour-column contour -o a.step", "build d.json -o a.step"]
+    {
+        let run = folder.run(command);
+        assert_eq!(run.code, 1, "{command}");
+        assert!(run.stderr.contains("contour 1: ") && run.stderr.contains("[count-differs]"), "{}", run.stderr);
+    }
+}

@@ -39,10 +39,12 @@ pub enum Error {
         place: Option<Box<Diagnostic>>,
     },
     /// The kernel refused an object that was not made from a text.
-    #[error("{object}: {source} [{}]", source.reason())]
+    #[error("{object}: {}{source} [{}]", of_contour(*contour), source.reason())]
     Geometry {
         /// Name of the object.
         object: String,
+        /// The contour, if it has several.
+        contour: Option<usize>,
         /// What the kernel said.
         source: cyclide::Error,
     },
@@ -92,6 +94,11 @@ fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> S
     place.map_or_else(|| format!("cannot read {}: {source}", path.display()), ToString::to_string)
 }
 
+/// The words before what was refused of one contour of several.
+pub(crate) fn of_contour(contour: Option<usize>) -> String {
+    contour.map_or_else(String::new, |contour| format!("contour {contour}: "))
+}
+
 #[cfg(test)]
 mod tests {
     /// What `fn main() -> Result<(), Box<dyn std::error::Error>>` prints.
@@ -105,7 +112,7 @@ mod tests {
         let shown = shown_by_main(frame.clone());
         assert_eq!(shown, format!("{frame} [frame-not-orthonormal]"));
         assert!(!shown.contains('{') && shown.contains('8'), "{shown}");
-        let wrapped = super::Error::Geometry { object: "roof".to_owned(), source: frame.clone() };
+        let wrapped = super::Error::Geometry { object: "roof".to_owned(), contour: None, source: frame.clone() };
         assert_eq!(shown_by_main(wrapped), format!("roof: {frame} [frame-not-orthonormal]"));
     }
 }

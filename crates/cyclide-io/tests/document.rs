@@ -509,8 +509,35 @@ fn maps_that_follow_each_other_are_one_map() {
         invert(invert(p) + cyclide::Vec3::X * 5.0)
     });
     assert!(curve(&image).point(0.0).distance(ends[0]) < 1e-12 && curve(&image).point(1.0).distance(ends[1]) < 1e-12);
-    // Not across a step that is no map.
-    assert_eq!(degree(&mapped_nurbs(&format!(r#"{sphere}, "reverse", {sphere}"#))[1]), 12);
+    // Nor do curves that run backwards, or from start to end, need a second map; the cut of an image is that of another part.
+    for between in [
+        r#""reverse""#,
+        r#"{"cut": {"parameters": [0, 1]}}"#,
+        r#""reverse", {"cut": {"parameters": [0, 1]}}, "reverse""#,
+    ] {
+        let [spline, image] = mapped_nurbs(&format!("{sphere}, {between}, {sphere}"));
+        assert_eq!(degree(&image), 3, "{between}");
+        let backwards = between == r#""reverse""#;
+        for t in [0.0, 0.1, 0.35, 0.7, 1.0] {
+            let own = if backwards { 1.0 - t } else { t };
+            assert!(curve(&image).point(t).distance(curve(&spline).point(own)) < 1e-12, "{between}");
+        }
+    }
+    let cut = r#"{"cut": {"parameters": [0.1, 1]}}"#;
+    assert_eq!(degree(&mapped_nurbs(&format!(r#"{sphere}, {cut}, {sphere}"#))[1]), 12);
+    // The same of objects one from another.
+    let image = |name: &str, of: &str, step: &str| {
+        format!(r#""{name}": {{"type": "transform", "of": "{of}", "steps": [{step}]}}"#)
+    };
+    let text = format!(
+        r#"{{"cyclide": 1, "objects": {{"s": {{"type": "nurbs", "degree": 3, "knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0, 1], [8, 24], [30, 34, 5], [55, 20]]}},
+        {}, {}, {}}}}}"#,
+        image("a", "s", sphere),
+        image("b", "a", r#""reverse""#),
+        image("c", "b", r#"{"translation": [5, 0, 0]}, {"inversion": {"center": [0, 90, 0], "radius": 20}}"#)
+    );
+    let built = Document::parse("m.json", text.as_bytes()).unwrap().build().unwrap();
+    assert_eq!(built.iter().map(degree).collect::<Vec<_>>(), [3, 6, 6, 6]);
 }
 
 #[test]
@@ -565,7 +592,7 @@ fn arcs_of_arcs_are_themselves() {
         );
         let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
         let built = document.build().map_err(|e| e.to_string())?;
-        Ok::<_, String>(built.into_iter().map(|b| b.item.curves()[0].clone()).collect::<Vec<_>>())
+        Ok::<_, String>(built.into_iter().map(|b| (b.item.curves()[0].clone(), b.contours[0].fit)).collect::<Vec<_>>())
     };
     for curve in [
         r#"{"type": "circle", "center": [1, 2, 3], "radius": 4, "normal": [1, 1, 1]}"#,
@@ -575,13 +602,33 @@ fn arcs_of_arcs_are_themselves() {
         for tolerance in ["0.05", "1e-9"] {
             let made = of(curve, &format!(r#""tolerance": {tolerance}"#));
             let made = made.unwrap();
-            assert_eq!(made[0], made[1], "{tolerance}");
+            assert_eq!(made[0].0, made[1].0, "{tolerance}");
+            // It has a sheet like any other fit.
+            let Some(Fitted::Arcs(sheet)) = made[1].1 else { panic!("an arc fit") };
+            assert_eq!((sheet.deviation, sheet.polyline_deviation, sheet.lines), (0.0, 0.0, 0));
+            assert_eq!(sheet.arcs, made[0].0.as_curve().piece_count());
         }
     }
+    // Also arcs in space, none of which can be spared: at once, where a polyline within a tenth of the tolerance has tens of thousands of edges.
+    let point = |k: u32| {
+        let (y, x) = (0.7 * f64::from(k)).sin_cos();
+        format!("[{}, {}, {}]", 10.0 * x, 10.0 * y + f64::from(7 * k % 3), 11 * k % 7)
+    };
+    let points = (0..9).map(point).collect::<Vec<_>>().join(", ");
+    let spatial = format!(r#"{{"type": "arc-spline", "closed": true, "points": [{points}]}}"#);
+    let start = std::time::Instant::now();
+    let made = of(&spatial, r#""tolerance": 1e-7"#).unwrap();
+    assert_eq!(made[0].0, made[1].0);
+    // It took half a minute, and takes a hundredth of a second.
+    assert!(start.elapsed() < std::time::Duration::from_secs(5));
+    // Neighbours of one circle are still one arc.
+    let halves = r#"{"type": "biarc", "from": [1, 0], "to": [-1, 0], "from_tangent": [0, 1], "to_tangent": [0, -1]}"#;
+    let one = of(halves, r#""tolerance": 1e-6"#).unwrap();
+    assert_eq!(one.iter().map(|(curve, _)| curve.as_curve().piece_count()).collect::<Vec<_>>(), [2, 1]);
     let wave: Vec<String> = (0..11).map(|k| format!("[{}, {}]", 10 * k, 8.0 * f64::from(7 * k % 5 - 2))).collect();
     let wave = format!(r#"{{"type": "fair-spline", "points": [{}]}}"#, wave.join(", "));
     let arcs = |effort: &str| {
-        of(&wave, &format!(r#""tolerance": 0.02, "effort": "{effort}""#)).unwrap()[1].as_curve().piece_count()
+        of(&wave, &format!(r#""tolerance": 0.02, "effort": "{effort}""#)).unwrap()[1].0.as_curve().piece_count()
     };
     let [fast, default, best] = ["fast", "default", "best"].map(arcs);
     assert!(best <= default && best <= fast, "{fast} {default} {best}");

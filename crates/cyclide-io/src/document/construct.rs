@@ -131,22 +131,50 @@ pub(super) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
     if !(spec.tolerance > 0.0 && spec.tolerance.is_finite()) {
         return Err(cyclide::Error::ToleranceNotPositive { tolerance: spec.tolerance });
     }
-    if let CurveObject::Arc(_) | CurveObject::Circle(_) = curve {
-        return Ok((curve.clone(), ContourFacts::default(), Vec::new()));
-    }
-    let made = arcs_near(spec, curve);
-    let CurveObject::ArcPath(path) = curve else { return made };
-    let own = path.arcs();
-    let smooth = |pair: [&Arc; 2]| match (pair[0].end_tangent(), pair[1].start_tangent()) {
+    let itself = || -> Made {
+        let fit = FitCertificate::of_itself(curve.as_curve()).map(Fitted::Arcs);
+        Ok((curve.clone(), ContourFacts { fit, ..ContourFacts::default() }, Vec::new()))
+    };
+    let own = match curve {
+        CurveObject::Arc(_) | CurveObject::Circle(_) => return itself(),
+        CurveObject::ArcPath(path) => path.arcs(),
+        _ => return arcs_near(spec, curve),
+    };
+    let closing = curve.as_curve().is_closed().then(|| [&own[own.len() - 1], &own[0]]);
+    let pairs = || own.windows(2).map(|pair| [&pair[0], &pair[1]]).chain(closing);
+    let smooth = |[before, after]: [&Arc; 2]| match (before.end_tangent(), after.start_tangent()) {
         (Some(before), Some(after)) => before.angle(after) <= SMOOTH,
         _ => false,
     };
-    let closing = curve.as_curve().is_closed().then(|| [&own[own.len() - 1], &own[0]]);
-    if !own.windows(2).map(|pair| [&pair[0], &pair[1]]).chain(closing).all(smooth) {
-        return made;
+    if !pairs().all(smooth) {
+        return arcs_near(spec, curve);
     }
+    if !pairs().any(|pair| may_be_one(pair, spec.tolerance)) {
+        return itself();
+    }
+    let made = arcs_near(spec, curve);
     let fewer = matches!(&made, Ok((CurveObject::ArcPath(fitted), ..)) if fitted.arcs().len() < own.len());
-    if fewer { made } else { Ok((curve.clone(), ContourFacts::default(), Vec::new())) }
+    if fewer { made } else { itself() }
+}
+
+/// Places between the middles of neighbours.
+const BETWEEN: u32 = 16;
+/// A circle through three places of neighbours is off by up to this many times as much as the nearest one: that through three even places by 2.25 times,
+/// where distances go as a cubic.
+const OFF_BY: f64 = 4.0;
+
+/// Whether one circle may do for two neighbours between their middles, within the tolerance. With fewer arcs than there are, one does somewhere: joints
+/// that are fewer than these stretches leave one of them without any.
+fn may_be_one([before, after]: [&Arc; 2], tolerance: f64) -> bool {
+    let [first, second] = [before, after].map(|arc| 0.5 * arc.piece_length(0, 0.0, 1.0));
+    let place = |k: u32| {
+        let way = (first + second) * f64::from(k) / f64::from(BETWEEN);
+        if way <= first { before.point(0.5 + 0.5 * way / first) } else { after.point(0.5 * (way - first) / second) }
+    };
+    // Neighbours without an extent to speak of are for the fit.
+    let Ok(one) = Arc::from_three_points(place(0), place(BETWEEN / 2), place(BETWEEN)) else { return true };
+    let off = (0..=BETWEEN).map(|k| one.closest_point(place(k)).distance).fold(0.0, f64::max);
+    !(off > OFF_BY * tolerance)
 }
 
 fn arcs_near(spec: &ArcFitSpec, curve: &CurveObject) -> Made {

@@ -83,3 +83,14 @@ fn several_bodies_move_in_one_animation() {
         assert!(Exporter::new(&other).unwrap().check("m.glb".as_ref(), Format::Glb, &file).is_err());
     }
 }
+
+/// A straight path there and back is a closed curve of two points, and one line in the file.
+#[test]
+fn a_straight_way_there_and_back_is_drawn() {
+    let poses = r#""poses": [{"position": [0, 0]}, {"position": [10, 0]}, {"position": [0, 0]}], "construction": true"#;
+    let model = model(&format!(r#"{}, "t": {{"type": "trajectory", "of": "m"}}"#, motion(poses)));
+    let exporter = Exporter::new(&model).unwrap();
+    let file = exporter.export(Format::Glb, &ExportOptions::default()).unwrap();
+    let report = exporter.check("m.glb".as_ref(), Format::Glb, &file).unwrap();
+    assert!(report.deviation.unwrap() < 1e-5, "{report:?}");
+}

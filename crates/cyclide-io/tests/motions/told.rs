@@ -76,16 +76,20 @@ fn half_and_whole_turns_are_told() {
 /// Motions whose times begin apart play together, and that is said; poses of a curve without frames are told how to get them.
 #[test]
 fn clocks_and_frames_are_told() {
-    let notes = |start: u32| {
+    let notes_of = |starts: [u32; 2]| {
         let body = |name: &str, from: u32| {
             let [a, b] = [from, from + 5].map(|time| format!(r#"{{"position": [{time}, 0], "time": {time}}}"#));
             format!(r#""{name}": {{"type": "motion", "poses": [{a}, {b}]}}"#)
         };
-        let model = crate::model(&format!("{}, {}", body("a", 0), body("b", start)));
+        let model = crate::model(&format!("{}, {}", body("a", starts[0]), body("b", starts[1])));
         let exporter = cyclide_io::Exporter::new(&model).unwrap();
         exporter.export(cyclide_io::Format::Glb, &cyclide_io::ExportOptions::default()).unwrap().notes
     };
+    let notes = |start: u32| notes_of([0, start]);
     assert!(notes(0).is_empty());
+    // Seconds since 1970 have the digits that differ.
+    let [note] = &notes_of([1_700_000_000, 1_700_000_001])[..] else { panic!("one") };
+    assert!(note.contains("a begin at 1700000000 and those of b at 1700000001"), "{note}");
     let [note] = &notes(5)[..] else { panic!("one") };
     assert!(
         note.contains("the times of a begin at 0 and those of b at 5") && note.contains("[clocks-differ]"),

@@ -2,6 +2,13 @@
 
 use super::vector::{Point3, Vec3};
 
+/// Speeds up to this part of the largest of their piece are a stand: of the length of the next derivatives, next to an end.
+pub(crate) const AT_REST: f64 = 1e-9;
+/// Derivatives up to so many roundings of what they are made of may be zero: of products, of sums and of inserted knots.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+/// Derivatives whose directions differ by a smaller sine are parallel: a curve that starts along them from rest is straight there.
+const PARALLEL: f64 = 1e-6;
+
 /// A point of a curve with its first three derivatives.
 ///
 /// ```
@@ -35,6 +42,28 @@ impl CurveJet {
     pub(crate) fn limit_tangent(&self, side: f64) -> Option<Vec3> {
         // x'(s0 + h) = d1 + h d2 + h²/2 d3 with h of the sign of `side`.
         self.d1.unit().or_else(|| (self.d2 * side).unit()).or_else(|| self.d3.unit())
+    }
+
+    /// The jet of an end of a piece without derivatives that are rounding: the first ones vanish that are some roundings of what they are made of,
+    /// coordinates of this `size`, and as good as nothing against those that follow. What is left of them has no direction.
+    pub(crate) fn without_rounding(self, size: f64) -> Self {
+        let rounding = ROUNDINGS * size;
+        let stands = |d: Vec3, next: f64| d.max_abs() <= rounding.min(AT_REST * next);
+        let mut jet = self;
+        if stands(jet.d1, jet.d2.max_abs().max(jet.d3.max_abs())) {
+            jet.d1 = Vec3::ZERO;
+            if stands(jet.d2, jet.d3.max_abs()) {
+                jet.d2 = Vec3::ZERO;
+            }
+        }
+        jet
+    }
+
+    /// Of a jet without speed: whether the curvature next to it has no bound, since the next two derivatives point apart.
+    pub(crate) fn bends_from_rest(&self) -> bool {
+        // A third derivative next to nothing may be rounding: what it bends is next to nothing, too.
+        let third = self.d3 / self.d3.max_abs().max(self.d2.max_abs());
+        self.d2.unit().is_some_and(|second| second.cross(third).length() > PARALLEL)
     }
 
     /// Speed, the length of the first derivative.

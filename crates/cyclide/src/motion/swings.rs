@@ -7,15 +7,18 @@
 use super::dual_quat::DualQuat;
 use super::rational_motion::MotionSpan;
 use crate::base::bernstein;
-use crate::base::vector::Vec3;
+use crate::base::bounds::Aabb;
+use crate::base::vector::{Point3, Vec3};
 use crate::warning::{SwingPart, Warning};
 
 /// Ratios of the speed at an end to that on average above which a cubic need not be monotone.
 const SWINGS: f64 = 3.0;
 /// A part of the motion that is looked at alone swings if it runs beyond its poses by more than this part of the largest step beside it.
 const BEYOND: f64 = 0.02;
-/// Places that run beyond by up to this part of the coordinates are measured ones, with their noise,
+/// Places that run beyond by up to this part of the extent of all poses are measured ones, with their noise,
 const SAME_PLACE: f64 = 1e-4;
+/// or, where they are far from the origin, by so many roundings of their coordinates,
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// and so are turns by up to this, in radians.
 const SAME_TURN: f64 = 1e-3;
 /// Steps up to this part of those beside them are none: there is no average speed.
@@ -48,8 +51,11 @@ impl Swings {
     pub(super) fn of(spans: &[MotionSpan], ground: Ground) -> Option<Self> {
         let places: Vec<Run> = spans.iter().map(|span| Run::of_place(span, ground.unit)).collect();
         let turns: Vec<Run> = spans.iter().map(Run::of_turn).collect();
-        let ends = spans.iter().flat_map(|span| [0.0, 1.0].map(|s| place(span, ground.unit, s) + ground.centre));
-        let least = SAME_PLACE * ends.map(Vec3::max_abs).fold(0.0, f64::max);
+        let ends = spans.iter().flat_map(|span| [0.0, 1.0].map(|s| Point3::ORIGIN + place(span, ground.unit, s)));
+        let least = Aabb::of_points(ends).map_or(0.0, |of_poses| {
+            let coordinates = of_poses.max_abs() + ground.centre.max_abs();
+            SAME_PLACE * (of_poses.max - of_poses.min).max_abs() + ROUNDINGS * coordinates
+        });
         let told = |i: usize| {
             let ways = || [way_of_place(&spans[i], ground.unit), way_of_turn(&spans[i])];
             let ratio = ratio_of_all(&spans[i]);

@@ -3,7 +3,7 @@
 use super::nurbs_curve::NurbsCurve;
 use super::{Polynomial, PolynomialRow};
 use crate::base::bernstein;
-use crate::base::jet::CurveJet;
+use crate::base::jet::{AT_REST, CurveJet};
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
@@ -77,7 +77,7 @@ impl RationalBezier {
     /// Point and derivatives at `t`.
     #[must_use]
     pub fn jet(&self, t: f64) -> CurveJet {
-        jet_of_homogeneous(bernstein::derivatives(&self.rows, t))
+        jet_of_rows(&self.rows, t)
     }
 
     /// Both parts of the curve cut at `t`.
@@ -151,6 +151,25 @@ pub(super) fn moved_row(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize) ->
     }
     let p = image(Point3::new(x / w, y / w, z / w))?;
     Ok([p.x * w, p.y * w, p.z * w, w])
+}
+
+/// The jet at `s` of homogeneous Bézier rows. At an end where they stand but for rounding it has no derivative.
+pub(super) fn jet_of_rows(rows: &[[f64; 4]], s: f64) -> CurveJet {
+    let jet = jet_of_homogeneous(bernstein::derivatives(rows, s));
+    let last = rows.len() - 1;
+    let (end, beside) = match s {
+        s if s <= 0.0 => (0, 1),
+        s if s >= 1.0 => (last, last - 1),
+        _ => return jet,
+    };
+    // Most curves run at a speed, and need not be measured.
+    if jet.d1.max_abs() > AT_REST * jet.d2.max_abs().max(jet.d3.max_abs()) {
+        return jet;
+    }
+    let size = |[x, y, z, w]: &[f64; 4]| if *w == 0.0 { 0.0 } else { (Vec3::new(*x, *y, *z) / *w).max_abs() };
+    let largest = rows.iter().map(size).fold(0.0, f64::max);
+    let uneven = (rows[beside][3] / rows[end][3]).abs().max(1.0);
+    jet.without_rounding(largest * uneven * last as f64)
 }
 
 /// The affine jet of homogeneous derivatives `[wx, wy, wz, w]` of orders 0 to 3 (quotient rule).

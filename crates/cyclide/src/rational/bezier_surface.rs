@@ -4,6 +4,7 @@ use super::bezier_curve::{RationalBezier, moved_row};
 use crate::base::bernstein;
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
+use crate::base::jet::AT_REST;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
@@ -134,9 +135,13 @@ impl RationalBezierSurface {
         // Of a derivative that vanishes on a side, what it is next to it: it grows with the way from the side.
         let inward = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
         let zero = VANISHED * ds.max_abs().max(dt.max_abs()) + ROUNDING * point.to_vec().max_abs();
+        // Where all of the side stands, as that of a sweep at rest, it grows with the way across the side.
+        let grows = |across: Vec3, along: Vec3| {
+            if across.max_abs() <= AT_REST * along.max_abs() { along } else { across }
+        };
         let (a, b) = match (ds.max_abs() <= zero, dt.max_abs() <= zero) {
-            (true, false) => (dst * inward(t), dt),
-            (false, true) => (ds, dst * inward(s)),
+            (true, false) => (grows(dst * inward(t), dss * inward(s)), dt),
+            (false, true) => (ds, grows(dst * inward(s), dtt * inward(t))),
             _ => (ds, dt),
         };
         let Some((a, b)) = a.unit().zip(b.unit()) else { return Vec3::default() };

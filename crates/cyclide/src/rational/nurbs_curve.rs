@@ -1,6 +1,6 @@
 //! Clamped rational B-spline curves with positive weights: the exact form that leaves the kernel.
 
-use super::bezier_curve::{RationalBezier, jet_of_homogeneous};
+use super::bezier_curve::{RationalBezier, jet_of_rows};
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -241,7 +241,7 @@ impl NurbsCurve {
     /// If there is no such span.
     #[must_use]
     pub fn span_jet(&self, span: usize, s: f64) -> CurveJet {
-        jet_of_homogeneous(bernstein::derivatives(self.span_rows(span), s))
+        jet_of_rows(self.span_rows(span), s)
     }
 
     /// First derivative of a knot span by its own parameter in `[0, 1]`.

@@ -11,6 +11,7 @@ mod jets;
 mod planar;
 mod refusals;
 mod rounded;
+mod stands;
 mod swept;
 mod timing;
 mod told;

@@ -244,10 +244,11 @@ fn plain_motions_do_not_swing() {
         });
         assert_eq!(spline(round.collect()), [], "{arm}");
     }
-    // A turn on the spot measured to a hundredth of a millimetre, and a slide measured to a thousandth of a radian.
+    // A slide that comes to a stand and turns there, measured to a hundredth of a millimetre, and a slide measured to a thousandth of a radian.
     let noise = |k: usize, i: usize| (((k * 7919 + i * 104_729) % 997) as f64 / 498.0) - 1.0;
     let measured = (0..30).map(|k| {
-        let place = Vec3::new(500.0, 300.0, 0.0) + Vec3::new(noise(k, 1), noise(k, 2), noise(k, 3)) * 0.01;
+        let place = Vec3::new(500.0 - 200.0 * (-0.5 * k as f64).exp(), 300.0, 0.0)
+            + Vec3::new(noise(k, 1), noise(k, 2), noise(k, 3)) * 0.01;
         pose(k as f64, about(Vec3::Z, 0.2 * k as f64), place)
     });
     assert_eq!(spline(measured.collect()), []);
@@ -282,6 +283,24 @@ fn a_limit_that_is_kept_is_kept_in_spite_of_rounding() {
             assert_eq!(schedule.faster_than(SpeedKind::Tool, speed), [], "{speed}");
             let [all] = schedule.faster_than(SpeedKind::Tool, speed * (1.0 - 1e-9))[..] else { panic!("{speed}") };
             assert!(all.from <= 0.0 && (all.to - body.duration()).abs() <= 1e-12 * all.to, "{all:?}");
+        }
+    }
+}
+
+/// What runs beyond its poses is told wherever it is: by the extent of the poses, not by the way to the origin.
+#[test]
+fn swings_are_told_wherever_the_origin_is() {
+    for step in [1e-3, 0.1, 1.0] {
+        let told = |far: Vec3| {
+            let places = [0.0, 100.0, 100.0 + step, 200.0].into_iter().zip(0..);
+            let poses = places.map(|(x, time)| TimedPose {
+                time: f64::from(time),
+                pose: Pose::new(Quat::ONE, far + Vec3::X * x).unwrap(),
+            });
+            RationalMotion::spline(&poses.collect::<Vec<_>>()).unwrap().warnings()
+        };
+        for far in [Vec3::ZERO, Vec3::new(1e3, 0.0, 0.0), Vec3::new(0.0, 1e5, 1e5), Vec3::new(5e6, 4e5, 0.0)] {
+            let [Warning::MotionSwings { span: 1, count: 1, .. }] = told(far)[..] else { panic!("{step} {far:?}") };
         }
     }
 }

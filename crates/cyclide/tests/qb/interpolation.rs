@@ -219,3 +219,28 @@ fn what_turns_right_back_is_said() {
         }
     }
 }
+
+/// Ends with velocities of zero are at rest, to rounding. Through three points the curve is their circle, run unevenly, also next to the ends; through
+/// more it bends there without bound.
+#[test]
+fn ends_at_rest_are_measured_by_their_limits() {
+    let node = |parameter: f64, point: [f64; 3], rests: bool| QbNode {
+        parameter,
+        point: Point3::from(point),
+        derivatives: if rests { vec![Vec3::ZERO] } else { Vec::new() },
+    };
+    let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 1.0], [3.0, 1.0, 1.5]];
+    let curve = |nodes: &[QbNode]| QbInterpolation::through_nodes(nodes).unwrap().curve().clone();
+    let circle = curve(&[node(0.0, a, true), node(0.47, b, false), node(1.0, c, true)]);
+    for t in [0.0, 1.0] {
+        assert!(circle.jet(t).tangent().is_none(), "{t}");
+    }
+    // A right angle at the point in the middle: the other two are a diameter apart.
+    assert!((cyclide::extreme_curvature(&circle).max - 2.0 / 5_f64.sqrt()).abs() < 1e-7);
+    let measured = cyclide::fairness(&circle);
+    assert!(measured.cusps == 0 && measured.variation.is_some_and(|variation| variation < 1e-6), "{measured:?}");
+    let bent = curve(&[node(0.0, a, false), node(0.3, b, false), node(0.7, c, false), node(1.0, d, true)]);
+    assert!(bent.jet(1.0).tangent().is_none());
+    let most = cyclide::extreme_curvature(&bent);
+    assert!(most.max.is_infinite() && (most.t - 1.0).abs() < 1e-12);
+}

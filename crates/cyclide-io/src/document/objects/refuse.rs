@@ -12,7 +12,7 @@ use crate::document::locate::{Step, path_text, span_of};
 use crate::document::spec::{
     ArcSpec, ContactBlendSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec,
 };
-use crate::error::Error;
+use crate::error::{Error, of_contour};
 use crate::text::place::Source;
 
 /// The value of an object that an error is about.
@@ -89,7 +89,7 @@ impl Builder<'_> {
     /// The message for what the kernel said about the value at a path below the object.
     pub(super) fn refused_at(&self, steps: impl IntoIterator<Item = Step>, error: &cyclide::Error) -> Error {
         if self.document.text.is_empty() {
-            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+            return Error::Geometry { object: self.name.to_owned(), contour: None, source: error.clone() };
         }
         self.refused_in_words(steps, error.reason(), error.to_string())
     }
@@ -124,12 +124,15 @@ impl Builder<'_> {
             let message = source.diagnostic(start..start + width, &path_text(&path), self.words(error, contour));
             return Error::Input(message.with_reason(error.reason()));
         }
+        let of_several = from.and_then(|(points, contour)| (points.lists.len() > 1).then_some(contour));
         let document = &self.document.text;
         if document.is_empty() {
-            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+            return Error::Geometry { object: self.name.to_owned(), contour: of_several, source: error.clone() };
         }
         let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true, .. });
         let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(p.steps(c, k)));
+        // A value that all contours share does not tell which of them it does not fit.
+        let shared = matches!(blame, Blame::Field(_) | Blame::Entry(..));
         let candidates = match blame {
             Blame::Field(field) => vec![self.path([field.into()])],
             Blame::FieldOfEntry(list, k, field) => {
@@ -152,11 +155,14 @@ impl Builder<'_> {
             Blame::Object => in_points(None).into_iter().collect(),
         };
         let place = |p: &Vec<Step>| span_of(document, p).map(|span| (p.clone(), span));
+        let own_entry =
+            matches!(blame, Blame::Entry(..)) && candidates.first().is_some_and(|first| place(first).is_some());
         let (path, span) = candidates.iter().find_map(place).unwrap_or_else(|| {
             let start = span_of(document, &path).map_or(0, |s| s.start);
             (path, start..start + 1)
         });
         let words = self.words(error, from.map_or(0, |(_, contour)| contour));
+        let words = of_contour(of_several.filter(|_| shared && !own_entry)) + &words;
         let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
     }

@@ -38,12 +38,14 @@ impl Builder<'_> {
         let kept = if of_circles { OF_CIRCLE_SPLINES } else { OF_CURVES };
         let mut curves = curves.to_vec();
         for run in runs(&spec.steps) {
-            before = Unmapped::of_run(before, &curves, &spec.steps[run.clone()]);
+            let steps = &spec.steps[run.clone()];
+            before = Unmapped::of_run(before, &curves, steps);
             // Each map that is no similarity doubles the degree of a rational curve, all of them together double it once, or not at all.
-            let at_once =
-                before.as_ref().filter(|before| before.inversions > 1).and_then(|Unmapped { curves, map, .. }| {
+            let at_once = before.as_ref().filter(|before| before.inversions > 1 && steps.iter().all(is_map)).and_then(
+                |Unmapped { curves, map, .. }| {
                     curves.iter().map(|curve| image_of_curve(curve, map)).collect::<cyclide::Result<Vec<_>>>().ok()
-                });
+                },
+            );
             curves = match at_once {
                 Some(images) => images,
                 None => self.mapped(spec, run, &curves, image, kept)?,
@@ -210,16 +212,31 @@ fn is_map(step: &StepSpec) -> bool {
 }
 
 impl Unmapped {
-    /// With a run of maps after it, from these curves if there is none before. `None` of other runs, and where a step is no map.
+    /// With a run of maps after it, from these curves if there is none before, or with a run that is the same before and after a map: curves run
+    /// backwards, or kept from their start to their end. `None` of other cuts, whose places a map moves, and where a step is no map.
     fn of_run(before: Option<Self>, curves: &[CurveObject], run: &[StepSpec]) -> Option<Self> {
         if !run.iter().all(is_map) {
-            return None;
+            let Self { curves, map, inversions } = before?;
+            let curves =
+                curves.iter().map(|curve| run.iter().try_fold(curve.clone(), unmoved)).collect::<Option<_>>()?;
+            return Some(Self { curves, map, inversions });
         }
         let maps: Vec<Mobius> = run.iter().map(|step| map_of(step).ok()).collect::<Option<_>>()?;
         let start = || Self { curves: curves.to_vec(), map: Mobius::IDENTITY, inversions: 0 };
         let Self { curves, map, inversions } = before.unwrap_or_else(start);
         let inversions = inversions + maps.iter().filter(|map| !map.is_similarity()).count();
         Some(Self { curves, map: maps.iter().fold(map, |before, map| map.after(&before)), inversions })
+    }
+}
+
+/// A curve after a step that is the same before and after a map, if it is one.
+fn unmoved(curve: CurveObject, step: &StepSpec) -> Option<CurveObject> {
+    match step {
+        StepSpec::Reverse => Some(curve.reversed()),
+        StepSpec::Cut(CutSpec::Parameters([from, to])) if *from <= 0.0 && *to >= 1.0 => {
+            curve.restricted(*from, *to).ok()
+        }
+        _ => None,
     }
 }
 

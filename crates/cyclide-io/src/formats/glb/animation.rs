@@ -100,11 +100,14 @@ pub(super) fn other_clocks(model: &Model) -> Option<String> {
     let starts = || model.items.iter().filter_map(|item| Some((&item.name, item.motion()?.motion().domain()[0])));
     let (first, start) = starts().next()?;
     let (other, later) = starts().find(|(_, other)| (other - start).abs() > 0.0)?;
+    // Times since a year long ago differ in digits that are not short.
+    let [mut one, mut two] = [start, later].map(|time| ShortNumber(time).to_string());
+    if one == two {
+        [one, two] = [start, later].map(|time| format!("{:#}", ShortNumber(time)));
+    }
     Some(format!(
-        "all motions play from the start of the animation: the times of {first} begin at {} and those of {other} at {}, and a body that is to wait for the other has its \
-         first pose twice, at both times [clocks-differ]",
-        ShortNumber(start),
-        ShortNumber(later)
+        "all motions play from the start of the animation: the times of {first} begin at {one} and those of {other} at {two}, and a body that is to wait for the other has its \
+         first pose twice, at both times [clocks-differ]"
     ))
 }
 

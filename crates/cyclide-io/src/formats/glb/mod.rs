@@ -285,7 +285,8 @@ impl File {
         }
         let promise = Promise::of_polyline(contour.curve.as_curve(), job.tolerance + rounding.moved);
         self.written.curves.push(promise.of(between(&vertices).recounted(segments)));
-        if points.len() < if closed { 3 } else { 2 } {
+        // Two of a closed curve are there and back.
+        if points.len() < 2 {
             let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
             return Err(ExportError::NotInFormat { object, format: "GLB", detail });
         }

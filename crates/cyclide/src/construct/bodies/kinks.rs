@@ -41,10 +41,8 @@ pub(super) fn kinks(rails: [&[EdgeCurve]; 2], closed: bool, body: &Body, starts:
 fn is_smooth(rails: [&[EdgeCurve]; 2], closed: bool, joint: usize) -> bool {
     rails.into_iter().all(|rail| {
         let before = if joint > 0 { Some(joint - 1) } else { closed.then(|| rail.len() - 1) };
-        let tangents = before.map(|before| [rail[before].piece_jet(0, 1.0), rail[joint].piece_jet(0, 0.0)]);
-        tangents.is_some_and(|jets| {
-            let [from, to] = jets.map(|jet| jet.d1);
-            from.cross(to).length().atan2(from.dot(to)) <= SMOOTH
-        })
+        let from = before.and_then(|before| rail[before].piece_jet(0, 1.0).limit_tangent(-1.0));
+        let to = rail[joint].piece_jet(0, 0.0).limit_tangent(1.0);
+        from.zip(to).is_some_and(|(from, to)| from.angle(to) <= SMOOTH)
     })
 }

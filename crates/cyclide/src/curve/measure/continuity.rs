@@ -1,7 +1,6 @@
 //! Continuity at the joints of a curve, measured.
 
-use crate::base::jet::CurveJet;
-use crate::base::vector::Vec3;
+use super::rest::limit_curvature;
 use crate::curve::ParamCurve;
 
 /// How two consecutive pieces meet.
@@ -67,17 +66,11 @@ pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
             // Not reached: only pieces with directions are listed.
             _ => 0.0,
         };
-        let curvature_jump = match (limit_curvature(&before), limit_curvature(&after)) {
+        let curvature_jump = match (limit_curvature(curve, piece, 1.0), limit_curvature(curve, next, 0.0)) {
             (Some(a), Some(b)) => (b - a).length(),
             _ => f64::INFINITY,
         };
         Joint { piece, next, gap, angle, curvature_jump }
     };
     inner.chain(closing).map(measure).collect()
-}
-
-/// The curvature vector, or its limit where the speed vanishes: zero if the next two derivatives are parallel, else
-/// infinite (`None`).
-fn limit_curvature(jet: &CurveJet) -> Option<Vec3> {
-    jet.curvature_vector().or_else(|| (jet.d2.cross(jet.d3).max_abs() == 0.0).then_some(Vec3::ZERO))
 }

@@ -2,6 +2,7 @@
 
 use super::cusps::{may_have_cusp, place_of_cusp};
 use super::maximum::maximum;
+use super::rest::place_of_curvature;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
@@ -47,7 +48,7 @@ pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
             PieceForm::Free => {
                 let (mut cusp, mut speeds) = (None, Vec::new());
                 let found = maximum(&mut |s| {
-                    let jet = curve.piece_jet(piece, s);
+                    let jet = curve.piece_jet(piece, place_of_curvature(curve, piece, s));
                     speeds.push(jet.speed());
                     let (value, slope) = curvature_and_slope(&jet);
                     if value.is_finite() {
@@ -75,7 +76,7 @@ pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
 /// With `C = x' × x''`: `k = |C|/|x'|³`, `k' = k (C·(x' × x''')/|C|² - 3 x'·x''/|x'|²)`.
 pub(super) fn curvature_and_slope(jet: &CurveJet) -> (f64, f64) {
     let Some(curvature) = jet.curvature() else {
-        return (if jet.d2.cross(jet.d3).max_abs() > 0.0 { f64::INFINITY } else { 0.0 }, 0.0);
+        return (if jet.bends_from_rest() { f64::INFINITY } else { 0.0 }, 0.0);
     };
     // Scaled so that the squares neither overflow nor vanish.
     let scale = jet.d1.max_abs();

@@ -4,6 +4,7 @@
 //! is searched by sections in the golden ratio; it is a cusp if hardly a speed is left there and the tangents on both sides point against each other.
 
 use crate::base::golden_section::GoldenSection;
+use crate::base::jet::AT_REST;
 use crate::base::quadrature;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve;
@@ -18,8 +19,6 @@ const BESIDE: f64 = 1e-3;
 const LEAST_STEP: f64 = 1e-6;
 /// A place at which this part of the speed beside it is left has none.
 const NO_SPEED: f64 = 1e-6;
-/// Speeds up to this part of the largest of their piece vanish at a joint.
-const AT_JOINT: f64 = 1e-9;
 /// Tangents at a joint that differ by more than this, in radians, are a corner.
 const CORNER: f64 = 1e-6;
 /// A curvature that is so many times as large ten times nearer to an end grows without bound: as the root of the distance falls, it is 3.2 times.
@@ -128,7 +127,8 @@ impl OfPiece {
         let ends = [[0, 1], [places.len() - 1, places.len() - 2]].map(|[end, next]| {
             let inside = places[end] + BESIDE * (places[next] - places[end]);
             let way = curve.piece_jet(piece, inside).d1.unit();
-            End { stands: speeds[end] <= AT_JOINT * largest, way }
+            let stands = speeds[end] <= AT_REST * largest || curve.piece_jet(piece, places[end]).tangent().is_none();
+            End { stands, way }
         });
         let mut inside: Vec<(f64, f64)> = Vec::new();
         for k in 1..places.len() - 1 {

@@ -1,5 +1,6 @@
 //! The bending energy of a curve.
 
+use super::rest::place_of_curvature;
 use crate::base::quadrature::integrate;
 use crate::curve::{ParamCurve, PieceForm};
 
@@ -29,13 +30,13 @@ fn energy_of_piece(curve: &dyn ParamCurve, piece: usize) -> f64 {
         PieceForm::Free => {
             let is_cusp = |s: f64| {
                 let jet = curve.piece_jet(piece, s);
-                jet.curvature().is_none_or(|k| !k.is_finite()) && jet.d2.cross(jet.d3).max_abs() > 0.0
+                jet.curvature().is_none_or(|k| !k.is_finite()) && jet.bends_from_rest()
             };
             if (0..=SCAN).any(|i| is_cusp(f64::from(i) / f64::from(SCAN))) {
                 return f64::INFINITY;
             }
             let density = &mut |s: f64| {
-                let jet = curve.piece_jet(piece, s);
+                let jet = curve.piece_jet(piece, place_of_curvature(curve, piece, s));
                 let value = jet.curvature().map_or(0.0, |k| k * k * jet.speed());
                 if value.is_finite() { value } else { 0.0 }
             };

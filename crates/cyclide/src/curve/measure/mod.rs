@@ -14,6 +14,7 @@ mod fairness;
 mod farthest;
 mod length;
 mod maximum;
+mod rest;
 mod tight;
 
 pub use bounds::bounds;

@@ -6,6 +6,7 @@ use super::cusps::cusps;
 use super::fairness::CORNER_ANGLE;
 use super::length::ArcLength;
 use super::maximum::maximum;
+use super::rest::place_of_curvature;
 use crate::base::golden_section::GoldenSection;
 use crate::base::roots::bracketed;
 use crate::base::vector::Point3;
@@ -142,7 +143,7 @@ fn parts_of_piece(curve: &dyn ParamCurve, piece: usize, limit: f64) -> Vec<Part>
 }
 
 fn parts_of_free_piece(curve: &dyn ParamCurve, piece: usize, limit: f64) -> Vec<Part> {
-    let measured = |s: f64| curvature_and_slope(&curve.piece_jet(piece, s));
+    let measured = |s: f64| curvature_and_slope(&curve.piece_jet(piece, place_of_curvature(curve, piece, s)));
     let finite = |(value, slope): (f64, f64)| if value.is_finite() { (value, slope) } else { (f64::MAX.sqrt(), 0.0) };
     let (peak, _) = maximum(&mut |s| finite(measured(s)));
     let mut grid: Vec<f64> = (0..=INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS)).collect();

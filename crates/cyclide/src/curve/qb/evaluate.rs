@@ -25,7 +25,12 @@ impl QbCurve {
         let c2 = (n[2] - c0 * d[2] - c1 * d[1] * 2.0) * inverse;
         let c3 = (n[3] - c0 * d[3] - (c1 * d[2] + c2 * d[1]) * 3.0) * inverse;
         let point = self.end_at(t).unwrap_or_else(|| self.origin + c0.vector());
-        CurveJet { point, d1: c1.vector(), d2: c2.vector(), d3: c3.vector() }
+        let jet = CurveJet { point, d1: c1.vector(), d2: c2.vector(), d3: c3.vector() };
+        if t > 0.0 && t < 1.0 {
+            return jet;
+        }
+        let size = self.origin.to_vec().max_abs().max((point - self.origin).max_abs());
+        jet.without_rounding((size + jet.d2.max_abs()) * self.degree() as f64)
     }
 
     /// The derivatives of the orders 1 to `count` at `t`, by `t`.

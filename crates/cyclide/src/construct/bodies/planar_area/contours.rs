@@ -189,7 +189,7 @@ fn cut(side: &Side, at: f64) -> Result<[Side; 2]> {
 /// Whether two curves leave the joint between them next to each other.
 fn is_cusp(plane: &Plane, arriving: &EdgeCurve, leaving: &EdgeCurve) -> bool {
     let direction = |curve: &EdgeCurve| {
-        let d = curve.piece_jet(0, 0.0).d1;
+        let d = curve.piece_jet(0, 0.0).limit_tangent(1.0).unwrap_or_default();
         Vec2::new(d.dot(plane.axes[0]), d.dot(plane.axes[1])).unit()
     };
     let directions = direction(&arriving.reversed()).zip(direction(leaving));

@@ -19,10 +19,11 @@ const ROUND: f64 = 1e-6;
 /// twice, or has no normal.
 pub(super) fn is_flat(turn: &Revolution, pieces: &[EdgeCurve], rounding: Option<f64>) -> Result<bool> {
     let at = |k: u32| f64::from(k) / f64::from(PLACES);
-    let jets =
-        || pieces.iter().enumerate().flat_map(|(i, piece)| (0..=PLACES).map(move |k| (i, piece.piece_jet(0, at(k)))));
+    let jets = || {
+        pieces.iter().enumerate().flat_map(|(i, piece)| (0..=PLACES).map(move |k| (i, k, piece.piece_jet(0, at(k)))))
+    };
     let [mut low, mut high, mut farthest] = [f64::INFINITY, f64::NEG_INFINITY, 0.0_f64];
-    for (_, jet) in jets() {
+    for (_, _, jet) in jets() {
         let height = turn.height(jet.point);
         (low, high) = (low.min(height), high.max(height));
         farthest = farthest.max(turn.way_off_axis(jet.point).length());
@@ -31,12 +32,14 @@ pub(super) fn is_flat(turn: &Revolution, pieces: &[EdgeCurve], rounding: Option<
         return Ok(false);
     }
     let mut outwards: Option<bool> = None;
-    for (piece, jet) in jets() {
+    for (piece, k, jet) in jets() {
         let way = turn.way_off_axis(jet.point);
         let distance = way.length();
         let Some(along) = way.unit().filter(|_| distance > FLAT * farthest) else { continue };
-        let grows = jet.d1.dot(along);
-        let round = !(grows.abs() > ROUND * jet.d1.length());
+        // A piece that starts or ends at rest goes on in a direction of its own.
+        let side = if k < PLACES { 1.0 } else { -1.0 };
+        let grows = jet.limit_tangent(side).unwrap_or_default().dot(along);
+        let round = !(grows.abs() > ROUND);
         if round || *outwards.get_or_insert(grows > 0.0) != (grows > 0.0) {
             return Err(Error::FoldedProfile { piece, distance });
         }

@@ -11,7 +11,7 @@ use super::options::FitTarget;
 use super::piece::{Piece, Place, Span};
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, ClosestPoint, ParamCurve};
+use crate::curve::{Arc, ClosestPoint, ParamCurve, PieceForm, joints};
 use std::f64::consts::PI;
 
 /// Feet may step back by this much of an arc's parameter: rounding at joints.
@@ -57,6 +57,47 @@ pub struct FitCertificate {
 }
 
 impl FitCertificate {
+    /// That of a curve of arcs and segments, or of a circle, which stands for itself: it is off by nothing. `None` of any other.
+    ///
+    /// ```
+    /// use cyclide::{Arc, FitCertificate, Point3};
+    /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+    /// let sheet = FitCertificate::of_itself(&Arc::from_three_points(a, b, c)?).expect("it is an arc");
+    /// assert!(sheet.deviation == 0.0 && sheet.arcs == 1 && (sheet.turning - std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn of_itself(curve: &dyn ParamCurve) -> Option<Self> {
+        let (mut arcs, mut lines, mut turning) = (0, 0, 0.0);
+        for piece in 0..curve.piece_count() {
+            match curve.piece_form(piece) {
+                PieceForm::Arc(arc) if arc.is_straight() => lines += 1,
+                PieceForm::Arc(arc) => {
+                    arcs += 1;
+                    turning += arc.curvature() * curve.piece_length(piece, 0.0, 1.0);
+                }
+                PieceForm::Circle(_) => {
+                    arcs += 1;
+                    turning += 2.0 * PI;
+                }
+                PieceForm::Free => return None,
+            }
+        }
+        let max_kink = joints(curve).iter().map(|joint| joint.angle).fold(0.0, f64::max);
+        Some(Self {
+            deviation: 0.0,
+            vertex_deviation: 0.0,
+            polyline_deviation: 0.0,
+            monotone: true,
+            max_kink,
+            turning,
+            turning_limit: turning,
+            arcs,
+            lines,
+            worst: 0,
+        })
+    }
+
     /// Turning over its limit; negative within it.
     pub(super) fn excess_turning(&self) -> f64 {
         self.turning - self.turning_limit

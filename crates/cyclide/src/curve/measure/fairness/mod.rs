@@ -180,8 +180,8 @@ fn runs(pieces: &[Piece], largest: f64, closed: bool) -> (Vec<Run>, Fairness) {
 }
 
 fn meeting(before: &Piece, after: &Piece, largest: f64) -> Meeting {
-    let floor = before.rounding().max(after.rounding()).max(NOISE * largest);
     let (a, b) = (before.end(), after.start());
+    let floor = before.rounding().max(after.rounding()).max(NOISE * largest).max(a.noise).max(b.noise);
     let gap = a.point.distance(b.point);
     if gap > 1e-9 * before.chord().min(after.chord()) || a.tangent.angle(b.tangent) > CORNER_ANGLE {
         Meeting::Corner

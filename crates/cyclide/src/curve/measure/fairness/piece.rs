@@ -1,6 +1,7 @@
 //! The curvature along one smooth piece, in units of the curve's length.
 
 use super::super::cusps::{may_have_cusp, place_of_cusp};
+use super::super::rest::{limit_curvature, place_of_curvature};
 use super::{NOISE, Swing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -14,6 +15,8 @@ const DEPTH: u32 = 12;
 const CUBIC_LIMIT: f64 = 0.02;
 /// Disagreement of two rules for the variation, relative to the piece's own or the mean one.
 const AGREEMENT: f64 = 1e-4;
+/// Curvatures at a stand are those of a place beside: off by up to this part of themselves, or of one over the length of the curve.
+const KNOWN_AT_REST: f64 = 1e-5;
 /// Rounding of a node by this part of the coordinates.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -43,6 +46,8 @@ pub(super) struct End {
     pub(super) tangent: Vec3,
     /// Curvature vector.
     pub(super) curvature: Vec3,
+    /// What the curvature may be off by where the piece stands.
+    pub(super) noise: f64,
 }
 
 /// A piece with the samples of its curvature.
@@ -137,12 +142,14 @@ impl Measure<'_> {
         let size = first.point.to_vec().max_abs().max(last.point.to_vec().max_abs());
         let off = 1.0 + size / chord;
         let rounding = ROUNDING * off * (self.length / chord);
-        let end = |jet: &CurveJet| {
-            let curvature = jet.curvature_vector().filter(|k| k.is_finite())? * self.length;
-            Some(End { point: jet.point, tangent: jet.tangent()?, curvature })
+        let end = |jet: &CurveJet, end: f64| {
+            let curvature = limit_curvature(self.curve, index, end).filter(|k| k.is_finite())? * self.length;
+            let rests = jet.tangent().is_none();
+            let noise = if rests { KNOWN_AT_REST * (1.0 + curvature.length()) } else { 0.0 };
+            Some(End { point: jet.point, tangent: jet.limit_tangent(1.0 - 2.0 * end)?, curvature, noise })
         };
-        let (Some(start), Some(stop)) = (end(&first), end(&last)) else {
-            let end = |jet: &CurveJet| End { point: jet.point, tangent: Vec3::ZERO, curvature: Vec3::ZERO };
+        let (Some(start), Some(stop)) = (end(&first, 0.0), end(&last, 1.0)) else {
+            let end = |jet: &CurveJet| End { point: jet.point, tangent: Vec3::ZERO, curvature: Vec3::ZERO, noise: 0.0 };
             return Some(Piece { index, ends: [end(&first), end(&last)], chord, rounding, form: Form::Cusp });
         };
         let form = match self.curve.piece_form(index) {
@@ -195,7 +202,7 @@ impl Measure<'_> {
     }
 
     fn at(&self, index: usize, s: f64) -> Bend {
-        self.bend(&self.curve.piece_jet(index, s))
+        self.bend(&self.curve.piece_jet(index, place_of_curvature(self.curve, index, s)))
     }
 
     /// Curvature and its derivative from a jet. With `a = n·(x' × x'')`, `b = n·(x' × x''')` and `v = |x'|`:
