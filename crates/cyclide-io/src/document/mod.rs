@@ -44,15 +44,15 @@ pub use spec::{
     CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclideGridSpec,
     CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
     FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr,
-    GradedCellsSpec, GridSource, LaidGrid, LayersSpec, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec,
-    ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec,
-    PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec, QbInterpolationSpec, RadiiSpec,
-    RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
-    SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec,
-    TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
-    TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec,
-    TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
+    GradedCellsSpec, GridSource, HeightsSpec, LaidGrid, LayersSpec, MakeCircularOptions, MakeCircularSpec, MeshFile,
+    MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec,
+    OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec,
+    QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec,
+    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
 };
 
 /// The document version this crate reads.
@@ -153,13 +153,15 @@ fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     Err(source.diagnostic(start..start + text.len(), "cyclide", message))
 }
 
-/// Refuses `null`, which the parser takes for a field left out: nothing of a document may be null.
+/// Refuses fields that are `null`, which the parser takes for fields left out. Of entries of lists it knows which ones may be null.
 fn check_no_null(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     let (mut quoted, mut escaped) = (false, false);
+    // Whether the value of a field comes next.
+    let mut field = false;
     for (at, byte) in source.text.bytes().enumerate() {
         match byte {
             b'"' if !escaped => quoted = !quoted,
-            b'n' if !quoted && source.text[at..].starts_with("null") => {
+            b'n' if !quoted && field && source.text[at..].starts_with("null") => {
                 let (steps, span) = value_at(source.text, &[], at);
                 let message = "null is no value here: leave the field out";
                 return Err(source.diagnostic(span, &path_text(&steps), message));
@@ -167,6 +169,7 @@ fn check_no_null(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
             _ => {}
         }
         escaped = quoted && byte == b'\\' && !escaped;
+        field = !quoted && (byte == b':' || field && byte.is_ascii_whitespace());
     }
     Ok(())
 }

@@ -12,6 +12,8 @@ mod patches;
 mod pipes;
 #[cfg(feature = "circular-mesh")]
 mod principal_grids;
+#[cfg(feature = "circular-mesh")]
+mod principal_sources;
 mod rails;
 mod refusals;
 mod revolutions;

@@ -7,7 +7,7 @@ use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectRepo
 
 const COUNT: usize = 17;
 /// A net over the largest grid.
-const NET: &str = r#""n": {"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true}"#;
+pub(super) const NET: &str = r#""n": {"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true}"#;
 
 /// A hypar along its straight lines: vertices in half units, and quads.
 fn hypar() -> (Vec<[f64; 3]>, Vec<[usize; 4]>) {
@@ -22,7 +22,7 @@ fn inline() -> String {
     format!(r#""vertices": {vertices:?}, "faces": {faces:?}"#)
 }
 
-fn obj() -> Vec<u8> {
+pub(super) fn obj() -> Vec<u8> {
     let (vertices, faces) = hypar();
     let mut text = String::new();
     vertices.iter().for_each(|[x, y, z]| writeln!(text, "v {x} {y} {z}").unwrap());
@@ -58,17 +58,27 @@ fn ply() -> Vec<u8> {
 
 /// Builds all objects: a grid `g` with these fields, and others.
 fn build_all(fields: &str, others: &[&str], hears: &mut dyn FnMut(String)) -> Result<Vec<BuiltObject>, String> {
-    let grid = format!(r#""g": {{"type": "principal-grid", {fields}}}"#);
-    let objects: Vec<&str> = std::iter::once(grid.as_str()).chain(others.iter().copied()).collect();
-    let text = format!("{{\"cyclide\": 1, \"objects\": {{\n{}\n}} }}", objects.join(",\n"));
-    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
     let read = |path: &Path| match path.to_str() {
         Some("a.obj") => Ok(obj()),
         Some("a.stl") => Ok(stl()),
         Some("a.ply") => Ok(ply()),
         _ => Err(std::io::ErrorKind::NotFound.into()),
     };
-    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
+    build_reading(fields, others, &read, hears)
+}
+
+/// As [`build_all`], of other files.
+pub(super) fn build_reading(
+    fields: &str,
+    others: &[&str],
+    read: &dyn Fn(&Path) -> std::io::Result<Vec<u8>>,
+    hears: &mut dyn FnMut(String),
+) -> Result<Vec<BuiltObject>, String> {
+    let grid = format!(r#""g": {{"type": "principal-grid", {fields}}}"#);
+    let objects: Vec<&str> = std::iter::once(grid.as_str()).chain(others.iter().copied()).collect();
+    let text = format!("{{\"cyclide\": 1, \"objects\": {{\n{}\n}} }}", objects.join(",\n"));
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    let mut builder = ModelBuilder::new(&document, Path::new(""), read).map_err(|e| e.to_string())?;
     (0..document.objects.len()).map(|k| builder.build(k, hears).map_err(|e| e.to_string())).collect()
 }
 
@@ -76,7 +86,7 @@ fn build(fields: &str, others: &[&str]) -> Result<Vec<BuiltObject>, String> {
     build_all(fields, others, &mut |_| ())
 }
 
-fn report(built: &BuiltObject) -> PrincipalReport {
+pub(super) fn report(built: &BuiltObject) -> PrincipalReport {
     match ObjectReport::new(built, None).geometry {
         GeometryReport::Curves(curves) => *curves.principal.unwrap(),
         _ => panic!("curves"),
@@ -182,7 +192,7 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             r#""edge_length": 0.7, "mesh": {"obj": "a.obj"}, "vertices": []"#.to_owned(),
             &[],
-            &["exactly one of `mesh` (a file), or `vertices` with `faces`"],
+            &["exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`"],
         ),
         (
             r#""edge_length": 0.7, "vertices": [[0,0,0],[1,0,0],[0,1,0]], "faces": [[0,1,3]]"#.to_owned(),

@@ -72,6 +72,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "spline_tower",
+        title: "A tower given as a B-spline surface",
+        text: "A waisted tower over ellipses, as CAD programs have it: a grid along its lines of curvature that is closed all round, and the skin of patches over the grid.",
+        document: example!("spline_tower.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "lines_of_curvature",
         title: "Lines of curvature of an ellipsoid",
         text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",

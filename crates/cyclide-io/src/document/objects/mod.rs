@@ -9,6 +9,8 @@ mod crossings;
 mod curves;
 mod derived;
 mod grids;
+#[cfg(feature = "circular-mesh")]
+mod heights;
 mod idle;
 mod motions;
 mod net_hints;
@@ -18,6 +20,8 @@ mod no_principal;
 #[cfg(not(feature = "circular-mesh"))]
 mod not_circular;
 mod nurbs;
+#[cfg(feature = "circular-mesh")]
+mod nurbs_surface;
 mod polygon_mesh;
 mod polyhedra;
 #[cfg(feature = "circular-mesh")]
@@ -241,7 +245,7 @@ impl Document {
                     Some(file.obj.as_str())
                 }
                 (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
-                (ObjectSpec::PrincipalGrid(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+                (ObjectSpec::PrincipalGrid(spec), _) => spec.file(),
                 (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
                 (ObjectSpec::Motion(spec), _) => return spec.files().collect(),
                 _ => None,

@@ -41,6 +41,16 @@ impl Builder<'_> {
     }
 }
 
+/// What helps where the count of knots does not fit.
+pub(super) fn knots_words(error: &cyclide::Error) -> Option<String> {
+    let is_count = matches!(error, cyclide::Error::CountDiffers { what: cyclide::ErrorItem::Knot, .. });
+    is_count.then(|| {
+        format!(
+            "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
+        )
+    })
+}
+
 /// Which value of a `nurbs` an error of the kernel is about.
 pub(super) fn blame_nurbs(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};

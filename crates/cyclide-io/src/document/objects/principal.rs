@@ -1,4 +1,4 @@
-//! Grids along the lines of curvature of meshes.
+//! Grids along the lines of curvature of surfaces.
 
 use cyclide::{
     ArcPath, CurveObject, Error as KernelError, ErrorItem, Point3, PrincipalField, PrincipalGridOptions,
@@ -13,6 +13,10 @@ use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{Counted, TriangleMesh};
+
+/// What is said where a surface is given twice, or not at all.
+const ONE_SURFACE: &str =
+    "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`";
 
 impl Builder<'_> {
     /// Lays the grids; their lines are the curves of the object.
@@ -47,6 +51,12 @@ impl Builder<'_> {
 
     fn mesh_to_lay_on(&mut self, spec: &PrincipalGridSpec) -> Result<Given> {
         match (&spec.mesh, &spec.vertices, &spec.faces) {
+            (None, None, None) => match (&spec.nurbs, &spec.heights) {
+                (Some(surface), None) => self.mesh_of_nurbs(surface, spec.edge_length),
+                (None, Some(heights)) => self.mesh_of_heights(heights),
+                _ => Err(self.unfit(ONE_SURFACE)),
+            },
+            _ if spec.nurbs.is_some() || spec.heights.is_some() => Err(self.unfit(ONE_SURFACE)),
             (Some(file), None, None) => self.polygon_file(file),
             (None, Some(vertices), Some(faces)) => {
                 let count = vertices.len();
@@ -61,7 +71,7 @@ impl Builder<'_> {
                 let mesh = PolygonMesh { points, faces, ..PolygonMesh::default() };
                 Ok(Given { mesh, file: None, field: "faces", shared: true, lists_normals: false })
             }
-            _ => Err(self.unfit("a mesh is given by exactly one of `mesh` (a file), or `vertices` with `faces`")),
+            _ => Err(self.unfit(ONE_SURFACE)),
         }
     }
 
@@ -86,7 +96,9 @@ impl Builder<'_> {
             (_, Some(file)) if field == given.field && !self.document.text.is_empty() => {
                 self.refused_in_words([field.into()], error.reason(), format!("{error} (of {file})"))
             }
-            (KernelError::NotASurface { index, .. }, None) => self.refused_at([field.into(), (*index).into()], &error),
+            (KernelError::NotASurface { index, .. }, None) if spec.faces.is_some() => {
+                self.refused_at([field.into(), (*index).into()], &error)
+            }
             _ => self.refused_at([field.into()], &error),
         }
     }

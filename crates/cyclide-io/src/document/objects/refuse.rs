@@ -3,7 +3,7 @@
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
 use super::curves::{Origin, Points};
-use super::nurbs::blame_nurbs;
+use super::nurbs::{blame_nurbs, knots_words};
 use super::torus::blame_torus;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
@@ -45,9 +45,7 @@ impl Builder<'_> {
                 let written = spec.corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
-            (cyclide::Error::CountDiffers { what: ErrorItem::Knot, .. }, ObjectSpec::Nurbs(_)) => format!(
-                "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
-            ),
+            (_, ObjectSpec::Nurbs(_)) if let Some(words) = knots_words(error) => words,
             (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
             (cyclide::Error::ZeroTangent { index }, ObjectSpec::TorusSpline(spec)) if is_given(spec, *index) => {
                 format!("tangent {index} is normal to the torus there: nothing of it runs along the torus")

@@ -19,6 +19,7 @@ mod principal;
 mod radii;
 mod radius_laws;
 mod smooth;
+mod surface_sources;
 mod surfaces;
 mod swept;
 mod tees;
@@ -61,6 +62,7 @@ pub use polyhedra::SmoothPolyhedronSpec;
 pub use principal::PrincipalGridSpec;
 pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
+pub use surface_sources::{HeightsSpec, NurbsSurfaceSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{
     BridgeArcs, CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec,

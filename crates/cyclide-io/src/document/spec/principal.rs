@@ -1,4 +1,4 @@
-//! Grids along the lines of curvature of meshes, field by field.
+//! Grids along the lines of curvature of surfaces, field by field.
 
 use cyclide::{GridBorder, UmbilicRule};
 use schemars::JsonSchema;
@@ -7,11 +7,12 @@ use serde::Deserialize;
 use super::TypeWord;
 use super::comment::Comment;
 use super::polygon_mesh_file::PolygonMeshFile;
+use super::surface_sources::{HeightsSpec, NurbsSurfaceSpec};
 use crate::document::coordinates::Coordinates;
 
 /// Regular grids along the lines of curvature of a surface: what a `cyclidic-net` with `make_circular` follows without losing the
-/// shape. The surface is a mesh in a file (`mesh`), or given by `vertices` and `faces`: one piece with a border, a roof with holes or
-/// without, or a tube. A net takes a grid by name: `"grid": {"of": NAME}`. By itself the object is the lines of its grids.
+/// shape. The surface is a mesh in a file (`mesh`), or given by `vertices` and `faces`, a B-spline surface (`nurbs`), or a grid of
+/// `heights`: one piece with a border, a roof with holes or without, or a tube. A net takes a grid by name: `"grid": {"of": NAME}`. By itself the object is the lines of its grids.
 ///
 /// ```
 /// # #[cfg(feature = "circular-mesh")] {
@@ -29,8 +30,10 @@ use crate::document::coordinates::Coordinates;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
-    { "required": ["mesh"], "properties": { "vertices": false, "faces": false } },
-    { "required": ["vertices", "faces"], "properties": { "mesh": false } }
+    { "required": ["mesh"], "properties": { "vertices": false, "faces": false, "nurbs": false, "heights": false } },
+    { "required": ["vertices", "faces"], "properties": { "mesh": false, "nurbs": false, "heights": false } },
+    { "required": ["nurbs"], "properties": { "mesh": false, "vertices": false, "faces": false, "heights": false } },
+    { "required": ["heights"], "properties": { "mesh": false, "vertices": false, "faces": false, "nurbs": false } }
 ]))]
 #[non_exhaustive]
 pub struct PrincipalGridSpec {
@@ -51,6 +54,10 @@ pub struct PrincipalGridSpec {
     /// The faces: lists of vertices by their number from 0, counter-clockwise from one side.
     #[schemars(length(min = 1), inner(length(min = 3)))]
     pub faces: Option<Vec<Vec<u32>>>,
+    /// A B-spline surface. A mesh over it has edges half as long as the grid.
+    pub nurbs: Option<NurbsSurfaceSpec>,
+    /// Heights over a grid in the plane z = 0.
+    pub heights: Option<HeightsSpec>,
     /// Length of the edges of the grid, in the mean; edges of the mesh should not be longer.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub edge_length: f64,
@@ -73,4 +80,12 @@ pub struct PrincipalGridSpec {
     pub most_pieces: Option<u32>,
     /// Whether noise of the vertices is smoothed away first. Default: where there is more than a thousandth of an edge.
     pub denoise: Option<bool>,
+}
+
+impl PrincipalGridSpec {
+    /// The file of the surface, as the document writes it.
+    pub(in crate::document) fn file(&self) -> Option<&str> {
+        let heights = || self.heights.as_ref().and_then(|heights| heights.csv.as_deref());
+        self.mesh.as_ref().map(|file| file.path.as_str()).or_else(heights)
+    }
 }

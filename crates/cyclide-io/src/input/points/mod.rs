@@ -11,6 +11,8 @@
 
 mod columns;
 mod decimals;
+#[cfg(feature = "circular-mesh")]
+mod heights;
 mod merge;
 mod pose_columns;
 mod poses;
@@ -24,6 +26,8 @@ use cyclide::{Point3, Units};
 use crate::text::place::{Diagnostic, Source, decode, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
+#[cfg(feature = "circular-mesh")]
+pub(crate) use heights::read_heights;
 pub(crate) use merge::{Merged, merge_repeated};
 pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};
 use table::{Row, Table};

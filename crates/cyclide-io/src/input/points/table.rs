@@ -228,6 +228,26 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
+    /// Visits all lines that are not blank, from the first one on and those of empty fields too, with their fields and where they end.
+    #[cfg(feature = "circular-mesh")]
+    pub(super) fn for_each_line(
+        &self,
+        mut visit: impl FnMut(&[Field<'a>], usize) -> Result<(), Box<Diagnostic>>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let mut fields = Vec::new();
+        for (start, line) in lines(self.source.text) {
+            let text = content(line).trim_end_matches(' ');
+            if text.is_empty() {
+                continue;
+            }
+            self.split(start, line, &mut fields)?;
+            if !fields.is_empty() {
+                visit(&fields, start + text.len())?;
+            }
+        }
+        Ok(())
+    }
+
     /// A message about the first line of data.
     pub(super) fn refused(&self, message: impl Into<String>) -> Box<Diagnostic> {
         self.about(&self.first, message)
