@@ -108,12 +108,13 @@ proptest! {
 
 #[test]
 fn what_is_wrong_is_said_with_its_place() {
-    let cases: [(Format, &[u8], &str); 20] = [
+    let cases: [(Format, &[u8], &str); 21] = [
         (Format::Step, b"", "no DATA section"),
         (Format::Step, b"DATA;#1=A(;ENDSEC;", "expected a name"),
         (Format::Step, b"DATA;#1=A();#1=B();ENDSEC;", "#1 is defined twice"),
         (Format::Step, b"DATA;#1=GEOMETRIC_CURVE_SET('',(#7));ENDSEC;", "#7"),
-        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n", "TEXT at line 5"),
+        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nMTEXT\n", "MTEXT at line 5"),
+        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n", "line 5: no value of code 40"),
         (Format::Dxf, b"x\n", "line 1"),
         (Format::Svg, b"<path class=\"contour\" d=\"M0 0 C\"", "command C"),
         (Format::Csv, b"a,b\n", "line 1"),

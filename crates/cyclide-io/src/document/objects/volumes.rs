@@ -1,8 +1,8 @@
 //! Volumes: from corners and a frame to the kernel's blocks.
 
 use cyclide::{
-    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, ErrorItem, Point3, Shell, SphericalCube,
-    SurfaceObject, VolumeFrame,
+    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, ErrorItem, Point3, SphericalCube, SurfaceObject,
+    VolumeFrame,
 };
 
 use super::Builder;
@@ -213,21 +213,18 @@ impl Builder<'_> {
                 let refused = |e| self.refused_at([Step::from(*field), Step::from(index)], &e);
                 error.map_or(Ok(()), |e| Err(refused(e)))?;
             }
-            for (index, x) in values.iter().enumerate() {
-                let is_line = |volume: &CyclideVolume| {
-                    volume.surface(axis, *x).is_ok_and(|face| Shell::from_surface(face).is_err())
-                };
-                if volumes.iter().all(is_line) {
-                    let words =
-                        format!("{field} = {x} is a line or a point of every block, at an axis or a pole: no surface");
-                    return Err(self.refused_in_words(
-                        [Step::from(*field), Step::from(index)],
-                        "collapsed-side",
-                        words,
-                    ));
-                }
-            }
             let made = CyclideVolume::coordinate_bodies(volumes, axis, values);
+            // Of lines there are no bodies; where all surfaces are lines the kernel has none at all.
+            let has_body = |x: f64| {
+                made.as_ref().is_ok_and(|made| made.iter().any(|(value, _)| value.total_cmp(&(x + 0.0)).is_eq()))
+            };
+            let no_surface = |x: f64| !has_body(x) && volumes.iter().all(|volume| is_line(volume, axis, x));
+            if let Some(index) = values.iter().position(|x| no_surface(*x)) {
+                let x = values[index];
+                let words =
+                    format!("{field} = {x} is a line or a point of every block, at an axis or a pole: no surface");
+                return Err(self.refused_in_words([Step::from(*field), Step::from(index)], "collapsed-side", words));
+            }
             let made = made.map_err(|e| self.refused_at([Step::from(*field)], &e))?;
             for (number, (value, body)) in made.iter().enumerate() {
                 let same = |(other, _): &&(f64, Body)| other.total_cmp(value).is_eq();
@@ -265,6 +262,14 @@ pub(super) fn volume_frame(frame: FrameSpec) -> VolumeFrame {
             VolumeFrame::First(v1, v2)
         }
     }
+}
+
+/// Whether opposite sides of the surface on which a parameter is constant are one point each.
+fn is_line(volume: &CyclideVolume, axis: usize, x: f64) -> bool {
+    volume.surface(axis, x).is_ok_and(|face| {
+        let [a, b, c, d] = face.corners();
+        (a == b && c == d) || (a == c && b == d)
+    })
 }
 
 /// A body as a surface: a single patch is one, which has offsets and layers.

@@ -78,11 +78,13 @@ impl ColourBar {
         // Room for the points of the bar where values lie beyond its ends.
         let arrow = HEIGHT * s;
         let [before, behind] = clipped.map(|clipped| if clipped { arrow } else { 0.0 });
-        let x = left + INDENT * s + before;
-        let length = ((right - x).min(LONGEST * s) - behind).max(1.0);
+        // Whole pixels: strips that end inside one would be mixed with what is below.
+        let x = (left + INDENT * s + before).round();
+        let length = ((right - x).min(LONGEST * s) - behind).floor().max(1.0);
         let plan = self.plan(sheet, length);
         let line = |row: f64| top + (row + 0.5) * ROW * s + 0.5 * TEXT * s;
-        let (upper, lower) = (top + 1.12 * ROW * s, top + 1.12 * ROW * s + HEIGHT * s);
+        let upper = (top + 1.12 * ROW * s).round();
+        let lower = upper + (HEIGHT * s).round().max(1.0);
         let [low, high] = self.scale.shown;
         let steps = length.ceil().max(2.0) as usize;
         for k in 0..steps {

@@ -116,22 +116,44 @@ fn mirrored(x: Vec3, d: Vec3) -> Vec3 {
 /// Orthonormal frame nearest to the directions of the edges at a vertex; `None` if these cancel or are parallel.
 fn target(grid: &QuadGrid, [i, j]: [usize; 2]) -> Option<[Vec3; 3]> {
     let at = grid.point(i, j);
+    let point = |[i, j]: [usize; 2]| grid.point(i, j);
+    // The chord to the next vertex or the one before, and to the one after that.
+    let onward = |from: [usize; 2], d: usize, forward: bool| -> Option<[usize; 2]> {
+        let (size, mut to) = (grid.size()[d], from);
+        let inside = if forward { from[d] + 1 < size } else { from[d] > 0 };
+        if !inside && !grid.closed()[d] {
+            return None;
+        }
+        to[d] = if forward { (from[d] + 1) % size } else { (from[d] + size - 1) % size };
+        grid.has_edge(if forward { from } else { to }, d).then_some(to)
+    };
     let along = |d: usize| {
-        let (k, size) = ([i, j][d], grid.size()[d]);
-        let place = |k: usize| if d == 0 { [k, j] } else { [i, k] };
-        let point = |[i, j]: [usize; 2]| grid.point(i, j);
-        let mut sum = Vec3::ZERO;
-        if (grid.closed()[d] || k + 1 < size) && grid.has_edge([i, j], d) {
-            sum += unit(point(place(k + 1)) - at);
+        let [after, before] = [true, false].map(|forward| onward([i, j], d, forward));
+        let reach = |to: [usize; 2]| point(to) - at;
+        match (before, after) {
+            // The tangent of the circle through three vertices, whatever the lengths of their edges.
+            (Some(before), Some(after)) => (inverse(reach(after)) - inverse(reach(before))).unit(),
+            (None, Some(next)) => at_end(reach(next), onward(next, d, true).map(reach)),
+            (Some(next), None) => at_end(reach(next), onward(next, d, false).map(reach)).map(|tangent| -tangent),
+            (None, None) => None,
         }
-        let before = place((k + size - 1) % size);
-        if (grid.closed()[d] || k > 0) && grid.has_edge(before, d) {
-            sum += unit(at - point(before));
-        }
-        sum.unit()
     };
     let (t1, t2) = (along(0)?, along(1)?);
     let (g, h) = ((t1 + t2).unit()?, (t1 - t2).unit()?);
     let (v1, v2) = ((g + h).unit()?, (g - h).unit()?);
     Some([v1, v2, v1.cross(v2)])
+}
+
+/// The point at the end of a chord from the centre of inversion.
+fn inverse(chord: Vec3) -> Vec3 {
+    chord / chord.length_squared()
+}
+
+/// The direction at the end of a line towards its next vertex: of the circle through the two next ones, which inverted in the end is a
+/// straight line; of the chord if there is one only.
+fn at_end(next: Vec3, second: Option<Vec3>) -> Option<Vec3> {
+    match second {
+        Some(second) => (inverse(next) - inverse(second)).unit(),
+        None => next.unit(),
+    }
 }

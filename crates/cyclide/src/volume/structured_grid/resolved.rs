@@ -73,10 +73,12 @@ impl StructuredGrid {
 
     /// Whether a side of a cell that is no point is as short as the rounding of its ends.
     fn has_rounded_side(&self, cell: usize) -> bool {
-        let corners = self.cell(cell).map(|node| self.nodes()[node]);
+        let nodes = self.cell(cell);
+        let corners = nodes.map(|node| self.nodes()[node]);
         let place = corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let sides = (0..3).flat_map(|axis| (0..8).filter(move |k| k >> axis & 1 == 0).map(move |k| (k, k | 1 << axis)));
-        let mut lengths = sides.map(|(from, to)| corners[from].distance(corners[to])).filter(|length| *length > 0.0);
-        lengths.any(|length| length <= SHORTEST * place)
+        // A side of one point is one node.
+        let mut sides = sides.filter(|(from, to)| nodes[*from] != nodes[*to]);
+        sides.any(|(from, to)| corners[from].distance(corners[to]) <= SHORTEST * place)
     }
 }
