@@ -341,10 +341,12 @@ fn cells_that_rounding_inverts_say_so() {
     let built = build(&wedge).unwrap();
     let told = built.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
     assert!(told.message.contains("as short as the rounding of their place, and fewer cells help"), "{told:?}");
-    let line = format!(r#"{wedge}, "x": {{"type": "coordinate-surfaces", "of": "b", "s": [0, 1]}}"#);
-    let (reason, message) = refused(&line);
+    let lines = |s: &str| format!(r#"{wedge}, "x": {{"type": "coordinate-surfaces", "of": "b", "s": {s}}}"#);
+    let built = build(&lines("[0, 1]")).unwrap();
+    assert!(built.bodies.len() == 1 && built.remarks.iter().any(|remark| remark.reason == "no-effect"));
+    let (reason, message) = refused(&lines("[1]"));
     assert_eq!(reason.as_deref(), Some("collapsed-side"), "{message}");
-    assert!(message.contains("x.s[1]") && message.contains("s = 1 is a line or a point of every block"), "{message}");
+    assert!(message.contains("x.s[0]") && message.contains("s = 1 is a line or a point of every block"), "{message}");
 }
 
 /// The table of the cells holds the nodes of the grid, bit for bit: those that blocks share are one.

@@ -189,6 +189,7 @@ impl QuadGrid {
     }
 
     /// Whether the edge is a side of one quad of the grid alone.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn is_border_edge(&self, at: [usize; 2], d: usize) -> bool {
         self.beside(at, d).into_iter().flatten().filter(|[i, j]| self.has_quad(*i, *j)).count() == 1
     }
@@ -203,6 +204,7 @@ impl QuadGrid {
     }
 
     /// The vertices on the border of the grid; of one that is not whole, those of the border in steps.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn border_vertices(&self) -> Vec<usize> {
         let [m, n] = self.size();
         let mut border = vec![false; m * n];

@@ -23,6 +23,7 @@ pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, Rol
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use grid_cells::GridCell;
+#[cfg(feature = "circular-mesh")]
 pub(crate) use grid_cells::{beside, flooded};
 pub(crate) use net::SameVertices;
 #[cfg(feature = "circular-mesh")]

@@ -6,6 +6,7 @@ use cyclide::{
 };
 
 use super::Builder;
+use super::idle::NO_EFFECT;
 use super::refuse::frame_words;
 use super::surfaces::direction;
 use super::transform::map_of;
@@ -219,11 +220,17 @@ impl Builder<'_> {
                 made.as_ref().is_ok_and(|made| made.iter().any(|(value, _)| value.total_cmp(&(x + 0.0)).is_eq()))
             };
             let no_surface = |x: f64| !has_body(x) && volumes.iter().all(|volume| is_line(volume, axis, x));
-            if let Some(index) = values.iter().position(|x| no_surface(*x)) {
-                let x = values[index];
+            let lines: Vec<usize> = (0..values.len()).filter(|k| no_surface(values[*k])).collect();
+            for index in &lines {
+                let x = values[*index];
                 let words =
                     format!("{field} = {x} is a line or a point of every block, at an axis or a pole: no surface");
-                return Err(self.refused_in_words([Step::from(*field), Step::from(index)], "collapsed-side", words));
+                let place = [Step::from(*field), Step::from(*index)];
+                if lines.len() == values.len() {
+                    return Err(self.refused_in_words(place, "collapsed-side", words));
+                }
+                let place = self.place_of(place);
+                self.remark(NO_EFFECT, None, None, place, words);
             }
             let made = made.map_err(|e| self.refused_at([Step::from(*field)], &e))?;
             for (number, (value, body)) in made.iter().enumerate() {
