@@ -177,18 +177,31 @@ def residuals(grid):
     return np.linalg.norm(product[..., 1:], axis=-1)
 
 
+def line_tangent(line, k):
+    """Unit tangent at a point of a line of points: of the circle through it and its neighbours, at an end the next two."""
+    first = min(max(k - 1, 0), len(line) - 3)
+    if len(line) == 2:
+        return unit(line[1] - line[0])
+    a, b, c = line[first : first + 3]
+    normal = np.cross(b - a, c - a)
+    u, v = b - a, c - a
+    if np.linalg.norm(normal) < 1e-9 * np.linalg.norm(u) * np.linalg.norm(v):
+        return unit(v)
+    # The circumcentre from a.
+    centre = a + np.cross(u @ u * v - v @ v * u, normal) / (2 * normal @ normal)
+    return unit(np.cross(normal, line[k] - centre))
+
+
 def fitted_frame(grid):
-    """The frame at the first point of an open net whose copies are nearest to the edges: the rotation nearest to the sum
-    of the orthonormal frames nearest to the directions of the edges at each point, carried back to the first."""
+    """The frame at the first point of an open net whose copies are nearest to the lines: the rotation nearest to the sum
+    of the orthonormal frames nearest to the tangents of the lines at each point, carried back to the first."""
     p = np.asarray(grid, float)
     back, total = _carried(p, np.eye(3)), np.zeros((3, 3))
-    steps = [np.diff(p, axis=axis) for axis in (1, 0)]
-    steps = [s / np.linalg.norm(s, axis=-1, keepdims=True) for s in steps]
     rows, columns = p.shape[:2]
     for j in range(rows):
         for i in range(columns):
-            edges = steps[0][j, max(i - 1, 0) : i + 1], steps[1][max(j - 1, 0) : j + 1, i]
-            u, _, v = np.linalg.svd(np.stack([unit(e.sum(axis=0)) for e in edges], axis=1), full_matrices=False)
+            tangents = [line_tangent(p[j], i), line_tangent(p[:, i], j)]
+            u, _, v = np.linalg.svd(np.stack(tangents, axis=1), full_matrices=False)
             t1, t2 = (u @ v).T
             total += back[j, i] @ np.stack([t1 * (-1) ** i, t2 * (-1) ** j, np.cross(t1, t2)], axis=1)
     u, _, v = np.linalg.svd(total)

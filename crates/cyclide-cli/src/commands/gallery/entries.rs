@@ -82,6 +82,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "canopy",
+        title: "A canopy for a workshop",
+        text: "Glass panels 4 cm thick on a skin whose beams meet in straight lines: cyclide schedule lists its panels, edges, nodes and beams, with moulds, plans and flat patterns.",
+        document: example!("canopy.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "lines_of_curvature",
         title: "Lines of curvature of an ellipsoid",
         text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",
