@@ -80,9 +80,9 @@
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
 //! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
-//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
+//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`]), nets round extraordinary vertices [`NetLayout`], [`QuadLayout`] ([`LayoutPiece`], [`RoundVertex`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
-//! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves` |
+//! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves`; of meshes with extraordinary vertices `make_layout_circular`: `CircularLayout`, `RoundChange` |
 //! | grids along lines of curvature | `principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalField`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, closed quartics, circles: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
@@ -94,7 +94,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -134,8 +134,8 @@ pub use construct::{Ball, RadiusLaw, Tube};
 pub use construct::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
-    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange, LineAngles,
-    VertexMoves, make_circular,
+    Border, CircularLayout, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange,
+    LineAngles, RoundChange, VertexMoves, make_circular, make_layout_circular,
 };
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing};
@@ -167,7 +167,7 @@ pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, Result, SurfaceFault, reasons};
+pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, LayoutFault, Result, SurfaceFault, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
@@ -195,6 +195,7 @@ pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatc
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{GridCell, GridClosing, ParamSurface, QuadGrid, RingClosing, StripClosing};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
+pub use surface::{LayoutPiece, NetLayout, QuadLayout, RoundVertex};
 pub use surface::{NaturalQuadric, PairKind, QuadricPair};
 pub use surface::{NormalStrip, StripForm};
 pub use surface::{

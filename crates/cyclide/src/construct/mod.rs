@@ -19,8 +19,8 @@ pub use bodies::{
 pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
-    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange, LineAngles,
-    VertexMoves, make_circular,
+    Border, CircularLayout, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange,
+    LineAngles, RoundChange, VertexMoves, make_circular, make_layout_circular,
 };
 pub use curves::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,

@@ -1,6 +1,6 @@
 //! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
 
-use super::{ErrorItem, FoldRemedy, GridCellFault, SurfaceFault};
+use super::{ErrorItem, FoldRemedy, GridCellFault, LayoutFault, SurfaceFault};
 use crate::shape_change::ShapeChange;
 
 /// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
@@ -1117,6 +1117,22 @@ pub enum Error {
         fault: GridCellFault,
         /// A quad where it is, s fastest, from 0.
         index: usize,
+    },
+    /// The quads of a mesh make no regular grids that join round its extraordinary vertices.
+    NotAQuadLayout {
+        /// What is wrong.
+        fault: LayoutFault,
+        /// The quad or vertex where it is, from 0.
+        index: usize,
+    },
+    /// A frame that is carried round an extraordinary vertex comes back turned by more than quarter turns.
+    RingDoesNotClose {
+        /// The vertex of the mesh.
+        vertex: usize,
+        /// By so much more, radians.
+        angle: f64,
+        /// The largest angle that is accepted.
+        limit: f64,
     },
     /// Triangles are not one piece of a surface with a border.
     NotASurface {

@@ -784,6 +784,13 @@ impl std::fmt::Display for Error {
                 triangles[0], triangles[1], vertices[0], vertices[1]
             ),
             Self::CellsUnfit { fault, index } => f.write_str(&fault.words(*index)),
+            Self::NotAQuadLayout { fault, index } => f.write_str(&fault.words(*index)),
+            Self::RingDoesNotClose { vertex, angle, limit } => write!(
+                f,
+                "the frame that is carried round extraordinary vertex {vertex} comes back turned by {} rad more than quarter turns (at most {})",
+                ShortNumber(*angle),
+                ShortNumber(*limit)
+            ),
             Self::NotASurface { fault, index } => {
                 write!(f, "the mesh is not one piece of a surface with a border: {}", fault.words(*index))
             }

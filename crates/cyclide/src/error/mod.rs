@@ -7,6 +7,7 @@ mod fold_remedy;
 mod grid_cell_fault;
 mod item;
 mod kinds;
+mod layout_fault;
 mod message;
 mod motion_message;
 mod reason;
@@ -19,6 +20,7 @@ pub use fold_remedy::FoldRemedy;
 pub use grid_cell_fault::GridCellFault;
 pub use item::ErrorItem;
 pub use kinds::Error;
+pub use layout_fault::LayoutFault;
 pub use surface_fault::SurfaceFault;
 
 /// Result of a fallible kernel call.

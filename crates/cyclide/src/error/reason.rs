@@ -136,6 +136,8 @@ impl Error {
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
             Self::CellsUnfit { .. } => "cells-unfit",
+            Self::NotAQuadLayout { .. } => "not-a-quad-layout",
+            Self::RingDoesNotClose { .. } => "ring-does-not-close",
             Self::NotASurface { .. } => "not-a-surface",
             Self::FlatSurface { .. } => "flat-surface",
             Self::UmbilicsRemain { .. } => "umbilics-remain",
@@ -239,6 +241,7 @@ impl Error {
             | Self::NonManifoldEdge { triangle, .. }
             | Self::NotASurface { index: triangle, .. } => Some(triangle),
             Self::CellsUnfit { index: quad, .. } => Some(quad),
+            Self::NotAQuadLayout { index, .. } | Self::RingDoesNotClose { vertex: index, .. } => Some(index),
             Self::InconsistentOrientation { triangles: [_, second], .. } => Some(second),
             Self::ZeroCoordinate { index }
             | Self::PointOnAxis { index, .. }

@@ -5,6 +5,7 @@ mod bounds;
 mod canal;
 mod dupin;
 mod grid_cells;
+mod layout;
 mod net;
 mod normal_strip;
 mod param_surface;
@@ -25,8 +26,9 @@ pub use dupin::{CyclideKind, DupinCyclide};
 pub use grid_cells::GridCell;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use grid_cells::{beside, flooded};
+pub(crate) use layout::RoundClosing;
+pub use layout::{LayoutPiece, NetLayout, QuadLayout, RoundVertex};
 pub(crate) use net::SameVertices;
-#[cfg(feature = "circular-mesh")]
 pub(crate) use net::closing_limit;
 pub use net::{CyclidicNet, GridClosing, NetFrame, RingClosing, SingularPatch, StripClosing};
 pub use normal_strip::{NormalStrip, StripForm};

@@ -1,10 +1,11 @@
 //! Nets and whole cyclides as shells: every vertex and every edge once.
 
-use super::{Body, Sewing, Shell};
+use super::{Body, FaceEdge, Sewing, Shell};
 use crate::base::range;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, SameVertices};
+use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, LayoutPiece, NetLayout, SameVertices};
+use std::collections::HashMap;
 
 /// Segments of a whole turn by default, in both directions.
 const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
@@ -15,15 +16,59 @@ pub(super) struct Skin {
     /// Vertex of each grid vertex (0 where it has none); those of a side of one point are the same.
     pub(super) vertices: Vec<usize>,
     /// Edge along s from each grid vertex, `None` where it is one point or outside.
-    pub(super) along_s: Vec<Option<usize>>,
+    pub(super) along_s: Vec<Option<FaceEdge>>,
     /// Edge along t from each grid vertex.
-    pub(super) along_t: Vec<Option<usize>>,
+    pub(super) along_t: Vec<Option<FaceEdge>>,
+}
+
+/// What nets that join have sewn already: the vertex at each vertex of their mesh, and the edge between two, from the first.
+#[derive(Debug, Default)]
+pub(super) struct Joined {
+    vertices: HashMap<usize, usize>,
+    edges: HashMap<[usize; 2], usize>,
+}
+
+impl Joined {
+    /// The vertex at one of the mesh.
+    fn vertex(&mut self, of_mesh: Option<usize>, make: impl FnOnce() -> usize) -> usize {
+        of_mesh.map_or_else(|| 0, |v| *self.vertices.entry(v).or_insert_with(make))
+    }
+
+    fn edge(&mut self, of_mesh: [usize; 2], make: impl FnOnce() -> Result<usize>) -> Result<FaceEdge> {
+        let [from, to] = of_mesh;
+        if let Some(edge) = self.edges.get(&[to, from]) {
+            return Ok(FaceEdge { edge: *edge, forward: false });
+        }
+        let edge = match self.edges.get(&of_mesh) {
+            Some(edge) => *edge,
+            None => make()?,
+        };
+        self.edges.insert(of_mesh, edge);
+        Ok(FaceEdge { edge, forward: true })
+    }
 }
 
 impl Sewing {
     /// Adds all of a net.
     pub(super) fn skin(&mut self, net: &CyclidicNet, same_sense: bool) -> Result<Skin> {
         let skin = self.frame_of(net)?;
+        self.faces_of(net, &skin, same_sense)?;
+        Ok(skin)
+    }
+
+    /// Adds all nets of a layout.
+    pub(super) fn skins(&mut self, layout: &NetLayout, same_sense: bool) -> Result<Vec<Skin>> {
+        let mut joined = Joined::default();
+        let pieces = layout.layout().pieces().iter().zip(layout.nets());
+        let skin = |(piece, net): (&LayoutPiece, &CyclidicNet)| {
+            let skin = self.joined_frame(net, &piece.vertices, &mut joined)?;
+            self.faces_of(net, &skin, same_sense)?;
+            Ok(skin)
+        };
+        pieces.map(skin).collect()
+    }
+
+    fn faces_of(&mut self, net: &CyclidicNet, skin: &Skin, same_sense: bool) -> Result<()> {
         let grid = net.grid();
         let [m, n] = net.size();
         self.faces.reserve_exact(m * n);
@@ -36,9 +81,9 @@ impl Sewing {
             range::check_size_in_place(ErrorItem::Patch, size, place, f64::EPSILON)
                 .map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
-            self.face(patch, edges, same_sense);
+            self.face_along(patch, edges, same_sense);
         }
-        Ok(skin)
+        Ok(())
     }
 
     /// Adds the vertices and edges of a net's patches.
@@ -82,7 +127,8 @@ impl Sewing {
                 if start == end {
                     continue;
                 }
-                let edge = Some(self.edge(start, end, net.edge((i, j), (i1, j1))?));
+                let edge = self.edge(start, end, net.edge((i, j), (i1, j1))?);
+                let edge = Some(FaceEdge { edge, forward: true });
                 if d == 0 {
                     skin.along_s[here] = edge;
                 } else {
@@ -91,6 +137,59 @@ impl Sewing {
             }
         }
         Ok(skin)
+    }
+
+    /// Adds the vertices and edges of the patches of one of several nets, whose vertices have these numbers in their mesh.
+    fn joined_frame(&mut self, net: &CyclidicNet, of_mesh: &[Option<usize>], joined: &mut Joined) -> Result<Skin> {
+        let grid = net.grid();
+        let [m, n] = grid.size();
+        let mut skin = Skin { vertices: vec![0; m * n], along_s: vec![None; m * n], along_t: vec![None; m * n] };
+        for ([i, j], _) in net.patches_with_quads() {
+            for k in grid.corners(i, j) {
+                skin.vertices[k] = joined.vertex(of_mesh[k], || self.vertex(grid.points()[k]));
+            }
+        }
+        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+            let here = grid.index(i, j);
+            for (d, (i1, j1)) in [(i + 1, j), (i, j + 1)].into_iter().enumerate() {
+                if !grid.patches_beside([i, j], d).contains(&true) {
+                    continue;
+                }
+                let there = grid.index(i1, j1);
+                let (Some(from), Some(to)) = (of_mesh[here], of_mesh[there]) else { continue };
+                let ends = [skin.vertices[here], skin.vertices[there]];
+                let edge = joined.edge([from, to], || Ok(self.edge(ends[0], ends[1], net.edge((i, j), (i1, j1))?)))?;
+                if d == 0 {
+                    skin.along_s[here] = Some(edge);
+                } else {
+                    skin.along_t[here] = Some(edge);
+                }
+            }
+        }
+        Ok(skin)
+    }
+}
+
+impl NetLayout {
+    /// The nets as one shell: nets that join share their edges. The outer side is that of `f_s × f_t`; of a shell that is closed it is
+    /// the outside, but one with extraordinary vertices has openings.
+    ///
+    /// # Errors
+    /// As [`CyclidicNet::to_shell`].
+    pub fn to_shell(&self) -> Result<Shell> {
+        let mut sewing = Sewing::default();
+        sewing.skins(self, true)?;
+        sewing.finish()
+    }
+
+    /// The arcs of all edges, each once.
+    ///
+    /// # Errors
+    /// As [`to_shell`](Self::to_shell).
+    pub fn support_arcs(&self) -> Result<Vec<Arc>> {
+        let mut sewing = Sewing::default();
+        sewing.skins(self, true)?;
+        Ok(sewing.edges.iter().filter_map(|edge| edge.curve.arc().copied()).collect())
     }
 }
 
@@ -139,7 +238,7 @@ impl CyclidicNet {
         let mut sewing = Sewing::default();
         let skin = sewing.frame_of(self)?;
         let edges = skin.along_s.iter().chain(&skin.along_t).flatten();
-        Ok(edges.filter_map(|&edge| sewing.edges[edge].curve.arc().copied()).collect())
+        Ok(edges.filter_map(|side| sewing.edges[side.edge].curve.arc().copied()).collect())
     }
 }
 

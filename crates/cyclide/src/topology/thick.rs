@@ -1,13 +1,12 @@
 //! The solids between a net and its offset.
 
-use super::Body;
-use super::Sewing;
 use super::sew::Skin;
+use super::{Body, FaceEdge, Sewing};
 use crate::base::range;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CyclidePatch, CyclidicNet};
-use std::collections::BTreeMap;
+use crate::surface::{CyclidePatch, CyclidicNet, NetLayout};
+use std::collections::{BTreeMap, HashMap};
 
 impl CyclidicNet {
     /// The solid between the net and its offset at the signed distance `h`, outside outwards. A net without open sides
@@ -28,17 +27,12 @@ impl CyclidicNet {
     /// that is closed in the other direction is one point (a node) in only one of both nets; `offset-not-regular` if a
     /// centre of curvature lies between, a patch is singular inside, or patches run against each other.
     pub fn thick(&self, h: f64) -> Result<Body> {
-        if h == 0.0 {
-            let (min, max) = (range::MIN_DISTANCE, range::MAX_COORDINATE);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Distance, value: h, min, max });
-        }
+        check_thickness(h)?;
         if h.is_finite() {
             self.check_between(h)?;
         }
         let offset = self.offset(h)?;
-        let largest = |net: &Self| net.grid().points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let place = largest(self).max(largest(&offset));
-        range::check_size_in_place(ErrorItem::Thickness, h.abs(), place, range::SMALLEST_IN_PLACE)?;
+        check_place(h, &[self, &offset])?;
         // The upper one is ahead along the normals, and outside is its f_s × f_t unless the patches are flipped.
         let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
         let along = !self.first_is_flipped();
@@ -51,8 +45,8 @@ impl CyclidicNet {
         }
         let mut sewing = Sewing::default();
         let skins = [sewing.skin(lower, !along)?, sewing.skin(upper, along)?];
-        let rims = Rims { nets: [lower, upper], skins, along, rulings: BTreeMap::new() };
-        if rims.sew(&mut sewing)? == 0 {
+        let rims = Rims { nets: [lower, upper], skins: [&skins[0], &skins[1]], along };
+        if rims.sew(&mut sewing, &mut BTreeMap::new(), |_| false)? == 0 {
             return between_closed([lower, upper], along);
         }
         Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
@@ -82,6 +76,56 @@ impl CyclidicNet {
     }
 }
 
+impl NetLayout {
+    /// The solid between the nets and their offsets at the signed distance `h`, outside outwards, with rims over the border and round the
+    /// openings at extraordinary vertices: see [`CyclidicNet::thick`].
+    ///
+    /// # Errors
+    /// As [`CyclidicNet::thick`].
+    pub fn thick(&self, h: f64) -> Result<Body> {
+        check_thickness(h)?;
+        if h.is_finite() {
+            self.nets().iter().try_for_each(|net| net.check_between(h))?;
+        }
+        let offset = self.offset(h)?;
+        check_place(h, &self.nets().iter().chain(offset.nets()).collect::<Vec<_>>())?;
+        let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
+        let along = !self.nets()[0].first_is_flipped();
+        if let Some(net) = self.nets().iter().find(|net| net.first_is_flipped() == along) {
+            // Nets that run against each other.
+            net.check_between(h)?;
+            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 });
+        }
+        let mut sewing = Sewing::default();
+        let skins = [sewing.skins(lower, !along)?, sewing.skins(upper, along)?];
+        let mut faces: HashMap<usize, usize> = HashMap::new();
+        let sides = sewing.faces.iter().flat_map(|face| face.sides).flatten();
+        sides.for_each(|side| *faces.entry(side.edge).or_default() += 1);
+        let mut rulings = BTreeMap::new();
+        for (k, nets) in lower.nets().iter().zip(upper.nets()).enumerate() {
+            let rims = Rims { nets: [nets.0, nets.1], skins: [&skins[0][k], &skins[1][k]], along };
+            // On the other side of the edge is another net.
+            rims.sew(&mut sewing, &mut rulings, |edge| faces.get(&edge) == Some(&2))?;
+        }
+        Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
+    }
+}
+
+fn check_thickness(h: f64) -> Result<()> {
+    if h == 0.0 {
+        let (min, max) = (range::MIN_DISTANCE, range::MAX_COORDINATE);
+        return Err(Error::ParameterOutOfRange { name: ErrorItem::Distance, value: h, min, max });
+    }
+    Ok(())
+}
+
+/// Refuses a thickness that is below the rounding of the vertices.
+fn check_place(h: f64, nets: &[&CyclidicNet]) -> Result<()> {
+    let points = nets.iter().flat_map(|net| net.grid().points());
+    let place = points.map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+    range::check_size_in_place(ErrorItem::Thickness, h.abs(), place, range::SMALLEST_IN_PLACE)
+}
+
 /// Two closed nets with the material between them, outside on `f_s × f_t` of the second if `along`: the shell that
 /// encloses more is the outer one.
 fn between_closed([lower, upper]: [&CyclidicNet; 2], along: bool) -> Result<Body> {
@@ -98,33 +142,37 @@ fn between_closed([lower, upper]: [&CyclidicNet; 2], along: bool) -> Result<Body
 /// The rims between the open sides of two skins, the second ahead of the first along the normals.
 struct Rims<'a> {
     nets: [&'a CyclidicNet; 2],
-    skins: [Skin; 2],
+    skins: [&'a Skin; 2],
     /// True if the normals are those of `f_s × f_t`.
     along: bool,
-    /// The edges along the normals that were made, by their vertices.
-    rulings: BTreeMap<[usize; 2], usize>,
 }
 
+/// The edges along the normals that were made, by their vertices.
+type Rulings = BTreeMap<[usize; 2], usize>;
+
 impl Rims<'_> {
-    /// Adds the rims, and says how many.
-    fn sew(mut self, sewing: &mut Sewing) -> Result<usize> {
+    /// Adds the rims, and says how many; none over edges of the lower skin that are `joined` to another net.
+    fn sew(&self, sewing: &mut Sewing, rulings: &mut Rulings, joined: impl Fn(usize) -> bool) -> Result<usize> {
         let grid = self.nets[0].grid();
         let [m, n] = grid.size();
         let mut made = 0;
-        // Over every edge with a patch on one side only.
-        for (i, j) in (0..m).flat_map(|i| (0..n).map(move |j| (i, j))) {
-            match grid.patches_beside([i, j], 0) {
-                [false, true] => made += self.rim(sewing, 0, [(i, j), (i + 1, j)], self.along)?,
-                [true, false] => made += self.rim(sewing, 0, [(i, j), (i + 1, j)], !self.along)?,
-                _ => {}
+        // Over every edge with a patch on one side only, first those along s.
+        let along_s = (0..m).flat_map(|i| (0..n).map(move |j| (0, [i, j])));
+        let along_t = (0..n).flat_map(|j| (0..m).map(move |i| (1, [i, j])));
+        for (d, [i, j]) in along_s.chain(along_t) {
+            // Outwards where only the patch behind the edge is there.
+            let outwards = if d == 0 { self.along } else { !self.along };
+            let same_sense = match grid.patches_beside([i, j], d) {
+                [false, true] => outwards,
+                [true, false] => !outwards,
+                _ => continue,
+            };
+            let edge = [&self.skins[0].along_s, &self.skins[0].along_t][d][grid.index(i, j)];
+            if edge.is_some_and(|side| joined(side.edge)) {
+                continue;
             }
-        }
-        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
-            match grid.patches_beside([i, j], 1) {
-                [false, true] => made += self.rim(sewing, 1, [(i, j), (i, j + 1)], !self.along)?,
-                [true, false] => made += self.rim(sewing, 1, [(i, j), (i, j + 1)], self.along)?,
-                _ => {}
-            }
+            let end = if d == 0 { (i + 1, j) } else { (i, j + 1) };
+            made += self.rim((sewing, rulings), d, [(i, j), end], same_sense)?;
         }
         Ok(made)
     }
@@ -132,7 +180,13 @@ impl Rims<'_> {
     /// The rim over one edge in direction `d`; the number made, 0 over a pole. Its normal is `V1 × V3 = -V2` along s,
     /// outwards on the side t=0, and `V2 × V3 = V1` along t, outwards on the side s=1; the other way where the lines of
     /// one family run against the frame.
-    fn rim(&mut self, sewing: &mut Sewing, d: usize, ends: [(usize, usize); 2], same_sense: bool) -> Result<usize> {
+    fn rim(
+        &self,
+        (sewing, rulings): (&mut Sewing, &mut Rulings),
+        d: usize,
+        ends: [(usize, usize); 2],
+        same_sense: bool,
+    ) -> Result<usize> {
         let [lower, upper] = self.nets;
         let point = |net: &CyclidicNet, k: usize| net.grid().point(ends[k].0, ends[k].1);
         let corners = [point(lower, 0), point(lower, 1), point(upper, 0), point(upper, 1)];
@@ -140,25 +194,27 @@ impl Rims<'_> {
         let v = lower.frame();
         let patch = CyclidePatch::from_weights_unchecked(corners, [w0, w1, w0, w1], v[d], v[2]);
         let vertices = ends.map(|(i, j)| lower.grid().index(i, j));
-        let edge = |skin: &Skin| [&skin.along_s, &skin.along_t][d][vertices[0]];
-        let skins = [edge(&self.skins[0]), edge(&self.skins[1])];
+        let skins = self.skins.map(|skin| [&skin.along_s, &skin.along_t][d][vertices[0]]);
         if skins == [None, None] {
             return Ok(0);
         }
-        let rulings = [self.ruling(sewing, vertices[0])?, self.ruling(sewing, vertices[1])?].map(Some);
-        sewing.face(patch, [skins[0], skins[1], rulings[0], rulings[1]], same_sense);
+        let mut ruling = |vertex| {
+            self.ruling((&mut *sewing, &mut *rulings), vertex).map(|edge| Some(FaceEdge { edge, forward: true }))
+        };
+        let sides = [skins[0], skins[1], ruling(vertices[0])?, ruling(vertices[1])?];
+        sewing.face_along(patch, sides, same_sense);
         Ok(1)
     }
 
     /// The edge along the normal at a vertex of the grid.
-    fn ruling(&mut self, sewing: &mut Sewing, vertex: usize) -> Result<usize> {
-        let [start, end] = [0, 1].map(|k| self.skins[k].vertices[vertex]);
-        if let Some(edge) = self.rulings.get(&[start, end]) {
+    fn ruling(&self, (sewing, rulings): (&mut Sewing, &mut Rulings), vertex: usize) -> Result<usize> {
+        let [start, end] = self.skins.map(|skin| skin.vertices[vertex]);
+        if let Some(edge) = rulings.get(&[start, end]) {
             return Ok(*edge);
         }
-        let [from, to] = [0, 1].map(|k| self.nets[k].grid().points()[vertex]);
+        let [from, to] = self.nets.map(|net| net.grid().points()[vertex]);
         let edge = sewing.edge(start, end, Arc::segment(from, to)?);
-        self.rulings.insert([start, end], edge);
+        rulings.insert([start, end], edge);
         Ok(edge)
     }
 }

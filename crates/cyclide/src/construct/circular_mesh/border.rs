@@ -53,6 +53,12 @@ impl<'a> Holds<'a> {
         Self { holds, curves, origin, scale }
     }
 
+    /// Of vertices of which some are held where they are.
+    pub(super) fn pinned(held: &[bool]) -> Self {
+        let holds = held.iter().map(|held| if *held { Hold::Pinned } else { Hold::Free }).collect();
+        Self { holds, curves: Vec::new(), origin: Point3::ORIGIN, scale: 1.0 }
+    }
+
     pub(super) fn is_pinned(&self, v: usize) -> bool {
         self.holds[v] == Hold::Pinned
     }

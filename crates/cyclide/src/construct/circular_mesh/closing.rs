@@ -8,25 +8,34 @@ use super::dense_rows::SparseRow;
 use super::options::Border;
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
-use crate::surface::{GridClosing, QuadGrid, RingClosing, StripClosing, closing_limit};
+use crate::surface::{GridClosing, QuadGrid, QuadLayout, RingClosing, RoundClosing, StripClosing, closing_limit};
 
 /// Weight of the equations of strips, against those of quads and lines: with 1 the vertices of a tower move a quarter
 /// farther, with 0.01 rings take twice the steps.
 const STRIP_WEIGHT: f64 = 0.1;
 
-/// A closed line or strip of the grid.
+/// A closed line or strip of the grid, or what is round extraordinary vertices.
 enum Closed {
     /// Its vertices.
     Line(Vec<usize>),
     /// The corners of its quads.
     Strip(Vec<[usize; 4]>),
+    /// All of them together.
+    Round(RoundClosing),
+}
+
+/// What it is that closes.
+enum Whole {
+    /// A grid of this size, and which of its directions are closed.
+    Grid([usize; 2], [bool; 2]),
+    /// Grids round these extraordinary vertices, with the largest angle that a net accepts.
+    Layout(Vec<usize>, f64),
 }
 
 /// The closed lines and strips whose equations are solved; none of an open grid.
 pub(super) struct Closing {
     equations: Vec<Closed>,
-    size: [usize; 2],
-    closed: [bool; 2],
+    whole: Whole,
 }
 
 impl Closing {
@@ -38,7 +47,16 @@ impl Closing {
             std::iter::once(middle).chain(strips)
         };
         let equations = (0..2).filter(|d| grid.closed()[*d]).flat_map(of_direction).collect();
-        Self { equations, size: grid.size(), closed: grid.closed() }
+        Self { equations, whole: Whole::Grid(grid.size(), grid.closed()) }
+    }
+
+    /// All closed strips, and what is round the extraordinary vertices.
+    pub(super) fn of_layout(layout: &QuadLayout) -> Self {
+        let round = RoundClosing::new(layout);
+        let strips = layout.closed_strips().into_iter().map(Closed::Strip);
+        let equations = (!round.is_empty()).then_some(Closed::Round(round)).into_iter().chain(strips).collect();
+        let limit = layout.pieces().iter().map(|piece| closing_limit(&piece.grid)).fold(0.0, f64::max);
+        Self { equations, whole: Whole::Layout(layout.round().iter().map(|at| at.vertex).collect(), limit) }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -52,6 +70,7 @@ impl Closing {
             match closed {
                 Closed::Line(line) => values.extend(ring(points, line)?.equations()),
                 Closed::Strip(quads) => values.push(STRIP_WEIGHT * strip(points, quads)?.equation()),
+                Closed::Round(round) => values.extend(round.values(points)?),
             }
         }
         Some(values)
@@ -71,6 +90,7 @@ impl Closing {
                     let corners = quads.iter().zip(gradients).flat_map(|(quad, row)| quad.iter().copied().zip(row));
                     rows.push(corners.map(|(vertex, gradient)| (vertex, gradient * STRIP_WEIGHT)).collect());
                 }
+                Closed::Round(round) => rows.extend(round.gradients(points)?),
             }
         }
         Some(rows)
@@ -81,22 +101,38 @@ impl Closing {
         let closes = |closed: &Closed| match closed {
             Closed::Line(line) => ring(points, line).is_some_and(|ring| ring.angle() <= limit),
             Closed::Strip(quads) => strip(points, quads).is_some_and(|strip| strip.equation().abs() <= limit),
+            Closed::Round(round) => round.angle(points).0 <= limit,
         };
         self.equations.iter().all(closes)
     }
 
-    /// Refuses points with which a direction of the grid fails to close.
+    /// Refuses points with which a direction of the grid, or what is round an extraordinary vertex, fails to close.
     ///
     /// # Errors
-    /// `net-does-not-close`.
+    /// `net-does-not-close`, `ring-does-not-close`.
     pub(super) fn check(&self, points: &[Point3]) -> Result<()> {
-        let grid = QuadGrid::new(points.to_vec(), self.size, self.closed)?;
+        let grid = match &self.whole {
+            Whole::Grid(size, closed) => QuadGrid::new(points.to_vec(), *size, *closed)?,
+            Whole::Layout(vertices, limit) => return self.check_round(points, vertices, *limit),
+        };
         let limit = closing_limit(&grid);
         for direction in 0..2 {
             if let Some(GridClosing { angle, stretch }) = grid.closing(direction)?
                 && !(angle.max(stretch) <= limit)
             {
                 return Err(Error::NetDoesNotClose { direction, angle, stretch, limit });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_round(&self, points: &[Point3], vertices: &[usize], limit: f64) -> Result<()> {
+        for closed in &self.equations {
+            if let Closed::Round(round) = closed {
+                let (angle, at) = round.angle(points);
+                if !(angle <= limit) {
+                    return Err(Error::RingDoesNotClose { vertex: vertices[at], angle, limit });
+                }
             }
         }
         Ok(())

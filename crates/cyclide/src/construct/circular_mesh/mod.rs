@@ -11,6 +11,7 @@ mod fairness;
 mod finish;
 mod guard;
 mod input_surface;
+mod layout;
 mod neighbours;
 mod normal_equations;
 mod options;
@@ -18,8 +19,9 @@ mod report;
 mod residual;
 mod search;
 
+pub use layout::{CircularLayout, make_layout_circular};
 pub use options::{Border, CircularMeshOptions};
-pub use report::{CircularMeshReport, ClosingChange, LineAngles, VertexMoves};
+pub use report::{CircularMeshReport, ClosingChange, LineAngles, RoundChange, VertexMoves};
 pub use search::CircularMeshStep;
 
 use crate::base::bounds::Aabb;
@@ -164,10 +166,10 @@ pub fn make_circular(
     if let Some(change) = shape.filter(|change| refusable && change.is_lost()) {
         return Err(Error::ShapeLost { change: Box::new(change) });
     }
-    let comparison = Comparison { before: input, after: &after, normals: &normals, triples: &triples };
+    let comparison = Comparison { before: input, after: &after, normals: &normals };
     let moves = comparison.moves();
     let [angle_before, angle_after] = comparison.angles();
-    let warnings = comparison.warnings(&moves, world_edge, shape.as_ref());
+    let warnings = report::warnings((&after, &triples), &moves, world_edge, shape.as_ref());
     let residual_after = measure(&after);
     let made = grid.with_points(after)?;
     let report = CircularMeshReport {
@@ -179,6 +181,7 @@ pub fn make_circular(
         angle_before,
         angle_after,
         closing: report::closing(closing_before, &made)?,
+        round: None,
         shape,
         rejected_quads,
     };
@@ -203,23 +206,28 @@ fn median_edge(grid: &QuadGrid) -> Result<f64> {
     let used = grid.used_vertices();
     let of_quads = grid.points().iter().zip(&used).filter(|(_, used)| **used).map(|(p, _)| *p);
     let size = Aabb::of_points(of_quads).map_or(0.0, Aabb::diagonal);
-    let limit = COINCIDENT_LIMIT * size;
     let [m, n] = grid.size();
+    let edges = (0..n).flat_map(|j| (0..m).map(move |i| (i, j))).flat_map(|(i, j)| {
+        let next = [(grid.has_edge([i, j], 0), (i + 1, j)), (grid.has_edge([i, j], 1), (i, j + 1))];
+        next.into_iter().filter(|(exists, _)| *exists).map(move |(_, (k, l))| [grid.index(i, j), grid.index(k, l)])
+    });
+    median(grid.points(), edges, size)
+}
+
+/// The median length of edges of a surface of this size.
+///
+/// # Errors
+/// `coincident-points`, `parameter-out-of-range`.
+fn median(points: &[Point3], edges: impl Iterator<Item = [usize; 2]>, size: f64) -> Result<f64> {
+    let limit = COINCIDENT_LIMIT * size;
     let mut lengths = Vec::new();
-    for j in 0..n {
-        for i in 0..m {
-            let first = grid.index(i, j);
-            let next = [(grid.has_edge([i, j], 0), (i + 1, j)), (grid.has_edge([i, j], 1), (i, j + 1))];
-            for (_, (i, j)) in next.into_iter().filter(|(exists, _)| *exists) {
-                let second = grid.index(i, j);
-                let distance = grid.points()[first].distance(grid.points()[second]);
-                if !(distance > limit) {
-                    return Err(Error::CoincidentPoints { first, second, distance, limit });
-                }
-                range::check_distance(distance)?;
-                lengths.push(distance);
-            }
+    for [first, second] in edges {
+        let distance = points[first].distance(points[second]);
+        if !(distance > limit) {
+            return Err(Error::CoincidentPoints { first, second, distance, limit });
         }
+        range::check_distance(distance)?;
+        lengths.push(distance);
     }
     lengths.sort_by(f64::total_cmp);
     Ok(lengths[lengths.len() / 2])

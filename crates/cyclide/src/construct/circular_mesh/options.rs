@@ -62,9 +62,7 @@ impl CircularMeshOptions<'_> {
     /// # Errors
     /// `parameter-out-of-range`.
     pub(super) fn check(&self, grid: &QuadGrid) -> Result<()> {
-        if self.max_steps == 0 {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
-        }
+        self.check_steps()?;
         if let Border::OnCurves(sides) = self.border {
             if !grid.is_whole() {
                 return Err(Error::CellsUnfit { fault: GridCellFault::Curves, index: 0 });
@@ -76,6 +74,15 @@ impl CircularMeshOptions<'_> {
                     return Err(Error::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 });
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub(super) fn check_steps(&self) -> Result<()> {
+        if self.max_steps == 0 {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
         }
         Ok(())
     }

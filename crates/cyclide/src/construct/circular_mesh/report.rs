@@ -50,6 +50,8 @@ pub struct CircularMeshReport {
     pub angle_after: Option<LineAngles>,
     /// What closing took, along s and along t; `None` of an open direction.
     pub closing: [Option<ClosingChange>; 2],
+    /// What closing round extraordinary vertices took, of a mesh that has some.
+    pub round: Option<RoundChange>,
     /// How much of the shape changed; `None` for an input that is flat.
     pub shape: Option<ShapeChange>,
     /// Quads (s fastest) whose sides cross, or with a side of no length: no patch fits into them.
@@ -84,6 +86,29 @@ pub struct ClosingChange {
     pub stretch_before: f64,
     /// The same of the grid as returned.
     pub stretch_after: f64,
+}
+
+/// How far a mesh was from closing round its extraordinary vertices, and is.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadLayout, make_layout_circular};
+/// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+/// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
+/// let made = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ())?;
+/// assert!(made.report.round.is_none()); // there are none
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct RoundChange {
+    /// The number of these vertices.
+    pub vertices: usize,
+    /// Largest angle by which a frame came back turned besides quarter turns in the mesh as given, radians.
+    pub angle_before: f64,
+    /// The same of the mesh as returned.
+    pub angle_after: f64,
 }
 
 /// What closing took, of each direction.
@@ -162,7 +187,7 @@ pub struct LineAngles {
 }
 
 impl LineAngles {
-    fn of(mut angles: Vec<f64>) -> Option<Self> {
+    pub(super) fn of(mut angles: Vec<f64>) -> Option<Self> {
         angles.sort_by(f64::total_cmp);
         Some(Self { median: *angles.get(angles.len() / 2)?, max: *angles.last()? })
     }
@@ -173,7 +198,6 @@ pub(super) struct Comparison<'a> {
     pub(super) before: &'a QuadGrid,
     pub(super) after: &'a [Point3],
     pub(super) normals: &'a [Option<Vec3>],
-    pub(super) triples: &'a [[usize; 3]],
 }
 
 impl Comparison<'_> {
@@ -204,31 +228,36 @@ impl Comparison<'_> {
         let of = |points| LineAngles::of(input_surface::line_angles(points, self.before, &lines));
         [of(self.before.points()), of(self.after)]
     }
+}
 
-    /// Doubts about the result, those about its shape first (`docs/math/circular-meshes.md#guard`).
-    pub(super) fn warnings(&self, moves: &VertexMoves, edge: f64, shape: Option<&ShapeChange>) -> Vec<Warning> {
-        let mut warnings = Vec::new();
-        if let Some(shape) = shape {
-            if let Some(angle) = shape.runs_across() {
-                warnings.push(Warning::AcrossCurvatureLines { angle, limit: ACROSS });
-            }
-            if shape.is_doubtful() {
-                warnings.push(Warning::ShapeChanged { change: *shape });
-            }
+/// Doubts about the result, those about its shape first (`docs/math/circular-meshes.md#guard`).
+pub(super) fn warnings(
+    (after, triples): (&[Point3], &[[usize; 3]]),
+    moves: &VertexMoves,
+    edge: f64,
+    shape: Option<&ShapeChange>,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Some(shape) = shape {
+        if let Some(angle) = shape.runs_across() {
+            warnings.push(Warning::AcrossCurvatureLines { angle, limit: ACROSS });
         }
-        if moves.max > FAR_MOVE * edge {
-            let (vertex, distance) = (moves.farthest_vertex, moves.max);
-            warnings.push(Warning::MovedFar { vertex, distance, limit: FAR_MOVE * edge });
+        if shape.is_doubtful() {
+            warnings.push(Warning::ShapeChanged { change: *shape });
         }
-        if moves.max_off_surface > FAR_OFF * edge {
-            let (vertex, distance) = (moves.farthest_off_vertex, moves.max_off_surface);
-            warnings.push(Warning::LeftSurface { vertex, distance, limit: FAR_OFF * edge });
-        }
-        if let Some((agreement, turn)) = zigzag(self.after, self.triples) {
-            warnings.push(Warning::Zigzag { agreement, turn });
-        }
-        warnings
     }
+    if moves.max > FAR_MOVE * edge {
+        let (vertex, distance) = (moves.farthest_vertex, moves.max);
+        warnings.push(Warning::MovedFar { vertex, distance, limit: FAR_MOVE * edge });
+    }
+    if moves.max_off_surface > FAR_OFF * edge {
+        let (vertex, distance) = (moves.farthest_off_vertex, moves.max_off_surface);
+        warnings.push(Warning::LeftSurface { vertex, distance, limit: FAR_OFF * edge });
+    }
+    if let Some((agreement, turn)) = zigzag(after, triples) {
+        warnings.push(Warning::Zigzag { agreement, turn });
+    }
+    warnings
 }
 
 /// Quads without an embedded circular shape.

@@ -103,6 +103,35 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `not-a-quad-layout`
+//! The quads round an extraordinary vertex reach the border.
+//! ```
+//! use cyclide::{Point3, QuadLayout};
+//! let points = (0..7).map(|k| Point3::new(f64::from(k), f64::from(k * k), 0.0)).collect();
+//! let error = QuadLayout::new(points, &[[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 1]]).unwrap_err();
+//! assert_eq!(error.reason(), "not-a-quad-layout");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `ring-does-not-close`
+//! Quads of a cube round its corner have circles, but the three sides are not one smooth surface.
+//! ```
+//! use cyclide::{NetLayout, Point3, QuadLayout};
+//! let (mut points, mut quads) = (Vec::<[i32; 3]>::new(), Vec::new());
+//! for k in 0..27 {
+//!     let (i, a, b) = (k / 9, (k % 3) as i32, (k / 3 % 3) as i32);
+//!     quads.push([(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| {
+//!         let mut p = [3; 3];
+//!         (p[i], p[(i + 1) % 3]) = (3 - a, 3 - b);
+//!         points.iter().position(|q| *q == p).unwrap_or_else(|| { points.push(p); points.len() - 1 })
+//!     }));
+//! }
+//! let points = points.iter().map(|p| Point3::from(p.map(f64::from))).collect();
+//! let error = NetLayout::new(QuadLayout::new(points, &quads)?).unwrap_err();
+//! assert_eq!(error.reason(), "ring-does-not-close");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `not-a-surface`
 //! Triangles for a grid along lines of curvature meet in a vertex alone.
 //! ```

@@ -39,14 +39,7 @@ impl CyclidicNet {
     /// `ambiguous-frame` if the edges give no frame for [`NetFrame::Auto`].
     pub fn new(grid: QuadGrid, frame: NetFrame) -> Result<Self> {
         grid.check_place()?;
-        let [m, n] = grid.quads();
-        // ln(delta_12/delta_03) of every quad; what is outside asks for nothing.
-        let mut kappa = vec![0.0; m * n];
-        for [i, j] in grid.all_quads() {
-            let (quad, a) = (i + j * m, grid.corners(i, j).map(|k| grid.points()[k]));
-            check_quad(&a).map_err(|e| e.in_quad(quad))?;
-            kappa[quad] = (a[1].distance(a[2]) / a[0].distance(a[3])).ln();
-        }
+        let kappa = stretches(&grid)?;
         let (v1, v2) = match frame {
             NetFrame::Auto => frame::fitted(&grid)?,
             NetFrame::First(v1, v2) => {
@@ -60,18 +53,45 @@ impl CyclidicNet {
         };
         let v = [v1, v2];
         let directions = transported(&grid, v);
-        let (rounding, limit) = (rounding(&grid), closing_limit(&grid));
+        let limit = closing_limit(&grid);
         let turn = closing(&grid, v, &directions, limit)?;
         let lengths = lengths(&grid, &kappa, limit)?;
         let weights = directions.iter().zip(&lengths).map(|(w, l)| *w * *l).collect();
-        let net = Self { grid, weights, v, turn };
-        for [i, j] in net.grid.all_quads() {
-            let (corners, weights) = net.pairs(i, j);
-            CyclidePatch::from_rounded_weights(corners, weights, v1, v2, rounding)
-                .map_err(|e| e.in_quad(net.number([i, j])))?;
-        }
-        Ok(net)
+        Self { grid, weights, v, turn }.checked()
     }
+
+    /// The net over an open grid with the frame of its first vertex and the logarithms of the lengths of its weights, which suit
+    /// its quads.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(in crate::surface) fn with_lengths(grid: QuadGrid, v: [Vec3; 2], lengths: &[f64]) -> Result<Self> {
+        lengths.iter().try_for_each(|u| range::check_weight_ratio(u.exp()))?;
+        let weights = transported(&grid, v).iter().zip(lengths).map(|(w, u)| *w * u.exp()).collect();
+        Self { grid, weights, v, turn: [1.0; 2] }.checked()
+    }
+
+    fn checked(self) -> Result<Self> {
+        let (rounding, [v1, v2]) = (rounding(&self.grid), self.v);
+        for [i, j] in self.grid.all_quads() {
+            let (corners, weights) = self.pairs(i, j);
+            CyclidePatch::from_rounded_weights(corners, weights, v1, v2, rounding)
+                .map_err(|e| e.in_quad(self.number([i, j])))?;
+        }
+        Ok(self)
+    }
+}
+
+/// `ln(delta_12/delta_03)` of every quad, whose corners must be concircular; what is outside asks for nothing.
+pub(in crate::surface) fn stretches(grid: &QuadGrid) -> Result<Vec<f64>> {
+    let [m, n] = grid.quads();
+    let mut kappa = vec![0.0; m * n];
+    for [i, j] in grid.all_quads() {
+        let (quad, a) = (i + j * m, grid.corners(i, j).map(|k| grid.points()[k]));
+        check_quad(&a).map_err(|e| e.in_quad(quad))?;
+        kappa[quad] = (a[1].distance(a[2]) / a[0].distance(a[3])).ln();
+    }
+    Ok(kappa)
 }
 
 impl CyclidicNet {
@@ -79,6 +99,11 @@ impl CyclidicNet {
     pub(crate) fn from_weights_unchecked(grid: QuadGrid, weights: Vec<Quat>, v: [Vec3; 2], turn: [f64; 2]) -> Self {
         debug_assert_eq!(weights.len(), grid.points().len());
         Self { grid, weights, v, turn }
+    }
+
+    /// The same weights over a grid whose points differ by rounding.
+    pub(in crate::surface) fn over(self, grid: QuadGrid) -> Self {
+        Self { grid, ..self }
     }
 }
 

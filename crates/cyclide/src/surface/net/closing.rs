@@ -89,19 +89,24 @@ impl RingClosing {
     /// The gradient of each equation by each point.
     #[must_use]
     pub fn gradients(&self) -> Vec<Vec<Vec3>> {
+        let [real, x, y, z] = self.product_gradients();
+        if self.is_even() { vec![x, y, z] } else { vec![real] }
+    }
+
+    /// The gradients of the parts w, x, y, z of the product by each point.
+    pub(in crate::surface) fn product_gradients(&self) -> [Vec<Vec3>; 4] {
         let m = self.edges.len();
         let mut after = vec![Quat::ONE; m];
         for k in (1..m).rev() {
             after[k - 1] = Quat::from(self.edges[k].0) * after[k];
         }
-        let mut gradients = vec![vec![Vec3::ZERO; m]; if self.is_even() { 3 } else { 1 }];
+        let mut gradients = [0; 4].map(|_| vec![Vec3::ZERO; m]);
         let mut before = Quat::ONE;
         for (k, &(d, length)) in self.edges.iter().enumerate() {
             // The derivatives by the axes, as columns: part[axis] of each equation.
             let along = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| before * Quat::from(axis) * after[k]);
-            for (equation, gradient) in gradients.iter_mut().enumerate() {
-                let part = |q: Quat| if self.is_even() { q.vector()[equation] } else { q.w };
-                let by_edge = Vec3::from(along.map(part));
+            for (part, gradient) in gradients.iter_mut().enumerate() {
+                let by_edge = Vec3::from(along.map(|q| if part == 0 { q.w } else { q.vector()[part - 1] }));
                 let by_chord = (by_edge - d * d.dot(by_edge)) / length;
                 gradient[(k + 1) % m] += by_chord;
                 gradient[k] -= by_chord;

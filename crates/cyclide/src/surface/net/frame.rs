@@ -41,29 +41,47 @@ pub(super) fn unit(chord: Vec3) -> Vec3 {
 /// # Errors
 /// `ambiguous-frame` if that rotation is not unique.
 pub(super) fn fitted(grid: &QuadGrid) -> Result<(Vec3, Vec3)> {
-    let m = grid.size()[0];
-    // Aᵀ = A^-1 of the vertices, as the images of the axes: carried like the frames.
+    let back = carried_back(grid);
+    let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
+    nearest(preferred(grid, &back), axes).map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE })
+}
+
+/// `Aᵀ = A^-1` of each vertex, as the images of the axes.
+pub(in crate::surface) fn carried_back(grid: &QuadGrid) -> Vec<[Vec3; 3]> {
     let mut back = vec![[Vec3::X, Vec3::Y, Vec3::Z]; grid.points().len()];
-    let used = grid.used_vertices();
-    let first = used.iter().position(|used| *used).unwrap_or(0);
     for Way { before, to, .. } in Way::all(grid) {
         let d = unit(grid.points()[to] - grid.points()[before]);
         // The rows of A: A_new = R A_old, and (R A)ᵀ x = Aᵀ R x; the images of the axes under Aᵀ R.
         let old = back[before];
         back[to] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| apply(old, mirrored(axis, d)));
     }
+    back
+}
+
+/// The first vertex of a quad, from which frames are carried.
+pub(in crate::surface) fn first_vertex(grid: &QuadGrid) -> usize {
+    grid.used_vertices().iter().position(|used| *used).unwrap_or(0)
+}
+
+/// The signs of `A v1, A v2, A v3` in the frame at a vertex, of a grid of so many columns whose first vertex is `first`.
+pub(in crate::surface) fn signs(m: usize, first: usize, vertex: usize) -> [f64; 3] {
+    let sign = |steps: usize| if steps.is_multiple_of(2) { 1.0 } else { -1.0 };
+    [sign(vertex % m + first % m), sign(vertex / m + first / m), 1.0]
+}
+
+/// The sum of the targets of all vertices, carried back to the first one.
+pub(in crate::surface) fn preferred(grid: &QuadGrid, back: &[[Vec3; 3]]) -> [Vec3; 3] {
+    let m = grid.size()[0];
+    let first = first_vertex(grid);
     let mut sum = [Vec3::ZERO; 3];
-    for (index, _) in used.iter().enumerate().filter(|(_, used)| **used) {
-        let at = [index % m, index / m];
-        let Some(target) = target(grid, at) else { continue };
-        let sign = |d: usize| if (at[d] + [first % m, first / m][d]).is_multiple_of(2) { 1.0 } else { -1.0 };
-        let signs = [sign(0), sign(1), 1.0];
+    for (index, _) in grid.used_vertices().iter().enumerate().filter(|(_, used)| **used) {
+        let Some(target) = target(grid, [index % m, index / m]) else { continue };
+        let signs = signs(m, first, index);
         for k in 0..3 {
             sum[k] += apply(back[index], target[k]) * signs[k];
         }
     }
-    let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
-    nearest(sum, axes).map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE })
+    sum
 }
 
 /// Frames come back round a closed direction of an odd number of edges only if their vector along it is turned round
@@ -104,7 +122,7 @@ fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Result<(Vec3, Vec3), f64>
 }
 
 /// The linear map with the given images of the axes.
-fn apply(images: [Vec3; 3], x: Vec3) -> Vec3 {
+pub(in crate::surface) fn apply(images: [Vec3; 3], x: Vec3) -> Vec3 {
     images[0] * x.x + images[1] * x.y + images[2] * x.z
 }
 

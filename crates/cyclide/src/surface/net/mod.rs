@@ -15,10 +15,11 @@ mod singular;
 mod transform;
 mod ways;
 
-#[cfg(feature = "circular-mesh")]
 pub(crate) use build::closing_limit;
+pub(in crate::surface) use build::stretches;
 pub use closing::{GridClosing, RingClosing, StripClosing};
 pub use frame::NetFrame;
+pub(in crate::surface) use frame::{apply, carried_back, first_vertex, preferred, signs};
 pub(crate) use same_vertices::SameVertices;
 pub use singular::SingularPatch;
 

@@ -1,0 +1,64 @@
+//! Why the quads of a mesh make no grids that join.
+
+/// What is wrong with a mesh of quads that shall be regular grids round extraordinary vertices.
+///
+/// ```
+/// use cyclide::{Error, LayoutFault, Point3, QuadLayout};
+/// let points: Vec<_> = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [5.0, 5.0]].map(|[x, y]| Point3::new(x, y, 0.0)).into();
+/// let error = QuadLayout::new(points, &[[0, 1, 2, 9]]).unwrap_err();
+/// assert_eq!(error, Error::NotAQuadLayout { fault: LayoutFault::NoSuchVertex, index: 0 });
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LayoutFault {
+    /// There is no quad.
+    NoQuads,
+    /// A quad has a corner that is no point.
+    NoSuchVertex,
+    /// A quad has the same corner twice.
+    RepeatedCorner,
+    /// A quad is the third at an edge.
+    ThirdQuad,
+    /// A quad is turned both ways: the mesh is one-sided.
+    OneSided,
+    /// A quad has no chain of neighbours to the first one.
+    Apart,
+    /// Parts of the mesh touch in a vertex alone.
+    Touching,
+    /// A vertex of the border has more than three quads.
+    Border,
+    /// An extraordinary vertex whose quads reach the border, or those of another one.
+    Crowded,
+    /// Rows of quads come back to a quad in another place.
+    Overlapping,
+    /// There are extraordinary vertices on a mesh that is neither a disc nor closed like a sphere.
+    Holes,
+}
+
+impl LayoutFault {
+    /// The fault in words, with what helps.
+    pub(super) fn words(self, index: usize) -> String {
+        match self {
+            Self::NoQuads => "the mesh has no quads".to_owned(),
+            Self::NoSuchVertex => format!("quad {index} has a corner that is no vertex"),
+            Self::RepeatedCorner => format!("quad {index} has the same corner twice"),
+            Self::ThirdQuad => format!("quad {index} is the third at an edge"),
+            Self::OneSided => format!("quad {index} is turned both ways: the mesh is one-sided"),
+            Self::Apart => format!("no chain of neighbours joins quad {index} to the first one"),
+            Self::Touching => format!("parts of the mesh touch in vertex {index} alone"),
+            Self::Border => format!("vertex {index} of the border has more than three quads: only 1 to 3 make a grid"),
+            Self::Crowded => format!(
+                "the quads round extraordinary vertex {index} reach the border, or those of another one: divide every quad into four, or nine"
+            ),
+            Self::Overlapping => {
+                format!(
+                    "the rows through quad {index} come back in another place: the mesh closes with a shift, or lies over itself"
+                )
+            }
+            Self::Holes => format!(
+                "extraordinary vertices, as {index} is one, go with a disc or a sphere: fill holes with quads, and leave these open; cut a tube"
+            ),
+        }
+    }
+}

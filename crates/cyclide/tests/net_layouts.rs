@@ -1,0 +1,204 @@
+//! Laws of nets round extraordinary vertices: they close without a crease, hang together along shared arcs with one parameter, and keep
+//! the shape where it allows them.
+
+#![cfg(feature = "circular-mesh")]
+
+use cyclide::{
+    CircularMeshOptions, Conformal, Error, Mobius, NetLayout, Point3, QuadLayout, Vec3, make_layout_circular,
+    surface_joints,
+};
+use std::f64::consts::TAU;
+
+/// Points that are equal but for rounding are one.
+#[derive(Default)]
+struct Mesh {
+    points: Vec<Point3>,
+    quads: Vec<[usize; 4]>,
+}
+
+impl Mesh {
+    fn quad(&mut self, corners: [Point3; 4]) {
+        let number = |points: &mut Vec<Point3>, p: Point3| {
+            points.iter().position(|q| q.distance(p) < 1e-9).unwrap_or_else(|| {
+                points.push(p);
+                points.len() - 1
+            })
+        };
+        let quad = corners.map(|p| number(&mut self.points, p));
+        self.quads.push(quad);
+    }
+
+    fn layout(self) -> QuadLayout {
+        QuadLayout::new(self.points, &self.quads).unwrap()
+    }
+}
+
+/// Sectors of `k` x `k` quads round one vertex; the edges cross at right angles in the plane.
+fn cap(sectors: usize, k: usize, height: impl Fn(f64, f64) -> f64) -> QuadLayout {
+    let bend = 4.0 / sectors as f64;
+    let place = |i: usize, a: usize, b: usize| {
+        let r = ((a as f64).hypot(b as f64) / k as f64).powf(bend);
+        let angle = bend * (b as f64).atan2(a as f64) + TAU * i as f64 / sectors as f64;
+        let (x, y) = (r * angle.cos(), r * angle.sin());
+        Point3::new(x, y, height(x, y))
+    };
+    let mut mesh = Mesh::default();
+    for q in 0..sectors * k * k {
+        let (i, a, b) = (q / (k * k), q % k, q / k % k);
+        mesh.quad([(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| place(i, a, b)));
+    }
+    mesh.layout()
+}
+
+/// A cube of `k` x `k` quads a side, pressed on a sphere: eight vertices of three quads, closed.
+fn ball(k: usize, bulge: f64) -> QuadLayout {
+    let mut mesh = Mesh::default();
+    for side in 0..6 {
+        let (axis, up) = (side / 2, side % 2 == 0);
+        for q in 0..k * k {
+            let corner = |a: usize, b: usize| {
+                // Equal angles between the planes through the centre.
+                let t = [a, b].map(|c| ((c as f64 / k as f64 - 0.5) * TAU / 4.0).tan());
+                let mut p = [0.0; 3];
+                p[axis] = if up { 1.0 } else { -1.0 };
+                (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (t[0], t[1]);
+                let d = Vec3::from(p);
+                Point3::ORIGIN + d * ((1.0 + bulge * p[2] / d.length()) / d.length())
+            };
+            let (a, b) = (q % k, q / k);
+            let corners = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| corner(a, b));
+            mesh.quad(if up { corners } else { [corners[0], corners[3], corners[2], corners[1]] });
+        }
+    }
+    mesh.layout()
+}
+
+fn made(layout: &QuadLayout) -> NetLayout {
+    let made = make_layout_circular(layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+    assert!(made.report.residual_after < 1e-12 && made.report.rejected_quads.is_empty());
+    let round = made.report.round.unwrap();
+    // A product of unit quaternions along a walk of less than 100 edges.
+    assert!(round.angle_after < 1e-11, "{round:?}");
+    NetLayout::new(made.layout).unwrap()
+}
+
+/// The largest angle between faces at their edges.
+fn crease(net: &NetLayout) -> f64 {
+    surface_joints(&net.to_shell().unwrap()).iter().map(|joint| joint.angle).fold(0.0, f64::max)
+}
+
+#[test]
+fn caps_close_without_a_crease() {
+    for sectors in [3, 5, 6, 7] {
+        let dome = cap(sectors, 5, |x, y| -0.3 * (x * x + y * y));
+        let report = make_layout_circular(&dome, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+        // Some tenths of an edge: the sectors are bent squares.
+        assert!(report.moves.max < 0.5 * report.median_edge, "{sectors}: {report:?}");
+        assert!(report.round.unwrap().angle_before > 0.1);
+        let net = made(&dome);
+        let shell = net.to_shell().unwrap();
+        assert_eq!(shell.faces().len(), sectors * 24);
+        // Frames carried over twenty edges.
+        assert!(crease(&net) < 1e-9, "{sectors}: {}", crease(&net));
+        assert!(net.nets().iter().all(|net| net.singular_patches().is_empty()));
+        // All normals look the same way.
+        assert!(net.nets().iter().all(|net| net.patches().all(|patch| patch.unit_normal(0.5, 0.5).z > 0.5)));
+    }
+}
+
+#[test]
+fn monkey_saddle_follows_its_lines_of_curvature() {
+    // Its umbilic has index -1/2: six sectors are its lines of curvature.
+    let saddle = cap(6, 6, |x, y| 0.2 * (x * x * x - 3.0 * x * y * y));
+    let report = make_layout_circular(&saddle, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+    // At the corners of the border, along the surface.
+    assert!(report.moves.max < 0.5 * report.median_edge, "{report:?}");
+    assert!(report.moves.max_off_surface < 0.02 * report.median_edge, "{report:?}");
+    assert!(report.angle_after.unwrap().median < 0.01, "{report:?}");
+    assert!(crease(&made(&saddle)) < 1e-9);
+}
+
+#[test]
+fn ball_with_eight_corners() {
+    for bulge in [0.0, 0.1] {
+        let net = made(&ball(6, bulge));
+        assert_eq!((net.nets().len(), net.layout().round().len()), (6, 8));
+        assert!(crease(&net) < 1e-8, "{bulge}: {}", crease(&net));
+        let shell = net.to_shell().unwrap();
+        assert_eq!(shell.faces().len(), 6 * 32);
+        // One piece of a sphere with eight openings.
+        let characteristic = shell.vertices().len() as i64 + shell.faces().len() as i64 - shell.edges().len() as i64;
+        assert_eq!(characteristic, 2 - 8);
+    }
+}
+
+#[test]
+fn offsets_and_solids_hang_together() {
+    let net = made(&cap(5, 5, |x, y| -0.3 * (x * x + y * y)));
+    let body = net.thick(0.05).unwrap();
+    assert!(body.is_solid());
+    // Both skins, and rims over 5 x 10 edges of the border and 10 of the opening.
+    assert_eq!(body.outer.faces().len(), 2 * 5 * 24 + 50 + 10);
+    let volume = body.outer.volume();
+    let area = net.to_shell().unwrap().area();
+    assert!((volume / (0.05 * area) - 1.0).abs() < 0.05, "{volume} {area}");
+    let back = net.offset(0.05).unwrap().offset(-0.05).unwrap();
+    let off = net.layout().points().iter().zip(back.layout().points()).map(|(p, q)| p.distance(*q));
+    assert!(off.fold(0.0, f64::max) < 1e-14);
+    // The other way round the outside is the other side.
+    let below = net.thick(-0.05).unwrap();
+    assert!(below.is_solid() && below.outer.volume() > 0.0);
+}
+
+#[test]
+fn maps_keep_nets_together() {
+    let net = made(&cap(3, 4, |x, y| -0.3 * (x * x + y * y)));
+    let inversion = Mobius::inversion(Point3::new(0.3, -0.2, 3.0), 2.0).unwrap();
+    let image = net.transformed(&inversion).unwrap();
+    assert!(crease(&image) < 1e-9);
+    let turned = net.transformed(&Mobius::rotation(Point3::ORIGIN, Vec3::new(0.6, 0.0, 0.8), 1.0).unwrap()).unwrap();
+    let (before, after) = (net.to_shell().unwrap().area(), turned.to_shell().unwrap().area());
+    assert!((after / before - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn similar_meshes_have_similar_nets() {
+    let dome = cap(5, 4, |x, y| -0.3 * (x * x + y * y));
+    let net = made(&dome);
+    // A power of two, which rounds nothing.
+    let scaled =
+        dome.with_points(dome.points().iter().map(|p| Point3::ORIGIN + p.to_vec() * 1024.0).collect()).unwrap();
+    let large = made(&scaled);
+    let off = net.layout().points().iter().zip(large.layout().points());
+    assert!(off.map(|(p, q)| (p.to_vec() * 1024.0 - q.to_vec()).length()).fold(0.0, f64::max) < 1e-9);
+}
+
+#[test]
+fn what_is_circular_stays() {
+    let net = made(&cap(5, 4, |x, y| -0.3 * (x * x + y * y)));
+    let again = make_layout_circular(net.layout(), &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+    assert_eq!((again.report.steps, &again.layout), (0, net.layout()));
+}
+
+#[test]
+fn without_extraordinary_vertices_it_is_the_net_of_the_grid() {
+    let points: Vec<Point3> = (0..12).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
+    let quads: Vec<[usize; 4]> = (0..6).map(|q| q % 3 + 4 * (q / 3)).map(|a| [a, a + 1, a + 5, a + 4]).collect();
+    let net = NetLayout::new(QuadLayout::new(points, &quads).unwrap()).unwrap();
+    assert!((net.to_shell().unwrap().area() - 6.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_does_not_close_is_refused() {
+    // Its quads have circles; their frames go round the corner of a cube.
+    let cube = ball(4, 0.0);
+    let flat = cube.points().iter().map(|p| {
+        let v = p.to_vec();
+        Point3::ORIGIN + v * (1.0 / v.max_abs())
+    });
+    let cube = cube.with_points(flat.collect()).unwrap();
+    match NetLayout::new(cube) {
+        Err(Error::RingDoesNotClose { angle, .. }) => assert!(angle > 1.0),
+        other => panic!("{other:?}"),
+    }
+}
