@@ -120,7 +120,7 @@ fn kind_of_curve(curve: &CurveObject) -> &'static str {
 fn kind_of_surface(surface: &SurfaceObject) -> &'static str {
     match surface {
         SurfaceObject::Patch(_) => "cyclide-patch",
-        SurfaceObject::Net(_) => "cyclidic-net",
+        SurfaceObject::Net(_) | SurfaceObject::Layout(_) => "cyclidic-net",
         SurfaceObject::Body(_) => "body",
         SurfaceObject::Triangles(TriangleSurface::Mesh(_)) => "smooth-mesh",
         SurfaceObject::Triangles(TriangleSurface::Blend(_)) => "sphere-blend",

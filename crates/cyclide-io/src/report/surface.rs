@@ -302,7 +302,7 @@ impl SurfaceReport {
             it.shells().for_each(|shell| parts.extend(PartReport::of_shell(body, shell, &mut not_known)));
         }
         parts.sort_by(|a, b| b.area.total_cmp(&a.area));
-        let nets = built.item.surfaces().iter().filter_map(SurfaceObject::as_net);
+        let nets = built.item.surfaces().iter().flat_map(SurfaceObject::nets);
         let mut report = Self {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),

@@ -40,12 +40,11 @@ pub(super) struct Chosen {
 
 /// The nets of an object, a single patch as one of one panel.
 fn nets_of(built: &BuiltObject) -> Vec<CyclidicNet> {
-    let net = |surface: &SurfaceObject| match surface {
-        SurfaceObject::Net(net) => Some(net.clone()),
-        SurfaceObject::Patch(patch) => Some(CyclidicNet::from(*patch)),
-        SurfaceObject::Body(_) | SurfaceObject::Triangles(_) => None,
+    let nets = |surface: &SurfaceObject| match surface {
+        SurfaceObject::Patch(patch) => vec![CyclidicNet::from(*patch)],
+        other => other.nets().to_vec(),
     };
-    built.item.surfaces().iter().filter_map(net).collect()
+    built.item.surfaces().iter().flat_map(nets).collect()
 }
 
 /// The objects of a model that are scheduled: those of these names, or all with nets that are no construction geometry.

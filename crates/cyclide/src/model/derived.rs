@@ -39,6 +39,7 @@ impl Conformal for SurfaceObject {
         match self {
             Self::Patch(patch) => patch.transformed(map).map(Self::Patch),
             Self::Net(net) => net.transformed(map).map(Self::Net),
+            Self::Layout(layout) => layout.transformed(map).map(Self::Layout),
             Self::Body(body) => body.transformed(map).map(Self::Body),
             Self::Triangles(surface) => surface.similar(map).map(Self::Triangles),
         }
@@ -153,6 +154,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Some(patch.offset(distance).map(Self::Patch)),
             Self::Net(net) => Some(net.offset(distance).map(Self::Net)),
+            Self::Layout(layout) => Some(layout.offset(distance).map(Self::Layout)),
             Self::Body(_) | Self::Triangles(_) => None,
         }
     }
@@ -167,6 +169,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Some(CyclidicNet::from(*patch).thick(distance).map(Self::Body).map_err(of_one_quad)),
             Self::Net(net) => Some(net.thick(distance).map(Self::Body)),
+            Self::Layout(layout) => Some(layout.thick(distance).map(Self::Body)),
             Self::Body(_) | Self::Triangles(_) => None,
         }
     }

@@ -6,7 +6,7 @@ use crate::construct::Biarc;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, QbSpline};
 use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
-use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
+use crate::surface::{CyclidePatch, CyclidicNet, NetLayout, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
 use crate::volume::CyclideVolume;
 
@@ -67,7 +67,7 @@ macro_rules! becomes {
 }
 
 becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline, QbSpline => QbSpline, NurbsCurve => Nurbs);
-becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
+becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, NetLayout => Layout, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {
     fn from(biarc: Biarc) -> Self {

@@ -1,7 +1,7 @@
 //! Any surface of the kernel, on its way to files.
 
 use crate::error::Result;
-use crate::surface::{CyclidePatch, CyclidicNet, TriangleSurface};
+use crate::surface::{CyclidePatch, CyclidicNet, NetLayout, TriangleSurface};
 use crate::topology::{Body, Shell};
 
 /// Any surface of the kernel.
@@ -20,6 +20,8 @@ pub enum SurfaceObject {
     /// Patches in a regular net. A whole cyclide is one of its nets, or two: see
     /// [`DupinCyclide::nets`](crate::DupinCyclide::nets).
     Net(CyclidicNet),
+    /// Nets that join round extraordinary vertices.
+    Layout(NetLayout),
     /// Faces of any kind as they are sewn: a solid between a net and its offset, made by [`CyclidicNet::thick`], or what has no
     /// shorter name.
     Body(Body),
@@ -32,6 +34,16 @@ impl SurfaceObject {
     #[must_use]
     pub fn as_net(&self) -> Option<&CyclidicNet> {
         if let Self::Net(net) = self { Some(net) } else { None }
+    }
+
+    /// The nets of patches that it is, one or several; none of other surfaces.
+    #[must_use]
+    pub fn nets(&self) -> &[CyclidicNet] {
+        match self {
+            Self::Net(net) => std::slice::from_ref(net),
+            Self::Layout(layout) => layout.nets(),
+            Self::Patch(_) | Self::Body(_) | Self::Triangles(_) => &[],
+        }
     }
 
     /// The surface over triangles, if it is one.
@@ -50,6 +62,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Ok(vec![alone(Shell::from_surface(*patch)?)]),
             Self::Net(net) => Ok(net.to_shells()?.into_iter().map(alone).collect()),
+            Self::Layout(layout) => Ok(vec![alone(layout.to_shell()?)]),
             Self::Body(body) => Ok(vec![body.clone()]),
             Self::Triangles(_) => Ok(Vec::new()),
         }

@@ -190,7 +190,7 @@ impl<'a> Builder<'a> {
 
     /// Warns of a net that its frame folded.
     pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
-        let nets = surfaces.iter().filter_map(SurfaceObject::as_net);
+        let nets = surfaces.iter().flat_map(SurfaceObject::nets);
         let singular: Vec<[usize; 2]> = nets.flat_map(|net| net.singular_patches()).map(|patch| patch.quad).collect();
         let joints = SurfaceJointReport::new(bodies.iter().flat_map(Body::shells));
         if singular.is_empty() && joints.creases == 0 {

@@ -1,14 +1,11 @@
 //! A structured grid from a mesh of quads: the rows and columns are found from the connections alone.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
 
-use cyclide::{Error, GridCell, QuadGrid};
+use cyclide::{Error, LayoutFault, QuadGrid, QuadLayout};
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::text::place::{Diagnostic, Source, decode};
-
-/// Quads of the rectangle round a grid in steps, at most: a long diagonal band has few of them.
-const MOST_QUADS: usize = 10_000_000;
 
 /// A quad grid read from a file.
 ///
@@ -28,6 +25,37 @@ pub struct ObjGrid {
     pub unused: Vec<usize>,
 }
 
+/// A mesh of quads with extraordinary vertices, read from a file.
+///
+/// ```
+/// use cyclide_io::{ObjQuads, read_quads};
+/// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// assert!(matches!(read_quads("a.obj", quads)?, ObjQuads::Grid(_))); // it has none
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjLayout {
+    /// Its regular grids; vertices and quads are numbered as in the file, from 0.
+    pub layout: QuadLayout,
+    /// Numbers in the file, from 1, of the points that no face uses.
+    pub unused: Vec<usize>,
+}
+
+/// What the quads of a file are.
+///
+/// ```
+/// # use cyclide_io::{ObjQuads, read_quads};
+/// let tri = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+/// assert_eq!(read_quads("a.obj", tri).unwrap_err().reason(), Some("not-a-quad"));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum ObjQuads {
+    /// A regular grid.
+    Grid(ObjGrid),
+    /// Several that join round extraordinary vertices.
+    Layout(ObjLayout),
+}
+
 /// Reads a grid of quads from the bytes of an OBJ file; `name` is what messages call it.
 ///
 /// s runs along the first side of the first face (from its first to its second corner) and t along its last side (from
@@ -42,33 +70,46 @@ pub struct ObjGrid {
 /// ```
 ///
 /// # Errors
-/// A message with file, line and column, and a reason: `not-a-quad`, `non-manifold-edge`, `non-manifold-vertex`,
-/// `several-components`, `extraordinary-vertex` (an inner vertex without four quads, or one of the border with more than three),
-/// `not-a-grid` (one-sided, closed with a shift, or over itself), `cells-unfit` (a hole: fill it, and leave its quads open), and the kernel's for points out of range and closed directions of
-/// fewer than three quads.
+/// Those of [`read_quads`], and `extraordinary-vertex` (an inner vertex without four quads).
 pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
     let polygons = parse(source, Normals::PassOver)?;
     let mesh = Mesh::new(source, &polygons)?;
     mesh.check_connected()?;
-    mesh.check_vertices()?;
-    let (vertices, grid) = if mesh.is_in_steps() {
-        let Steps { vertices, faces, size } = mesh.steps()?;
-        let points: Vec<_> = vertices.iter().map(|v| v.map(|v| polygons.points[v])).collect();
-        let has_face = |i: usize, j: usize| faces[i + j * (size[0] - 1)].is_some();
-        let cell = |i, j| if has_face(i, j) { GridCell::Patch } else { GridCell::Outside };
-        let grid = QuadGrid::of_cells(&points, size, cell).map_err(|error| mesh.refused_in_steps(&error))?;
-        (vertices, grid)
-    } else {
-        let Layout { vertices, size, closed } = mesh.layout()?;
-        let points = vertices.iter().map(|&v| polygons.points[v]).collect();
-        let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &vertices))?;
-        (vertices.into_iter().map(Some).collect(), grid)
-    };
-    let mut used = vec![false; polygons.points.len()];
-    vertices.iter().flatten().for_each(|&v| used[v] = true);
-    let unused = used.iter().enumerate().filter(|(_, used)| !**used).map(|(v, _)| v + 1).collect();
-    Ok(ObjGrid { grid, numbers: vertices.iter().map(|v| v.map_or(0, |v| v + 1)).collect(), unused })
+    match mesh.check_vertices()? {
+        Some((vertex, quads)) => {
+            let message = format!("point {} is an inner vertex of {quads} quads: only 4 make a grid", vertex + 1);
+            Err(mesh.refused_at_vertex(vertex, "extraordinary-vertex", message))
+        }
+        None => mesh.grid(),
+    }
+}
+
+/// Reads a mesh of quads from the bytes of an OBJ file, regular or with extraordinary vertices, as [`read_quad_grid`].
+///
+/// ```
+/// use cyclide_io::{ObjQuads, read_quads};
+/// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// assert!(matches!(read_quads("a.obj", quads)?, ObjQuads::Grid(_)));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
+///
+/// # Errors
+/// A message with file, line and column, and a reason: `not-a-quad`, `non-manifold-edge`, `non-manifold-vertex`,
+/// `several-components`, `extraordinary-vertex` (a vertex of the border with more than three quads, or an inner one without four whose quads reach the border or those
+/// of another one, or of a mesh with holes),
+/// `not-a-grid` (one-sided, closed with a shift, or over itself), `cells-unfit` (a hole: fill it, and leave its quads open), and the kernel's for points out of range and closed directions of
+/// fewer than three quads.
+pub fn read_quads(name: &str, bytes: &[u8]) -> Result<ObjQuads, Box<Diagnostic>> {
+    let source = Source { name, text: decode(name, bytes)? };
+    let polygons = parse(source, Normals::PassOver)?;
+    let mesh = Mesh::new(source, &polygons)?;
+    mesh.check_connected()?;
+    if mesh.check_vertices()?.is_none() {
+        return mesh.grid().map(ObjQuads::Grid);
+    }
+    let layout = mesh.layout_of_pieces()?;
+    Ok(ObjQuads::Layout(ObjLayout { layout, unused: mesh.unused() }))
 }
 
 /// The vertices of a grid, s fastest.
@@ -76,13 +117,6 @@ struct Layout {
     vertices: Vec<usize>,
     size: [usize; 2],
     closed: [bool; 2],
-}
-
-/// The vertices and faces of the rectangle round a grid in steps, s fastest.
-struct Steps {
-    vertices: Vec<Option<usize>>,
-    faces: Vec<Option<usize>>,
-    size: [usize; 2],
 }
 
 /// A face with its corners named as the grid names them: a0 (0,0), a1 (1,0), a2 (0,1), a3 (1,1).
@@ -130,7 +164,9 @@ impl<'a> Mesh<'a> {
         let mut sides: HashMap<[usize; 2], (usize, Option<usize>)> = HashMap::new();
         for (index, face) in polygons.faces.iter().enumerate() {
             let Ok(quad) = <[usize; 4]>::try_from(face.corners.as_slice()) else {
-                return refused(face, "not-a-quad", format!("a face of {} corners, not a quad", face.corners.len()));
+                let remedy = "a `principal-grid` lays a grid of quads on a mesh of any faces";
+                let message = format!("a face of {} corners, not a quad: {remedy}", face.corners.len());
+                return refused(face, "not-a-quad", message);
             };
             if (0..4).any(|i| (0..i).any(|j| quad[i] == quad[j])) {
                 return refused(face, "not-a-quad", "the face has the same point twice".to_owned());
@@ -192,8 +228,9 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Inner vertices have four quads, those of the border one to three, in one fan.
-    fn check_vertices(&self) -> Result<(), Box<Diagnostic>> {
+    /// Refuses vertices at which parts of the mesh touch, and those of the border of more than three quads; the first inner one without
+    /// four, with the number of its quads.
+    fn check_vertices(&self) -> Result<Option<(usize, usize)>, Box<Diagnostic>> {
         let mut quads = vec![0usize; self.polygons.points.len()];
         let mut border_edges = vec![0usize; quads.len()];
         for (face, quad) in self.quads.iter().enumerate() {
@@ -211,14 +248,52 @@ impl<'a> Mesh<'a> {
                 let message = format!("parts of the mesh touch in point {number} alone");
                 return Err(self.refused_at_vertex(v, "non-manifold-vertex", message));
             }
-            let message = match (border, quads) {
-                (0, 0 | 4) | (2, 1..=3) => continue,
-                (0, _) => format!("point {number} is an inner vertex of {quads} quads: only 4 make a grid"),
-                _ => format!("point {number} is a border vertex of {quads} quads: only 1 to 3 make a grid"),
-            };
-            return Err(self.refused_at_vertex(v, "extraordinary-vertex", message));
+            if border == 2 && quads > 3 {
+                let message = format!("point {number} is a border vertex of {quads} quads: only 1 to 3 make a grid");
+                return Err(self.refused_at_vertex(v, "extraordinary-vertex", message));
+            }
         }
-        Ok(())
+        let mut inner = quads.into_iter().zip(border_edges).enumerate();
+        Ok(inner.find(|(_, (quads, border))| *border == 0 && ![0, 4].contains(quads)).map(|(v, (quads, _))| (v, quads)))
+    }
+
+    /// Numbers of the points that no face uses.
+    fn unused(&self) -> Vec<usize> {
+        let mut used = vec![false; self.polygons.points.len()];
+        self.quads.iter().flatten().for_each(|v| used[*v] = true);
+        (0..used.len()).filter(|v| !used[*v]).map(|v| v + 1).collect()
+    }
+
+    /// A mesh without extraordinary vertices.
+    fn grid(&self) -> Result<ObjGrid, Box<Diagnostic>> {
+        if self.is_in_steps() {
+            let layout = self.layout_of_pieces()?;
+            // Without extraordinary vertices nothing cuts it.
+            let piece = &layout.pieces()[0];
+            let numbers = piece.vertices.iter().map(|v| v.map_or(0, |v| v + 1)).collect();
+            return Ok(ObjGrid { grid: piece.grid.clone(), numbers, unused: self.unused() });
+        }
+        let Layout { vertices, size, closed } = self.layout()?;
+        let points = vertices.iter().map(|&v| self.polygons.points[v]).collect();
+        let grid = QuadGrid::new(points, size, closed).map_err(|error| self.refused_by_kernel(&error, &vertices))?;
+        Ok(ObjGrid { grid, numbers: vertices.into_iter().map(|v| v + 1).collect(), unused: self.unused() })
+    }
+
+    /// The regular grids of the mesh.
+    fn layout_of_pieces(&self) -> Result<QuadLayout, Box<Diagnostic>> {
+        QuadLayout::new(self.polygons.points.clone(), &self.quads).map_err(|error| match error {
+            Error::NotAQuadLayout { fault: fault @ (LayoutFault::Crowded | LayoutFault::Holes), index } => {
+                let what = match fault {
+                    LayoutFault::Holes => "of a mesh with holes, or of a tube: fill the holes with quads; cut the tube open",
+                    _ => "whose quads reach the border, or those of another such vertex: divide every quad into four, or nine",
+                };
+                let message = format!("point {} is an inner vertex without four quads {what}", index + 1);
+                self.refused_at_vertex(index, "extraordinary-vertex", message)
+            }
+            Error::NotAQuadLayout { index, .. } => self.not_a_grid(index.min(self.quads.len() - 1)),
+            Error::CellsUnfit { .. } => self.refused_in_steps(&error),
+            other => self.refused_by_kernel(&other, &(0..self.polygons.points.len()).collect::<Vec<_>>()),
+        })
     }
 
     /// The cell next to one.
@@ -281,57 +356,6 @@ impl<'a> Mesh<'a> {
         let mut quads = vec![0usize; self.polygons.points.len()];
         self.quads.iter().flatten().for_each(|v| quads[*v] += 1);
         quads.contains(&3)
-    }
-
-    /// Finds the place of every face by going from neighbour to neighbour.
-    fn steps(&self) -> Result<Steps, Box<Diagnostic>> {
-        let [a0, a1, a3, a2] = self.quads[0];
-        let first = Cell { face: 0, corners: [a0, a1, a2, a3] };
-        let mut cells: Vec<Option<(Cell, [i64; 2])>> = vec![None; self.quads.len()];
-        cells[0] = Some((first, [0, 0]));
-        let mut open = VecDeque::from([(first, [0, 0])]);
-        while let Some((cell, [i, j])) = open.pop_front() {
-            let ways = [
-                (Way::ForwardS, [i + 1, j]),
-                (Way::BackS, [i - 1, j]),
-                (Way::ForwardT, [i, j + 1]),
-                (Way::BackT, [i, j - 1]),
-            ];
-            for (way, to) in ways {
-                let Some(next) = self.step(cell, way) else { continue };
-                match cells[next.face] {
-                    Some(known) if known == (next, to) => {}
-                    Some(_) => return Err(self.not_a_grid(next.face)),
-                    None => {
-                        cells[next.face] = Some((next, to));
-                        open.push_back((next, to));
-                    }
-                }
-            }
-        }
-        let found = || cells.iter().flatten();
-        let low = [0, 1].map(|d| found().map(|(_, at)| at[d]).min().unwrap_or(0));
-        let high = [0, 1].map(|d| found().map(|(_, at)| at[d]).max().unwrap_or(0));
-        let quads = [0, 1].map(|d| (high[d] - low[d] + 1).unsigned_abs() as usize);
-        if quads[0].saturating_mul(quads[1]) > MOST_QUADS {
-            return Err(self.not_a_grid(0));
-        }
-        let size = quads.map(|n| n + 1);
-        let (mut faces, mut vertices) = (vec![None; quads[0] * quads[1]], vec![None; size[0] * size[1]]);
-        for (cell, at) in found() {
-            let [i, j] = [0, 1].map(|d| (at[d] - low[d]).unsigned_abs() as usize);
-            // Two sheets over each other are no grid.
-            if faces[i + j * quads[0]].replace(cell.face).is_some() {
-                return Err(self.not_a_grid(cell.face));
-            }
-            for (k, v) in cell.corners.into_iter().enumerate() {
-                let place = &mut vertices[i + k % 2 + (j + k / 2) * size[0]];
-                if place.replace(v).is_some_and(|other| other != v) {
-                    return Err(self.not_a_grid(cell.face));
-                }
-            }
-        }
-        Ok(Steps { vertices, faces, size })
     }
 
     /// Finds the rows and columns.
