@@ -1,6 +1,6 @@
 //! The surface that an object was made to follow, and the lines of curvature that were found on it: what pictures show.
 
-use cyclide::{GridCell, Point3, QuadGrid, Vec3};
+use cyclide::{GridCell, Point3, QuadGrid, QuadLayout, Vec3};
 
 /// A surface as it was given, by its vertices: what a skin is held against.
 ///
@@ -37,6 +37,22 @@ impl GivenSurface {
         let quads = quads.filter(|(i, j)| grid.cell(*i, *j) != GridCell::Outside).map(|(i, j)| grid.corners(i, j));
         let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, d], [a, d, c]]).collect();
         Self { points: grid.points().to_vec(), normals, triangles }
+    }
+}
+
+impl GivenSurface {
+    /// The vertices of a mesh, each quad of its grids in two triangles; the normals are the mean directions of the quads round a vertex.
+    #[must_use]
+    pub fn from_layout(layout: &QuadLayout) -> Self {
+        let (points, quads) = (layout.points(), layout.quads());
+        let mut normals = vec![Vec3::ZERO; points.len()];
+        for [a, b, c, d] in &quads {
+            let across = (points[*d] - points[*a]).cross(points[*c] - points[*b]);
+            [a, b, c, d].into_iter().for_each(|v| normals[*v] += across);
+        }
+        let normals = normals.into_iter().map(|n| n.unit().unwrap_or_default()).collect();
+        let triangles = quads.into_iter().flat_map(|[a, b, c, d]| [[a, b, d], [a, d, c]]).collect();
+        Self { points: points.to_vec(), normals, triangles }
     }
 }
 

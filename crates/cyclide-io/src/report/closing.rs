@@ -1,4 +1,4 @@
-//! The report on closed directions of nets made circular.
+//! The report on closed directions of nets made circular, and on what is round extraordinary vertices.
 
 use serde::Serialize;
 
@@ -48,5 +48,35 @@ impl ClosingReport {
             })
         };
         ["s", "t"].into_iter().zip(changes).filter_map(report).collect()
+    }
+}
+
+/// How far a mesh was from closing round its extraordinary vertices, and is.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let plane = r#"{"type": "cyclidic-net", "make_circular": true, "grid": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]}"#;
+/// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"n": {plane}}}}}"#).parse()?;
+/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.circular.expect("it was asked for").round.is_none()); // a single grid
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct RoundReport {
+    /// The number of these vertices, each with an opening.
+    pub vertices: usize,
+    /// Largest angle by which a frame came back turned besides quarter turns as given, radians.
+    pub angle_before: f64,
+    /// The same as made.
+    pub angle_after: f64,
+}
+
+#[cfg(feature = "circular-mesh")]
+impl From<&cyclide::RoundChange> for RoundReport {
+    fn from(change: &cyclide::RoundChange) -> Self {
+        Self { vertices: change.vertices, angle_before: change.angle_before, angle_after: change.angle_after }
     }
 }

@@ -30,7 +30,7 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 pub use cell_laws::CellLawReport;
-pub use closing::ClosingReport;
+pub use closing::{ClosingReport, RoundReport};
 pub use curvature::CurvatureRangeReport;
 pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};

@@ -9,7 +9,8 @@ use cyclide::{
 use serde::Serialize;
 
 use super::{
-    ClosingReport, CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport, TubeReport,
+    ClosingReport, CurvatureRangeReport, PolyhedronReport, RangeReport, RoundReport, SeamReport, TeeBlendReport,
+    TubeReport,
 };
 use crate::document::BuiltObject;
 use crate::measure::joints::SurfaceJointReport;
@@ -196,6 +197,9 @@ pub struct CircularReport {
     pub angle_after: Option<f64>,
     /// How far each closed direction was from closing, and is; empty for an open grid.
     pub closing: Vec<ClosingReport>,
+    /// How far a mesh was from closing round its extraordinary vertices, and is; `None` without such.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub round: Option<RoundReport>,
     /// How much of the shape is left; `None` for a flat grid.
     pub shape: Option<ShapeReport>,
     /// Quads by index, s fastest, that no patch fits into: sides cross or have no length. A document with such quads is
@@ -418,6 +422,7 @@ impl From<&cyclide::CircularMeshReport> for CircularReport {
             angle_before: report.angle_before.map(|angle| angle.median),
             angle_after: report.angle_after.map(|angle| angle.median),
             closing: ClosingReport::all(&report.closing),
+            round: report.round.as_ref().map(RoundReport::from),
             shape: report.shape.as_ref().map(ShapeReport::from),
             rejected_quads: report.rejected_quads.clone(),
         }

@@ -266,6 +266,11 @@ impl SurfaceReport {
                 let frame = format!("along {}: after a turn the frame is off by {after} rad", closing.direction);
                 line("closing", format!("{frame}, before by {before} rad; speeds are to {stretch}"))?;
             }
+            if let Some(round) = &c.round {
+                let [before, after] = [round.angle_before, round.angle_after].map(short);
+                let vertices = format!("round {} extraordinary vertex(es)", round.vertices);
+                line("openings", format!("{vertices} the frame is off by {after} rad, before by {before} rad"))?;
+            }
             if let Some(shape) = &c.shape {
                 line("shape", shape.to_string())?;
             }

@@ -1,10 +1,14 @@
 //! Grids whose vertices are moved until every quad has a circle.
 
-use cyclide::{Border, CircularMeshOptions, CircularMeshReport, CurveObject, ParamCurve, QuadGrid, make_circular};
+use cyclide::{
+    Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, CurveObject, ParamCurve, QuadGrid, QuadLayout,
+    make_circular, make_layout_circular,
+};
 
 use super::nets::ROW_BY_ROW;
 use super::{Builder, Remark};
-use crate::document::spec::{BorderSpec, BorderWord, CyclidicNetSpec, MakeCircularOptions};
+use crate::document::locate::Step;
+use crate::document::spec::{BorderSpec, BorderWord, CyclidicNetSpec, MakeCircularOptions, ObjectSpec};
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 
 impl<'a> Builder<'a> {
@@ -16,18 +20,9 @@ impl<'a> Builder<'a> {
         grid: &QuadGrid,
     ) -> Result<QuadGrid> {
         let curves = self.border_curves(spec)?;
-        let border = match &given.border {
-            BorderSpec::Word(BorderWord::Free) => Border::Free,
-            BorderSpec::Word(BorderWord::Pinned) => Border::Pinned,
-            BorderSpec::Curves(_) => Border::OnCurves(curves),
-        };
-        let usual = CircularMeshOptions::default();
-        let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
+        let options = options(given, curves);
         let progress = &mut *self.progress;
-        let options = CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change };
-        let mesh = make_circular(grid, &options, &mut |step| {
-            progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
-        });
+        let mesh = make_circular(grid, &options, &mut |step| progress(words(step)));
         let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
         self.remarks.extend(mesh.warnings().iter().cloned().map(Remark::from));
         if let [first, ..] = mesh.report.rejected_quads[..] {
@@ -35,6 +30,29 @@ impl<'a> Builder<'a> {
         }
         self.circular = Some(mesh.report);
         Ok(mesh.grid)
+    }
+
+    /// The same for all grids of a mesh, round its extraordinary vertices.
+    pub(super) fn circular_layout(&mut self, given: &MakeCircularOptions, layout: &QuadLayout) -> Result<QuadLayout> {
+        let ObjectSpec::CyclidicNet(spec) = self.spec else { return Ok(layout.clone()) };
+        let options = options(given, [None; 4]);
+        let progress = &mut *self.progress;
+        let made = make_layout_circular(layout, &options, &mut |step| progress(words(step)));
+        let made = made.map_err(|e| self.refused_in_layout(spec, layout, &e))?;
+        self.remarks.extend(made.warnings().iter().cloned().map(Remark::from));
+        if let [first, ..] = made.report.rejected_quads[..] {
+            let (quads, steps, moved) = (&made.report.rejected_quads, made.report.steps, made.report.moves.max);
+            let corners = layout.corners(first).map(|corners| corners.map(|v| (v + 1).to_string()).join(", "));
+            let words = format!(
+                "{} (the first has the points {} of {})",
+                rejected_quads(quads, steps, moved),
+                corners.unwrap_or_default(),
+                self.mesh_name()
+            );
+            return Err(self.refused_in_words([Step::from("grid")], CROSSING_QUAD, words));
+        }
+        self.circular = Some(made.report);
+        Ok(made.layout)
     }
 
     /// The curves of the sides, in the kernel's order.
@@ -62,4 +80,20 @@ impl<'a> Builder<'a> {
         let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
         self.refused_at_quad(grid, first, CROSSING_QUAD, words)
     }
+}
+
+/// The kernel's options.
+fn options<'a>(given: &MakeCircularOptions, curves: [Option<&'a dyn ParamCurve>; 4]) -> CircularMeshOptions<'a> {
+    let border = match &given.border {
+        BorderSpec::Word(BorderWord::Free) => Border::Free,
+        BorderSpec::Word(BorderWord::Pinned) => Border::Pinned,
+        BorderSpec::Curves(_) => Border::OnCurves(curves),
+    };
+    let max_steps = given.max_steps.map_or(CircularMeshOptions::default().max_steps, |n| n as usize);
+    CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change }
+}
+
+/// A step, for a line of progress.
+fn words(step: &CircularMeshStep) -> String {
+    format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual))
 }

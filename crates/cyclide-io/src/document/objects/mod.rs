@@ -14,6 +14,7 @@ mod heights;
 mod idle;
 mod motions;
 mod net_hints;
+mod net_layouts;
 mod nets;
 #[cfg(not(feature = "circular-mesh"))]
 mod no_principal;
@@ -195,6 +196,7 @@ impl<'a> ModelBuilder<'a> {
                     #[cfg(feature = "circular-mesh")]
                     progress,
                     mesh: None,
+                    mesh_name: None,
                     #[cfg(feature = "circular-mesh")]
                     circular: None,
                     grids: Vec::new(),
@@ -278,6 +280,8 @@ struct Builder<'a> {
     progress: &'a mut dyn FnMut(String),
     /// The file that the grid of a net was read from.
     mesh: Option<MeshNames>,
+    /// The name of the file of a mesh of quads.
+    mesh_name: Option<String>,
     /// What it took to make the net of the object circular.
     #[cfg(feature = "circular-mesh")]
     circular: Option<CircularMeshReport>,

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use cyclide::{
-    Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, GridCell, GridCellFault, NetFrame, Point3,
-    QuadGrid, SurfaceObject, Vec3, Warning,
+    Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, GridCell, GridCellFault, NetFrame,
+    NetLayout, Point3, QuadGrid, QuadLayout, SurfaceObject, Vec3, Warning,
 };
 
 use super::net_hints::{hint, seam_words};
@@ -18,7 +18,7 @@ use crate::document::spec::{
 };
 use crate::error::{Error, Result};
 use crate::export::given_surface::GivenSurface;
-use crate::formats::{InputKind, read_quad_grid};
+use crate::formats::{InputKind, ObjGrid, ObjLayout, ObjQuads, read_quads};
 use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
 
@@ -28,10 +28,11 @@ pub(super) const SEGMENTS: [u32; 2] = [4, 4];
 /// What crossing sides often come from.
 pub(super) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
 
-/// What a file calls the points of a grid.
+/// A grid of a file, and what the file calls its points.
 pub(super) struct MeshNames {
     /// The file.
     name: String,
+    grid: QuadGrid,
     /// The number of each point of the grid.
     numbers: Vec<usize>,
 }
@@ -50,6 +51,16 @@ pub(super) fn frame_of_axes(
         .or_else(|e| if x.is_none() { Frame::from_normal(center, axis, Vec3::Y) } else { Err(e) })
 }
 
+/// The first quad of the mesh whose patch is singular.
+fn first_singular(layout: &NetLayout) -> Option<usize> {
+    let pieces = layout.layout().pieces().iter().zip(layout.nets());
+    let quads = pieces.flat_map(|(piece, net)| {
+        let columns = net.size()[0];
+        net.singular_patches().into_iter().filter_map(move |patch| piece.quads[patch.quad[0] + patch.quad[1] * columns])
+    });
+    quads.min()
+}
+
 impl<'a> Builder<'a> {
     /// A whole cyclide as one closed net, or as several that touch in the nodes.
     pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
@@ -64,6 +75,14 @@ impl<'a> Builder<'a> {
 
     /// The net over a grid.
     pub(super) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
+        if let GridSource::File(file) = &spec.grid {
+            if spec.closed.is_some() {
+                return Err(self.unfit("`closed` goes with a grid inline: a mesh in a file says itself what is closed"));
+            }
+            if let Some(layout) = self.mesh_file(file)? {
+                return self.net_layout(spec, layout);
+            }
+        }
         let given = self.grid(spec)?;
         self.seams = given.seams();
         let grid = match spec.make_circular.options() {
@@ -113,13 +132,9 @@ impl<'a> Builder<'a> {
     fn grid_as_given(&mut self, spec: &CyclidicNetSpec) -> Result<QuadGrid> {
         let rows = match &spec.grid {
             GridSource::Rows(rows) => rows,
-            GridSource::File(file) => {
-                if spec.closed.is_some() {
-                    return Err(
-                        self.unfit("`closed` goes with a grid inline: a mesh in a file says itself what is closed")
-                    );
-                }
-                return self.mesh_file(file);
+            GridSource::File(_) => {
+                let read = self.mesh.as_ref().map(|mesh| mesh.grid.clone());
+                return read.ok_or_else(|| self.unfit("`grid` names no mesh"));
             }
             GridSource::Laid(laid) => {
                 if spec.closed.is_some() {
@@ -168,10 +183,10 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// The grid of a mesh in a file of its own.
-    fn mesh_file(&mut self, file: &MeshFile) -> Result<QuadGrid> {
+    /// Reads the mesh in a file of its own: the grids of one with extraordinary vertices, else none, and the grid is at hand.
+    fn mesh_file(&mut self, file: &MeshFile) -> Result<Option<QuadLayout>> {
         let (name, bytes) = self.file(&file.obj, ["grid", "obj"])?;
-        let mesh = read_quad_grid(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {
+        let mesh = read_quads(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {
             None | Some(InputKind::Mesh) => Error::Input(message),
             Some(found) => {
                 let other = if found == InputKind::PolygonMesh { "a mesh in another format" } else { found.name() };
@@ -179,13 +194,25 @@ impl<'a> Builder<'a> {
                 Error::Input(self.diagnostic(["grid".into(), "obj".into()], &text))
             }
         })?;
-        if let Some(first) = mesh.unused.first() {
+        let (ObjQuads::Grid(ObjGrid { unused, .. }) | ObjQuads::Layout(ObjLayout { unused, .. })) = &mesh;
+        if let Some(first) = unused.first() {
             let message =
-                format!("{} point(s) that no face uses are left out, the first is number {first}", mesh.unused.len());
+                format!("{} point(s) that no face uses are left out, the first is number {first}", unused.len());
             self.remark("points-unused", None, None, Some(name.clone()), message);
         }
-        self.mesh = Some(MeshNames { name, numbers: mesh.numbers });
-        Ok(mesh.grid)
+        self.mesh_name = Some(name.clone());
+        match mesh {
+            ObjQuads::Layout(mesh) => Ok(Some(mesh.layout)),
+            ObjQuads::Grid(ObjGrid { grid, numbers, .. }) => {
+                self.mesh = Some(MeshNames { name, grid, numbers });
+                Ok(None)
+            }
+        }
+    }
+
+    /// The file of the mesh.
+    pub(super) fn mesh_name(&self) -> &str {
+        self.mesh_name.as_deref().unwrap_or("the mesh")
     }
 
     /// Warns of a net that its frame folded.
@@ -196,14 +223,15 @@ impl<'a> Builder<'a> {
         if singular.is_empty() && joints.creases == 0 {
             return;
         }
-        let columns = match surfaces {
-            [SurfaceObject::Net(net), ..] => net.size()[0],
-            _ => 0,
+        let first = match surfaces {
+            [SurfaceObject::Layout(layout), ..] => first_singular(layout),
+            [SurfaceObject::Net(net), ..] => singular.first().map(|[i, j]| j * net.size()[0] + i),
+            _ => None,
         };
-        let first = singular.first().map(|[i, j]| j * columns + i);
         let warning =
             Warning::FoldedNet { singular: singular.len(), first, creases: joints.creases, angle: joints.crease_angle };
         let hint = match spec.frame {
+            FrameSpec::Auto if matches!(surfaces, [SurfaceObject::Layout(_), ..]) => "smooth the mesh",
             FrameSpec::Auto => "smooth the grid, or give a frame",
             FrameSpec::First(_) => "use the frame \"auto\" or another one",
         };

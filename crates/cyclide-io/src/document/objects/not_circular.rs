@@ -1,6 +1,6 @@
 //! What stands for grids made circular where that is not built in.
 
-use cyclide::QuadGrid;
+use cyclide::{QuadGrid, QuadLayout};
 
 use super::Builder;
 use crate::document::locate::Step;
@@ -13,8 +13,20 @@ impl Builder<'_> {
     /// # Errors
     /// `not-built-in`, always.
     pub(super) fn circular(&self, _: &CyclidicNetSpec, _: &MakeCircularOptions, _: &QuadGrid) -> Result<QuadGrid> {
+        Err(self.not_built_in())
+    }
+
+    /// The same for grids that join.
+    ///
+    /// # Errors
+    /// `not-built-in`, always.
+    pub(super) fn circular_layout(&self, _: &MakeCircularOptions, _: &QuadLayout) -> Result<QuadLayout> {
+        Err(self.not_built_in())
+    }
+
+    fn not_built_in(&self) -> crate::error::Error {
         let words = "this program is built without the feature `circular-mesh`, which moves the vertices".to_owned();
-        Err(self.refused_in_words([Step::from("make_circular")], "not-built-in", words))
+        self.refused_in_words([Step::from("make_circular")], "not-built-in", words)
     }
 }
 

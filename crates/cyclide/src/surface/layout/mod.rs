@@ -157,8 +157,15 @@ impl QuadLayout {
         self.pieces[0].vertices.iter().flatten().next().copied().unwrap_or_default()
     }
 
-    /// The corners of all quads of the grids in binary order, piece by piece.
-    pub(crate) fn quads(&self) -> Vec<[usize; 4]> {
+    /// The corners of a quad of the mesh in cyclic order, if there is one.
+    #[must_use]
+    pub fn corners(&self, quad: usize) -> Option<[usize; 4]> {
+        self.connections.quads.get(quad).copied()
+    }
+
+    /// The corners of all quads of the grids in binary order, piece by piece; those round extraordinary vertices are not among them.
+    #[must_use]
+    pub fn quads(&self) -> Vec<[usize; 4]> {
         let of_piece = |piece: &LayoutPiece| -> Vec<[usize; 4]> {
             let corners = |[i, j]: [usize; 2]| piece.grid.corners(i, j).map(|k| piece.vertices[k].unwrap_or_default());
             piece.grid.all_quads().map(corners).collect()

@@ -41,7 +41,7 @@ impl NetLayout {
     /// [`make_layout_circular`](crate::make_layout_circular) makes it. Of the frames with which it closes it takes the one nearest to the edges.
     ///
     /// # Errors
-    /// Those of [`CyclidicNet::new`] with an automatic frame, quads counted in their piece; `ring-does-not-close` with an extraordinary vertex round
+    /// Those of [`CyclidicNet::new`] with an automatic frame, quads counted in the mesh; `ring-does-not-close` with an extraordinary vertex round
     /// which the frame comes back turned.
     pub fn new(layout: QuadLayout) -> Result<Self> {
         layout.check_place()?;
@@ -54,7 +54,7 @@ impl NetLayout {
         }
         let mut kappa = Vec::new();
         for piece in layout.pieces() {
-            let all = stretches(&piece.grid)?;
+            let all = stretches(&piece.grid).map_err(|e| of_mesh(piece, e))?;
             kappa.extend(piece.grid.all_quads().map(|[i, j]| all[i + j * piece.grid.quads()[0]]));
         }
         let frame = frame(&layout, &carried, closing.normal(layout.points()))?;
@@ -62,7 +62,8 @@ impl NetLayout {
         let net = |(piece, carried): (&LayoutPiece, &Carried)| {
             let vector = |k: usize| apply(carried.map, frame[carried.role[k]]) * carried.sign[k];
             let of_piece: Vec<f64> = piece.vertices.iter().map(|v| v.map_or(0.0, |v| lengths[v])).collect();
-            CyclidicNet::with_lengths(piece.grid.clone(), [vector(0), vector(1)], &of_piece)
+            let net = CyclidicNet::with_lengths(piece.grid.clone(), [vector(0), vector(1)], &of_piece);
+            net.map_err(|e| of_mesh(piece, e))
         };
         let nets = layout.pieces().iter().zip(&carried).map(net).collect::<Result<_>>()?;
         Ok(Self { layout, nets })
@@ -85,7 +86,8 @@ impl NetLayout {
     /// # Errors
     /// As [`CyclidicNet::offset`].
     pub fn offset(&self, h: f64) -> Result<Self> {
-        self.of_nets(self.nets.iter().map(|net| net.offset(h)).collect::<Result<_>>()?)
+        let nets = self.layout.pieces().iter().zip(&self.nets);
+        self.of_nets(nets.map(|(piece, net)| net.offset(h).map_err(|e| of_mesh(piece, e))).collect::<Result<_>>()?)
     }
 
     /// Nets of the same pieces: vertices that two of them share are those of the first, bit for bit.
@@ -113,7 +115,17 @@ impl Conformal for NetLayout {
     /// # Errors
     /// Those of nets.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        self.of_nets(self.nets.iter().map(|net| net.transformed(map)).collect::<Result<_>>()?)
+        let nets = self.layout.pieces().iter().zip(&self.nets);
+        let image = |(piece, net): (&LayoutPiece, &CyclidicNet)| net.transformed(map).map_err(|e| of_mesh(piece, e));
+        self.of_nets(nets.map(image).collect::<Result<_>>()?)
+    }
+}
+
+/// An error about a quad of a piece, as one about that of the mesh.
+fn of_mesh(piece: &LayoutPiece, error: Error) -> Error {
+    match error {
+        Error::InQuad { quad, cause } => cause.in_quad(piece.quads.get(quad).copied().flatten().unwrap_or(quad)),
+        other => other,
     }
 }
 

@@ -1,0 +1,89 @@
+//! Nets round the extraordinary vertices of a mesh: from quads in a file to the kernel's surface.
+
+use cyclide::{Error as KernelError, NetLayout, QuadLayout, SurfaceObject};
+
+use super::Builder;
+use crate::document::locate::Step;
+use crate::document::spec::{CyclidicNetSpec, FrameSpec};
+use crate::error::{Error, Result};
+use crate::export::given_surface::GivenSurface;
+
+/// Vertices that a message names, at most.
+const MOST_NAMED: usize = 6;
+
+impl Builder<'_> {
+    /// The nets over the grids of a mesh.
+    pub(super) fn net_layout(&mut self, spec: &CyclidicNetSpec, given: QuadLayout) -> Result<Vec<SurfaceObject>> {
+        if !spec.openings.is_empty() {
+            return Err(self.unfit(
+                "`openings` are columns and rows of one grid: a mesh with extraordinary vertices has several, and leave quads out in the file instead",
+            ));
+        }
+        if let FrameSpec::First(_) = spec.frame {
+            return Err(
+                self.unfit("a mesh with extraordinary vertices says itself how its frames stand: leave `frame` out")
+            );
+        }
+        if spec.make_circular.border_curves().is_some() {
+            let words =
+                "a mesh with extraordinary vertices has no four sides for curves: leave its border `free`, or `pinned`";
+            let place = ["make_circular".into(), "border".into()];
+            return Err(self.refused_in_words(place, "cells-unfit", words.to_owned()));
+        }
+        let layout = match spec.make_circular.options() {
+            Some(options) => self.circular_layout(&options, &given)?,
+            None => given.clone(),
+        };
+        self.given = spec.make_circular.options().map(|_| GivenSurface::from_layout(&given));
+        let net = NetLayout::new(layout).map_err(|e| self.refused_in_layout(spec, &given, &e))?;
+        self.remark_openings(&given);
+        Ok(vec![SurfaceObject::Layout(net)])
+    }
+
+    /// Says that quads of the mesh have no patch.
+    fn remark_openings(&mut self, layout: &QuadLayout) {
+        let round = layout.round();
+        let named: Vec<String> = round.iter().take(MOST_NAMED).map(|at| (at.vertex + 1).to_string()).collect();
+        let more = if round.len() > MOST_NAMED { ", …" } else { "" };
+        let quads: usize = round.iter().map(|at| at.quads.len()).sum();
+        let message = format!(
+            "{} extraordinary vertex(es), points {}{more} of {}: the {quads} quads round them stay open, and the net is smooth round each opening \
+             ({} grids that join)",
+            round.len(),
+            named.join(", "),
+            self.mesh_name(),
+            layout.pieces().len()
+        );
+        let place = self.place_of([Step::from("grid")]);
+        self.remark("extraordinary-vertices", None, Some(round[0].vertex), place, message);
+    }
+
+    /// What the kernel said of a mesh, or of what became of it.
+    pub(super) fn refused_in_layout(&self, spec: &CyclidicNetSpec, given: &QuadLayout, error: &KernelError) -> Error {
+        let moves = spec.make_circular.options().is_some();
+        let points = |vertices: &[usize]| -> String {
+            let numbers: Vec<String> = vertices.iter().map(|v| (v + 1).to_string()).collect();
+            format!(" (points {} of {})", numbers.join(", "), self.mesh_name())
+        };
+        let words = match error {
+            KernelError::CoincidentPoints { first, second, .. } => format!("{error}{}", points(&[*first, *second])),
+            KernelError::InQuad { quad, cause } => {
+                let corners = given.corners(*quad).map(|corners| points(&corners)).unwrap_or_default();
+                let hint = match **cause {
+                    KernelError::NotConcircular { .. } if !moves => {
+                        "; `make_circular` moves the vertices until they are"
+                    }
+                    _ => "",
+                };
+                format!("{error}{hint}{corners}")
+            }
+            KernelError::RingDoesNotClose { vertex, .. } => {
+                let hint = if moves { "" } else { "; `make_circular` moves the vertices until it closes" };
+                format!("{error}{hint}{}", points(&[*vertex]))
+            }
+            // What concerns the whole, as of a single grid.
+            _ => return self.refused_in_grid(&given.pieces()[0].grid, error),
+        };
+        self.refused_in_words([Step::from("grid")], error.reason(), words)
+    }
+}
