@@ -4,8 +4,8 @@
 #![cfg(feature = "circular-mesh")]
 
 use cyclide::{
-    CircularMeshOptions, Conformal, Error, Mobius, NetLayout, Point3, QuadLayout, Vec3, make_layout_circular,
-    surface_joints,
+    CircularMeshOptions, Conformal, CyclidicNet, Error, Mobius, NetLayout, ParamSurface, Point3, QuadLayout, Vec3,
+    make_layout_circular, surface_joints,
 };
 use std::f64::consts::TAU;
 
@@ -120,15 +120,21 @@ fn monkey_saddle_follows_its_lines_of_curvature() {
 
 #[test]
 fn ball_with_eight_corners() {
-    for bulge in [0.0, 0.1] {
-        let net = made(&ball(6, bulge));
+    // Its lines cross at 120 degrees in the corners: with the other sign of the product frames would turn once more round them.
+    for (k, bulge) in [(6, 0.0), (7, 0.0), (8, 0.0), (9, 0.0), (6, 0.1)] {
+        let net = made(&ball(k, bulge));
         assert_eq!((net.nets().len(), net.layout().round().len()), (6, 8));
-        assert!(crease(&net) < 1e-8, "{bulge}: {}", crease(&net));
+        assert!(crease(&net) < 1e-9, "{k} {bulge}: {}", crease(&net));
         let shell = net.to_shell().unwrap();
-        assert_eq!(shell.faces().len(), 6 * 32);
+        assert_eq!(shell.faces().len(), 6 * (k * k - 4));
         // One piece of a sphere with eight openings.
         let characteristic = shell.vertices().len() as i64 + shell.faces().len() as i64 - shell.edges().len() as i64;
         assert_eq!(characteristic, 2 - 8);
+        // Outwards everywhere.
+        let outwards = |net: &CyclidicNet| {
+            net.patches().all(|patch| patch.unit_normal(0.5, 0.5).dot(patch.point(0.5, 0.5).to_vec()) > 0.5)
+        };
+        assert!(net.nets().iter().all(outwards), "{k}");
     }
 }
 

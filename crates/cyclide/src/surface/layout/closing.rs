@@ -1,14 +1,15 @@
 //! The equations of nets that close round extraordinary vertices (`docs/math/circular-meshes.md#extraordinary-vertices`).
 //!
 //! Round a vertex of n quads a frame that is carried along the ring comes back turned by n - 4 quarter turns about the normal. Carried from
-//! the base to the ring by p edges, round it and back, the product P of the unit edges is, up to its sign,
+//! the base to the ring by p edges, round it and back, the product P of the unit edges is
 //!
 //! ```text
-//! P = cos(n pi/4) - (-1)^p sin(n pi/4) N
+//! P = (-1)^(n+1) (cos(n pi/4) - (-1)^p sin(n pi/4) N)
 //! ```
 //!
 //! with the one normal N of the net at the base: four equations for each vertex, of which one follows, with two unknowns for all of them, which are
-//! eliminated: N is the direction that suits the vector parts best. (The real part alone tells half turns: their vector part is stationary.)
+//! eliminated: N is the direction that suits the vector parts best. (The real part alone tells half turns: their vector part is stationary.) The sign matters: with the other one the frame would come
+//! back the same, but turned once more on its way than the edges.
 
 use super::QuadLayout;
 use crate::base::quat::Quat;
@@ -30,23 +31,20 @@ pub(crate) struct RoundClosing {
 struct Ring {
     /// A closed walk from the base, round one vertex.
     walk: Vec<usize>,
-    /// The real part of the product, not negative, and the factor of the normal in its vector part.
+    /// The real part of the product times the sign, and the factor of the normal in its vector part.
     turn: [f64; 2],
-    /// Of the product with that real part, and that vector part where it is 0.
+    /// The sign above.
     sign: f64,
 }
 
 impl RoundClosing {
-    /// Of a layout whose points are near those of a net.
+    /// Of all extraordinary vertices of a layout.
     pub(crate) fn new(layout: &QuadLayout) -> Self {
-        let points = layout.points();
-        let normal = layout.normals(points)[layout.base()].unwrap_or(Vec3::Z);
         let ring = |(at, (walk, before)): (&super::RoundVertex, (Vec<usize>, usize))| {
-            let angle = (at.ring.len() / 2) as f64 * FRAC_PI_4;
+            let quads = at.ring.len() / 2;
+            let angle = quads as f64 * FRAC_PI_4;
             let turn = [angle.cos(), if before % 2 == 0 { -angle.sin() } else { angle.sin() }];
-            let target = Quat::from(normal * turn[1]) + Quat::ONE * turn[0];
-            let product = product(points, &walk).map_or(target, |ring| ring.product());
-            Ring { walk, turn, sign: 1.0_f64.copysign(product.dot(target)) }
+            Ring { walk, turn, sign: if quads % 2 == 0 { -1.0 } else { 1.0 } }
         };
         Self { rings: layout.round().iter().zip(layout.walks()).map(ring).collect() }
     }
