@@ -2,6 +2,7 @@
 //! the shape where it allows them.
 
 #![cfg(feature = "circular-mesh")]
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use cyclide::{
     CircularMeshOptions, Conformal, CyclidicNet, Error, Mobius, NetLayout, ParamSurface, Point3, QuadLayout, Vec3,

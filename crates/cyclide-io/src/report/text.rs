@@ -268,8 +268,11 @@ impl SurfaceReport {
             }
             if let Some(round) = &c.round {
                 let [before, after] = [round.angle_before, round.angle_after].map(short);
-                let vertices = format!("round {} extraordinary vertex(es)", round.vertices);
-                line("openings", format!("{vertices} the frame is off by {after} rad, before by {before} rad"))?;
+                let vertices = match round.vertices {
+                    1 => "one extraordinary vertex".to_owned(),
+                    count => format!("{count} extraordinary vertices"),
+                };
+                line("openings", format!("round {vertices} the frame is off by {after} rad, before by {before} rad"))?;
             }
             if let Some(shape) = &c.shape {
                 line("shape", shape.to_string())?;

@@ -6,6 +6,7 @@ mod contact_blends;
 mod crossings;
 mod cyclides;
 mod necks;
+mod net_layouts;
 mod nets;
 mod offsets;
 mod patches;

@@ -26,6 +26,7 @@ pub use dupin::{CyclideKind, DupinCyclide};
 pub use grid_cells::GridCell;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use grid_cells::{beside, flooded};
+#[cfg(feature = "circular-mesh")]
 pub(crate) use layout::RoundClosing;
 pub use layout::{LayoutPiece, NetLayout, QuadLayout, RoundVertex};
 pub(crate) use net::SameVertices;

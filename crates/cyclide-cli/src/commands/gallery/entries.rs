@@ -92,6 +92,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "oculus",
+        title: "A dome round an extraordinary vertex",
+        text: "Five quads of the mesh meet at the top, where no net has a corner: they stay open, and five grids join to one smooth skin that closes round the opening, here as a shell 12 cm thick.",
+        document: example!("oculus.json"),
+        inputs: &[input!("oculus.obj")],
+        formats: SURFACES,
+        camera: "35,35",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "lines_of_curvature",
         title: "Lines of curvature of an ellipsoid",
         text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",

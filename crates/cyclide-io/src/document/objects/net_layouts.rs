@@ -46,14 +46,16 @@ impl Builder<'_> {
         let named: Vec<String> = round.iter().take(MOST_NAMED).map(|at| (at.vertex + 1).to_string()).collect();
         let more = if round.len() > MOST_NAMED { ", …" } else { "" };
         let quads: usize = round.iter().map(|at| at.quads.len()).sum();
-        let message = format!(
-            "{} extraordinary vertex(es), points {}{more} of {}: the {quads} quads round them stay open, and the net is smooth round each opening \
-             ({} grids that join)",
-            round.len(),
-            named.join(", "),
-            self.mesh_name(),
-            layout.pieces().len()
-        );
+        let vertices = match round.len() {
+            1 => format!("point {} of {} is an extraordinary vertex: its", named.join(", "), self.mesh_name()),
+            count => {
+                let named = named.join(", ");
+                format!("{count} points of {} are extraordinary vertices ({named}{more}): their", self.mesh_name())
+            }
+        };
+        let grids = layout.pieces().len();
+        let message =
+            format!("{vertices} {quads} quads stay open, and the net of {grids} grids is smooth round each opening");
         let place = self.place_of([Step::from("grid")]);
         self.remark("extraordinary-vertices", None, Some(round[0].vertex), place, message);
     }

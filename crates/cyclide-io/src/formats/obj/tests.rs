@@ -99,7 +99,10 @@ fn refusals_name_line_and_reason() {
         text
     };
     let cases = [
-        (format!("{four}f 1 2 3\n"), "m.obj:5:1: a face of 3 corners, not a quad [not-a-quad]"),
+        (
+            format!("{four}f 1 2 3\n"),
+            "m.obj:5:1: a face of 3 corners, not a quad: a `principal-grid` lays a grid of quads on a mesh of any faces [not-a-quad]",
+        ),
         (format!("{four}f 1 2 3 1\n"), "m.obj:5:1: the face has the same point twice [not-a-quad]"),
         (format!("{four}f 1 2 3 5\n"), "m.obj:5:9: there is no such point: the file has 4"),
         (format!("{four}f 1 2 3 -5\n"), "m.obj:5:9: there is no such point: 4 stand before this line"),
@@ -184,4 +187,62 @@ fn lines_of_any_length_are_refused_and_quoted_in_part() {
         let error = read(&text).unwrap_err();
         assert!(error.starts_with(message) && error.len() < 500, "{error}");
     }
+}
+
+/// Sectors of `k` x `k` quads round one vertex, in a plane.
+fn sectors(n: usize, k: usize) -> String {
+    let (mut points, mut faces) = (Vec::<[i64; 2]>::new(), String::new());
+    for q in 0..n * k * k {
+        let (i, a, b) = (q / (k * k), q % k, q / k % k);
+        faces.push('f');
+        for (a, b) in [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)] {
+            let turn = |step: usize| std::f64::consts::TAU * (i + step) as f64 / n as f64;
+            let at = [f64::cos, f64::sin].map(|of| a as f64 * of(turn(0)) + b as f64 * of(turn(1)));
+            let rounded = at.map(|x| (1e6 * x).round() as i64);
+            let number = points.iter().position(|p| *p == rounded).unwrap_or_else(|| {
+                points.push(rounded);
+                points.len() - 1
+            });
+            faces += &format!(" {}", number + 1);
+        }
+        faces.push('\n');
+    }
+    points.iter().map(|[x, y]| format!("v {} {} 0\n", *x as f64 / 1e6, *y as f64 / 1e6)).collect::<String>() + &faces
+}
+
+#[test]
+fn extraordinary_vertices_cut_a_mesh_into_grids() {
+    for n in [3, 5, 6] {
+        match read_quads("m.obj", sectors(n, 3).as_bytes()) {
+            Ok(ObjQuads::Layout(read)) => {
+                assert_eq!((read.layout.pieces().len(), read.layout.round()[0].vertex), (n, 0));
+                assert!(read.unused.is_empty());
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    assert!(matches!(read_quads("m.obj", sectors(4, 3).as_bytes()), Ok(ObjQuads::Grid(_))));
+    // A point that no face uses; the numbers of the others stay.
+    let spare = "v 9 9 9\n".to_owned() + &sectors(5, 2);
+    let shifted: String = spare
+        .lines()
+        .map(|line| match line.strip_prefix("f ") {
+            Some(corners) => {
+                let numbers = corners.split_whitespace().map(|k| k.parse::<usize>().unwrap() + 1);
+                format!("f {}\n", numbers.map(|k| k.to_string()).collect::<Vec<_>>().join(" "))
+            }
+            None => format!("{line}\n"),
+        })
+        .collect();
+    match read_quads("m.obj", shifted.as_bytes()) {
+        Ok(ObjQuads::Layout(read)) => assert_eq!((&read.unused[..], read.layout.round()[0].vertex), (&[1][..], 1)),
+        other => panic!("{other:?}"),
+    }
+    // Its quads reach the border.
+    let message = read_quads("m.obj", sectors(5, 1).as_bytes()).unwrap_err().to_string();
+    assert!(
+        message.contains("m.obj:1:1: point 1 is an inner vertex without four quads whose quads reach"),
+        "{message}"
+    );
+    assert!(message.contains("[extraordinary-vertex]"), "{message}");
 }

@@ -49,6 +49,7 @@ impl RoundClosing {
         Self { rings: layout.round().iter().zip(layout.walks()).map(ring).collect() }
     }
 
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn is_empty(&self) -> bool {
         self.rings.is_empty()
     }
@@ -71,6 +72,7 @@ impl RoundClosing {
     }
 
     /// What must vanish, four numbers for each vertex; `None` if an edge has no direction.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn values(&self, points: &[Point3]) -> Option<Vec<f64>> {
         let products = self.products(points)?;
         let sum = self.sum(&products);
@@ -84,6 +86,7 @@ impl RoundClosing {
     }
 
     /// Their gradients, by vertices of which some come more than once.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn gradients(&self, points: &[Point3]) -> Option<Vec<Vec<(usize, Vec3)>>> {
         let products = self.products(points)?;
         let sum = self.sum(&products);

@@ -16,7 +16,9 @@ pub use net_layout::NetLayout;
 
 use super::QuadGrid;
 use crate::base::range;
-use crate::base::vector::{Point3, Vec3};
+use crate::base::vector::Point3;
+#[cfg(any(test, feature = "circular-mesh"))]
+use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, LayoutFault, Result};
 use connections::{Connections, side};
 use std::collections::{BTreeSet, HashMap, VecDeque};
@@ -174,6 +176,7 @@ impl QuadLayout {
     }
 
     /// Whether each vertex belongs to a grid.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn used_vertices(&self) -> Vec<bool> {
         let mut used = vec![false; self.points.len()];
         self.pieces.iter().flat_map(|piece| &piece.vertices).flatten().for_each(|v| used[*v] = true);
@@ -181,6 +184,7 @@ impl QuadLayout {
     }
 
     /// Whether each vertex is on the border of the mesh.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn on_border(&self) -> &[bool] {
         &self.on_border
     }
@@ -193,6 +197,7 @@ impl QuadLayout {
     }
 
     /// Vertices next to each other along straight lines of edges, three by three.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn triples(&self) -> Vec<[usize; 3]> {
         let edges = self.edges();
         let known: BTreeSet<[usize; 2]> = edges.iter().map(|[a, b]| side(*a, *b)).collect();
@@ -205,6 +210,7 @@ impl QuadLayout {
     }
 
     /// Strips of quads that come back to themselves, by the corners of their quads in binary order, s along the strip.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn closed_strips(&self) -> Vec<Vec<[usize; 4]>> {
         let mut open = vec![false; self.connections.quads.len()];
         self.round.iter().flat_map(|at| &at.quads).for_each(|quad| open[*quad] = true);
@@ -228,6 +234,7 @@ impl QuadLayout {
     }
 
     /// The strip of quads from one of them away from one of its sides, if it comes back there.
+    #[cfg(any(test, feature = "circular-mesh"))]
     fn strip(&self, first: usize, start: [usize; 2], open: &[bool]) -> Option<Vec<[usize; 4]>> {
         let (mut quad, mut entry, mut strip) = (first, start, Vec::new());
         loop {
@@ -290,6 +297,7 @@ impl QuadLayout {
     }
 
     /// The mean direction of the quads of the grids round each vertex; `None` where it vanishes.
+    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn normals(&self, points: &[Point3]) -> Vec<Option<Vec3>> {
         let mut sums = vec![Vec3::ZERO; points.len()];
         for [a0, a1, a2, a3] in self.quads() {

@@ -46,16 +46,16 @@ impl NetLayout {
     pub fn new(layout: QuadLayout) -> Result<Self> {
         layout.check_place()?;
         let carried = carried(&layout)?;
+        let mut kappa = Vec::new();
+        for piece in layout.pieces() {
+            let all = stretches(&piece.grid).map_err(|e| of_mesh(piece, e))?;
+            kappa.extend(piece.grid.all_quads().map(|[i, j]| all[i + j * piece.grid.quads()[0]]));
+        }
         let closing = RoundClosing::new(&layout);
         let (angle, at) = closing.angle(layout.points());
         let limit = layout.pieces().iter().map(|piece| closing_limit(&piece.grid)).fold(0.0, f64::max);
         if !(angle <= limit) {
             return Err(Error::RingDoesNotClose { vertex: layout.round()[at].vertex, angle, limit });
-        }
-        let mut kappa = Vec::new();
-        for piece in layout.pieces() {
-            let all = stretches(&piece.grid).map_err(|e| of_mesh(piece, e))?;
-            kappa.extend(piece.grid.all_quads().map(|[i, j]| all[i + j * piece.grid.quads()[0]]));
         }
         let frame = frame(&layout, &carried, closing.normal(layout.points()))?;
         let lengths = lengths(&layout, &kappa);

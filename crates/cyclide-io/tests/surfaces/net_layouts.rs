@@ -1,0 +1,119 @@
+//! Nets round extraordinary vertices, from documents.
+
+use std::path::Path;
+
+use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport};
+
+/// A dome of sectors of 5 x 5 quads round one vertex, whose edges cross at right angles from above.
+fn dome(sectors: usize, height: f64) -> String {
+    let (k, bend) = (5, 4.0 / sectors as f64);
+    let (mut points, mut faces) = (Vec::<[f64; 3]>::new(), String::new());
+    for q in 0..sectors * k * k {
+        let (i, a, b) = (q / (k * k), q % k, q / k % k);
+        faces += "f";
+        for (a, b) in [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)] {
+            let r = ((a as f64).hypot(b as f64) / k as f64).powf(bend);
+            let angle = bend * (b as f64).atan2(a as f64) + std::f64::consts::TAU * i as f64 / sectors as f64;
+            let (x, y) = (r * angle.cos(), r * angle.sin());
+            let p = [x, y, -height * (x * x + y * y)];
+            let near = |q: &[f64; 3]| (q[0] - x).hypot(q[1] - y) < 1e-9;
+            let number = points.iter().position(near).unwrap_or_else(|| {
+                points.push(p);
+                points.len() - 1
+            });
+            faces += &format!(" {}", number + 1);
+        }
+        faces += "\n";
+    }
+    points.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect::<String>() + &faces
+}
+
+/// The last object of a document over the mesh `m.obj`.
+fn build(objects: &str, mesh: &str) -> Result<BuiltObject, String> {
+    let text = format!(r#"{{"cyclide": 1, "objects": {{{objects}}}}}"#);
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|e| e.to_string())?;
+    let read = |_: &Path| Ok(mesh.as_bytes().to_vec());
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
+    let built = (0..document.objects.len()).map(|k| builder.build(k, &mut |_| ()));
+    built.last().unwrap().map_err(|e| e.to_string())
+}
+
+fn net(fields: &str) -> String {
+    format!(r#""n": {{"type": "cyclidic-net", "grid": {{"obj": "m.obj"}}{fields}}}"#)
+}
+
+const CIRCULAR: &str = r#", "make_circular": true"#;
+
+#[test]
+fn a_dome_of_five_sectors() {
+    let built = build(&net(CIRCULAR), &dome(5, 0.3)).unwrap();
+    let GeometryReport::Surface(report) = ObjectReport::new(&built, None).geometry else { panic!("it is a surface") };
+    assert_eq!((report.patches, report.bodies, report.joints.creases), (5 * 24, 1, 0));
+    // The border and the opening.
+    assert_eq!(report.free_edges, 50 + 10);
+    assert!(report.joints.angle < 1e-12 && report.joints.gap < 1e-12 && report.singular.is_empty());
+    let round = report.circular.unwrap().round.unwrap();
+    assert!(round.vertices == 1 && round.angle_before > 0.1 && round.angle_after < 1e-12);
+    let remark = built.remarks.iter().find(|remark| remark.reason == "extraordinary-vertices").unwrap();
+    assert_eq!(remark.index, Some(0));
+    assert!(
+        remark.message.contains("point 1 of") && remark.message.contains("5 quads stay open"),
+        "{}",
+        remark.message
+    );
+}
+
+#[test]
+fn what_is_made_of_it_follows() {
+    let mesh = dome(3, 0.3);
+    let with = |more: &str| build(&format!("{}, {more}", net(CIRCULAR)), &mesh);
+    let thick = with(r#""t": {"type": "offset", "of": "n", "distance": 0.02, "thick": true}"#).unwrap();
+    assert!(thick.bodies[0].is_solid() && thick.bodies[0].outer.faces().len() == 2 * 72 + 30 + 6);
+    let offset = with(r#""o": {"type": "offset", "of": "n", "distance": -0.02}"#).unwrap();
+    assert_eq!(offset.bodies[0].outer.faces().len(), 72);
+    let image =
+        with(r#""i": {"type": "transform", "of": "n", "steps": [{"inversion": {"center": [0, 0, 3], "radius": 2}}]}"#);
+    assert_eq!(image.unwrap().bodies[0].outer.faces().len(), 72);
+    let arcs = with(r#""a": {"type": "support-structure", "of": "n"}"#).unwrap();
+    // 3 x (2 x 5 x 6) edges of three grids, less 15 that two of them share, less 3 that end at the vertex: each is one of those 15.
+    assert_eq!(arcs.item.curves().len(), 3 * 60 - 15 - 3);
+}
+
+#[test]
+fn what_does_not_go_is_said() {
+    let mesh = dome(5, 0.3);
+    let refused = |fields: &str, mesh: &str| build(&net(fields), mesh).unwrap_err();
+    let message = refused("", &mesh);
+    assert!(message.contains("[not-concircular]") && message.contains("`make_circular` moves"), "{message}");
+    assert!(message.contains("(points "), "{message}");
+    for (fields, words) in [
+        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of one grid"),
+        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "leave `frame` out"),
+        (r#", "closed": [true, false]"#, "`closed` goes with a grid inline"),
+    ] {
+        let message = refused(&format!("{fields}{CIRCULAR}"), &mesh);
+        assert!(message.contains(words), "{message}");
+    }
+    let message = refused(r#", "make_circular": {"border": "free", "max_steps": 1}"#, &mesh);
+    assert!(message.contains("[not-converged]"), "{message}");
+    // A saddle and five sectors: the lines of curvature would change places.
+    let saddle: String = mesh
+        .lines()
+        .map(|line| {
+            match line
+                .strip_prefix("v ")
+                .map(|xyz| xyz.split(' ').map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>())
+            {
+                Some(p) => format!("v {} {} {}\n", p[0], p[1], 0.3 * (p[0] * p[0] - p[1] * p[1])),
+                None => format!("{line}\n"),
+            }
+        })
+        .collect();
+    assert!(refused(CIRCULAR, &saddle).contains("[shape-lost]"));
+    let allowed = r#", "make_circular": {"allow_shape_change": true}"#;
+    let built = build(&net(allowed), &saddle).unwrap();
+    assert!(built.remarks.iter().any(|remark| remark.reason == "shape-changed"));
+    // Held at its border it closes too.
+    let pinned = build(&net(r#", "make_circular": {"border": "pinned", "allow_shape_change": true}"#), &dome(5, 0.1));
+    assert!(pinned.is_ok() || pinned.unwrap_err().contains("[not-converged]"));
+}
