@@ -28,8 +28,8 @@ const POINT_ROUNDINGS: f64 = 8.0;
 impl NurbsCurve {
     /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
     /// derivative is continuous; the degree rises by 3. Where a closed curve joins itself as smoothly, so do its weights. Spans with very uneven weights keep their knots where the other
-    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, a factor that would not stay
-    /// positive, or knots that are smooth as they are).
+    /// form would lose points by rounding, and so do those at which a factor would not stay positive. `None` if nothing can be gained (one
+    /// span, no C1 knot, or knots that are smooth as they are).
     #[must_use]
     pub fn with_c1_knots(&self) -> Option<Self> {
         let count = self.span_count();
@@ -39,11 +39,10 @@ impl NurbsCurve {
         }
         let intervals: Vec<f64> = self.breaks().windows(2).map(|w| w[1] - w[0]).collect();
         let mut smooth: Vec<bool> = (1..count).map(|j| self.is_c1_at(j, &intervals)).collect();
-        let seam = self.is_c1_at_seam(&intervals);
+        let mut seam = self.is_c1_at_seam(&intervals);
         let uneven: Vec<usize> = (0..count).filter(|i| is_uneven(self.span_rows(*i))).collect();
         for _ in 0..ROUNDS {
-            let with_seam = seam.then(|| self.raised(&intervals, &smooth, true)).flatten();
-            let raised = with_seam.or_else(|| self.raised(&intervals, &smooth, false))?;
+            let raised = self.raised_where_it_goes(&intervals, &mut smooth, &mut seam)?;
             let lost = uneven.iter().filter(|&&i| !self.keeps_points(&raised, i));
             let mut knots = lost.flat_map(|&i| [i.checked_sub(1), Some(i)]).flatten().peekable();
             if knots.peek().is_none() {
@@ -54,22 +53,46 @@ impl NurbsCurve {
         None
     }
 
-    /// With C1 knots at the smooth inner breaks, and weights that fit at the seam; `None` if there are none.
-    fn raised(&self, intervals: &[f64], smooth: &[bool], seam: bool) -> Option<Self> {
-        if !smooth.contains(&true) {
-            return None;
+    /// With C1 knots at the smooth inner breaks, and weights that fit at the seam: first the seam is given up, then the breaks at which a
+    /// factor would not be positive. `None` if there are none left.
+    fn raised_where_it_goes(&self, intervals: &[f64], smooth: &mut [bool], seam: &mut bool) -> Option<Self> {
+        while smooth.contains(&true) {
+            match self.raised(intervals, smooth, *seam) {
+                Ok(raised) => return raised,
+                Err(_) if *seam => *seam = false,
+                // One break less at least in each round: the ends of the spans that fail are smooth ones.
+                Err(breaks) => breaks.into_iter().for_each(|j| smooth[j - 1] = false),
+            }
         }
+        None
+    }
+
+    /// With C1 knots at the smooth inner breaks, and weights that fit at the seam.
+    ///
+    /// # Errors
+    /// The inner breaks at which a factor would not be positive.
+    fn raised(&self, intervals: &[f64], smooth: &[bool], seam: bool) -> Result<Option<Self>, Vec<usize>> {
         let (count, breaks) = (self.span_count(), self.breaks());
         let slopes = self.common_slopes(intervals, smooth, seam);
+        let mut spans = Vec::with_capacity(count);
+        let mut failing = Vec::new();
+        for j in 0..count {
+            match with_slopes(&self.span_bezier(j), [slopes[j], slopes[j + 1]].map(|s| s.map(|s| s * intervals[j]))) {
+                Ok(raised) => spans.push(raised),
+                Err(ends) => failing.extend((0..2).filter(|end| ends[*end]).map(|end| j + end)),
+            }
+        }
+        if spans.len() < count {
+            failing.retain(|j| (1..count).contains(j) && smooth[j - 1]);
+            return Err(failing);
+        }
         let degree = self.degree() + 3;
         // The joint rows of smooth knots are combinations of their neighbours: left out.
         let kept = count * degree + 1 - smooth.iter().filter(|smooth| **smooth).count();
         let (mut points, mut weights) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
         let mut knots = Vec::with_capacity(kept + degree + 1);
         let (mut scale, mut last) = (1.0, None);
-        for j in 0..count {
-            let raised =
-                with_slopes(&self.span_bezier(j), [slopes[j], slopes[j + 1]].map(|s| s.map(|s| s * intervals[j])))?;
+        for (j, raised) in spans.iter().enumerate() {
             let first = raised.rows()[0];
             if let Some(last) = last {
                 scale = last / first[3];
@@ -88,7 +111,7 @@ impl NurbsCurve {
             }
         }
         knots.extend(std::iter::repeat_n(breaks[count], degree + 1));
-        Self::new(degree, knots, points, weights).ok()
+        Ok(Self::new(degree, knots, points, weights).ok())
     }
 
     /// True if the points of a span are those of its other form, looked at the closer the nearer to its ends, where
@@ -159,14 +182,20 @@ fn end_slopes(rows: &[[f64; 4]]) -> [f64; 2] {
     [(rows[1][3] - w0) / w0 * n as f64, (w1 - rows[n - 1][3]) / w1 * n as f64]
 }
 
-/// The piece multiplied by the cubic that gives its weight function these logarithmic slopes at its ends, if that
-/// cubic is positive.
-fn with_slopes(bezier: &RationalBezier, slopes: [Option<f64>; 2]) -> Option<RationalBezier> {
+/// The piece multiplied by the cubic that gives its weight function these logarithmic slopes at its ends.
+///
+/// # Errors
+/// The ends, of those with a slope, at which that cubic is not positive.
+fn with_slopes(bezier: &RationalBezier, slopes: [Option<f64>; 2]) -> Result<RationalBezier, [bool; 2]> {
     let have = end_slopes(bezier.rows());
     let change = |end: usize| slopes[end].map_or(0.0, |slope| slope - have[end]);
     let factor = [1.0, 1.0 + change(0) / 3.0, 1.0 - change(1) / 3.0, 1.0];
     let raised = bezier.multiplied(&factor);
-    (factor.iter().all(|g| *g > 0.0) && raised.has_positive_weights()).then_some(raised)
+    if factor.iter().all(|g| *g > 0.0) && raised.has_positive_weights() {
+        return Ok(raised);
+    }
+    let ends = [!(factor[1] > 0.0), !(factor[2] > 0.0)];
+    Err(if ends == [false; 2] { slopes.map(|slope| slope.is_some()) } else { ends })
 }
 
 #[cfg(test)]
@@ -187,5 +216,32 @@ mod tests {
             let u = f64::from(i) / 40.0;
             assert!(c.point_at_knot(u).distance(s.point_at_knot(u)) < 1e-15, "{u}");
         }
+    }
+
+    #[test]
+    fn breaks_at_which_the_factor_fails_stay_and_the_others_are_smooth() {
+        // Four spans along a line at one speed; the weights of the second one rise by a logarithmic slope of 3 (w - 1) at both ends.
+        let path = |w: f64| {
+            let (mut points, mut weights) = (vec![Point3::ORIGIN], vec![1.0]);
+            for k in 0..4 {
+                let (x, w) = (f64::from(k), if k == 1 { w } else { 1.0 });
+                let reach = 1.0 / (3.0 * w);
+                points.extend([x + reach, x + 1.0 - reach, x + 1.0].map(|x| Point3::new(x, 0.0, 0.0)));
+                weights.extend([w, w, 1.0]);
+            }
+            let knots = (0..5).flat_map(|k| std::iter::repeat_n(f64::from(k), if k % 4 == 0 { 4 } else { 3 }));
+            NurbsCurve::new(3, knots.collect(), points, weights).unwrap()
+        };
+        let multiplicities = |w: f64| {
+            let made = path(w).with_c1_knots().unwrap();
+            for k in 0..=80 {
+                // Coordinates below 4.
+                assert!((made.point_at_knot(f64::from(k) / 20.0).x - f64::from(k) / 20.0).abs() < 1e-14);
+            }
+            made.knot_multiplicities()[1..4].iter().map(|(_, count)| made.degree() - count).collect::<Vec<_>>()
+        };
+        assert_eq!(multiplicities(2.0), [1, 1, 1]);
+        // A slope of 12: half of it is more than a cubic takes away with positive coefficients.
+        assert_eq!(multiplicities(5.0), [0, 0, 1]);
     }
 }
