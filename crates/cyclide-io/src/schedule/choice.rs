@@ -3,6 +3,7 @@
 use cyclide::{CyclidicNet, SurfaceObject};
 use serde::Serialize;
 
+use super::skin::Skin;
 use crate::document::{BuiltObject, Document, ObjectSpec, OffsetSpec};
 
 /// An object that is not in a schedule.
@@ -32,19 +33,21 @@ pub struct NotScheduled {
 pub(super) struct Chosen {
     /// What its parts are named after.
     pub(super) name: String,
-    /// Its nets, one or several.
-    pub(super) nets: Vec<CyclidicNet>,
+    /// Its nets, one or several; those that join are one.
+    pub(super) skins: Vec<Skin>,
     /// The distance of the other side of its panels.
     pub(super) thickness: Option<f64>,
 }
 
 /// The nets of an object, a single patch as one of one panel.
-fn nets_of(built: &BuiltObject) -> Vec<CyclidicNet> {
-    let nets = |surface: &SurfaceObject| match surface {
-        SurfaceObject::Patch(patch) => vec![CyclidicNet::from(*patch)],
-        other => other.nets().to_vec(),
+fn skins_of(built: &BuiltObject) -> Vec<Skin> {
+    let skin = |surface: &SurfaceObject| match surface {
+        SurfaceObject::Patch(patch) => Some(Skin::Net(CyclidicNet::from(*patch))),
+        SurfaceObject::Net(net) => Some(Skin::Net(net.clone())),
+        SurfaceObject::Layout(layout) => Some(Skin::Layout(layout.clone())),
+        SurfaceObject::Body(_) | SurfaceObject::Triangles(_) => None,
     };
-    built.item.surfaces().iter().flat_map(nets).collect()
+    built.item.surfaces().iter().filter_map(skin).collect()
 }
 
 /// The objects of a model that are scheduled: those of these names, or all with nets that are no construction geometry.
@@ -78,10 +81,10 @@ pub(super) fn choose(
             leave(if only.is_empty() { "construction geometry" } else { "not asked for by --object" }.to_owned());
             continue;
         }
-        let nets = nets_of(built);
-        if !nets.is_empty() {
+        let skins = skins_of(built);
+        if !skins.is_empty() {
             let thickness = thickness.or_else(|| own_thickness(name));
-            chosen.push(Chosen { name: name.clone(), nets, thickness });
+            chosen.push(Chosen { name: name.clone(), skins, thickness });
             continue;
         }
         match spec {
@@ -94,16 +97,16 @@ pub(super) fn choose(
                 // The skin is construction geometry: the solid is what is built.
                 Some(source) => {
                     let thickness = Some(thickness.unwrap_or(*distance));
-                    match nets_of(source) {
-                        nets if nets.is_empty() => leave(no_net(spec)),
-                        nets => chosen.push(Chosen { name: name.clone(), nets, thickness }),
+                    match skins_of(source) {
+                        skins if skins.is_empty() => leave(no_net(spec)),
+                        skins => chosen.push(Chosen { name: name.clone(), skins, thickness }),
                     }
                 }
                 None => leave(no_net(spec)),
             },
             ObjectSpec::SupportStructure(support) => {
                 let of = &support.of;
-                leave(if by_name(of).is_some_and(|source| wanted(source) && !nets_of(source).is_empty()) {
+                leave(if by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty()) {
                     format!("its arcs are the edges of `{of}`")
                 } else {
                     format!("its arcs are the edges of `{of}`, which is not scheduled: --object {of} schedules it")

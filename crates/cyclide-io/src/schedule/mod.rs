@@ -11,6 +11,7 @@ mod patterns;
 mod plan;
 mod rows;
 mod shelf;
+mod skin;
 mod strips;
 mod table;
 mod totals;
@@ -111,11 +112,11 @@ impl WorkshopSchedule {
         }
         let mut nets = Vec::new();
         for chosen in chosen {
-            let several = chosen.nets.len() > 1;
-            for (index, net) in chosen.nets.iter().enumerate() {
+            let several = chosen.skins.len() > 1;
+            for (index, skin) in chosen.skins.iter().enumerate() {
                 let name = if several { format!("{}.{index}", chosen.name) } else { chosen.name.clone() };
                 let depth = options.beam_depth.or(chosen.thickness);
-                let measured = Net::new(name, net, chosen.thickness, depth);
+                let measured = Net::new(name, skin, chosen.thickness, depth);
                 nets.push(measured.map_err(|source| refused(&chosen.name, source))?);
             }
         }

@@ -1,25 +1,25 @@
-//! A net measured as it is built: panels, the edges between them, and the nodes where these meet.
+//! A net, or nets that join, measured as they are built: panels, the edges between them, and the nodes where these meet.
 
 use std::collections::HashMap;
 
 use cyclide::{
-    Arc, CORNER_ANGLE, CyclidePatch, CyclidicNet, Error, FaceEdge, NormalStrip, PanelMeasures, PatchKind, Point3,
-    Result, Shell, Side, Vec3, surface_joints,
+    Arc, CORNER_ANGLE, CyclidePatch, FaceEdge, NormalStrip, PanelMeasures, PatchKind, Point3, Result, Shell, Side,
+    Vec3, surface_joints,
 };
+
+use super::skin::Skin;
 
 /// Angle from the direction of growing s at which the edges round a node begin: that along s is the first, and rounding
 /// does not turn it to the end.
 const FIRST: f64 = -0.25 * std::f64::consts::PI;
 
-/// A net with what belongs to each of its parts.
+/// A net, or nets that join, with what belongs to each of its parts. What two pieces share is that of the first.
 #[derive(Debug)]
 pub(super) struct Net {
     /// What it is called in the schedule.
     pub(super) name: String,
-    /// Panels along s and along t.
-    pub(super) size: [usize; 2],
-    /// Vertices along s and along t.
-    vertices: [usize; 2],
+    /// The nets that it is made of.
+    pub(super) pieces: Vec<Piece>,
     pub(super) panels: Vec<Panel>,
     pub(super) edges: Vec<Edge>,
     pub(super) nodes: Vec<Node>,
@@ -31,9 +31,20 @@ pub(super) struct Net {
     pub(super) area: f64,
 }
 
+/// How large one of its nets is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece {
+    /// Panels along s and along t.
+    pub(super) size: [usize; 2],
+    /// Vertices along s and along t.
+    vertices: [usize; 2],
+}
+
 /// A patch of a net.
 #[derive(Debug)]
 pub(super) struct Panel {
+    /// The number of its net.
+    pub(super) piece: usize,
     /// Column and row.
     pub(super) place: [usize; 2],
     pub(super) patch: CyclidePatch,
@@ -50,6 +61,8 @@ pub(super) struct Panel {
 /// An arc between two nodes.
 #[derive(Debug)]
 pub(super) struct Edge {
+    /// The net of its first panel.
+    pub(super) piece: usize,
     /// Column and row of the vertex where it starts.
     pub(super) place: [usize; 2],
     /// 0 along s, 1 along t.
@@ -68,6 +81,8 @@ pub(super) struct Edge {
 /// A vertex of a net.
 #[derive(Debug)]
 pub(super) struct Node {
+    /// The first net that has it.
+    pub(super) piece: usize,
     /// Column and row.
     pub(super) place: [usize; 2],
     pub(super) point: Point3,
@@ -90,23 +105,26 @@ pub(super) struct Beam {
 }
 
 impl Net {
-    /// Measures a net.
-    pub(super) fn new(name: String, net: &CyclidicNet, thickness: Option<f64>, depth: Option<f64>) -> Result<Self> {
-        let shell = net.to_shell()?;
-        let other = thickness.map(|h| other_side(net, h)).transpose()?;
-        let (size, vertices) = (net.size(), net.grid().size());
+    /// Measures a net, or nets that join.
+    pub(super) fn new(name: String, skin: &Skin, thickness: Option<f64>, depth: Option<f64>) -> Result<Self> {
+        let shell = skin.to_shell()?;
+        let other = thickness.map(|h| skin.other_side(h)).transpose()?;
+        let pieces = skin.nets().iter().map(|net| Piece { size: net.size(), vertices: net.grid().size() }).collect();
+        let patches = skin.nets().iter().enumerate();
+        let patches = patches.flat_map(|(piece, net)| net.patches_with_quads().map(move |found| (piece, found)));
         let mut panels = Vec::with_capacity(shell.faces().len());
         let corners: Vec<[usize; 4]> = shell.faces().iter().map(|face| corner_vertices(&shell, &face.sides)).collect();
         // Faces stand in the order of the patches.
-        for (index, (face, (place, patch))) in shell.faces().iter().zip(net.patches_with_quads()).enumerate() {
-            let offset_area = other.as_ref().map(|other| area(other.patch(place[0], place[1]))).transpose()?;
+        for (index, (face, (piece, (place, patch)))) in shell.faces().iter().zip(patches).enumerate() {
+            let other = other.as_ref().map(|other| &other.nets()[piece]);
+            let offset_area = other.map(|other| area(other.patch(place[0], place[1]))).transpose()?;
             let (kind, measures) = (patch.recognise(), PanelMeasures::new(&patch)?);
-            panels.push(Panel { place, patch, kind, measures, offset_area, nodes: corners[index], sides: face.sides });
+            let (nodes, sides) = (corners[index], face.sides);
+            panels.push(Panel { piece, place, patch, kind, measures, offset_area, nodes, sides });
         }
         let mut made = Self {
             name,
-            size,
-            vertices,
+            pieces,
             panels,
             edges: Vec::new(),
             nodes: Vec::new(),
@@ -114,40 +132,44 @@ impl Net {
             beam_depth: depth,
             area: shell.known_area()?,
         };
-        made.take_nodes(net, other.as_ref());
+        made.take_nodes(skin, other.as_ref());
         made.take_edges(&shell, other.as_ref())?;
-        made.take_beams(net);
+        made.take_beams(skin);
         Ok(made)
     }
 
     /// The nodes, by the first place in which each is met; those that sides of one point join are one.
-    fn take_nodes(&mut self, net: &CyclidicNet, other: Option<&CyclidicNet>) {
-        let mut first: HashMap<usize, [usize; 2]> = HashMap::new();
+    fn take_nodes(&mut self, skin: &Skin, other: Option<&Skin>) {
+        // Piece, row and column.
+        let mut first: HashMap<usize, [usize; 3]> = HashMap::new();
         for panel in &self.panels {
             for (corner, &vertex) in panel.nodes.iter().enumerate() {
-                let place = self.vertex_at([panel.place[0] + corner % 2, panel.place[1] + corner / 2]);
+                let at = [panel.place[0] + corner % 2, panel.place[1] + corner / 2];
+                let [i, j] = self.pieces[panel.piece].vertex_at(at);
+                let place = [panel.piece, j, i];
                 let known = first.entry(vertex).or_insert(place);
-                *known = std::cmp::min_by_key(*known, place, |[i, j]| (*j, *i));
+                *known = place.min(*known);
             }
         }
-        let mut order: Vec<(usize, [usize; 2])> = first.into_iter().collect();
-        order.sort_by_key(|(_, [i, j])| (*j, *i));
+        let mut order: Vec<(usize, [usize; 3])> = first.into_iter().collect();
+        order.sort_by_key(|(_, place)| *place);
         let numbers: HashMap<usize, usize> = order.iter().enumerate().map(|(number, (v, _))| (*v, number)).collect();
         for panel in &mut self.panels {
             panel.nodes = panel.nodes.map(|vertex| numbers[&vertex]);
         }
-        let node = |(_, [i, j]): (usize, [usize; 2])| Node {
+        let node = |(_, [piece, j, i]): (usize, [usize; 3])| Node {
+            piece,
             place: [i, j],
-            point: net.grid().point(i, j),
-            normal: net.vertex_frame(i, j)[2],
-            offset: other.map(|other| other.grid().point(i, j)),
+            point: skin.nets()[piece].grid().point(i, j),
+            normal: skin.nets()[piece].vertex_frame(i, j)[2],
+            offset: other.map(|other| other.nets()[piece].grid().point(i, j)),
             beams: Vec::new(),
         };
         self.nodes = order.into_iter().map(node).collect();
     }
 
-    /// The edges: those along s first, then those along t, each by rows.
-    fn take_edges(&mut self, shell: &Shell, other: Option<&CyclidicNet>) -> Result<()> {
+    /// The edges, piece by piece: those along s first, then those along t, each by rows.
+    fn take_edges(&mut self, shell: &Shell, other: Option<&Skin>) -> Result<()> {
         let creases: HashMap<usize, f64> =
             surface_joints(shell).into_iter().map(|joint| (joint.edge, joint.angle)).collect();
         let mut order: Vec<(usize, Edge)> = Vec::with_capacity(shell.edges().len());
@@ -155,13 +177,13 @@ impl Net {
             let (Some(&(face, side)), Some(arc)) = (users.first(), shell.edges()[index].curve.arc()) else { continue };
             let panel = &self.panels[face];
             let forward = panel.sides[side as usize].is_none_or(|use_of| use_of.forward);
-            let [i, j] = panel.place;
-            let place = self.vertex_at(match side {
+            let (piece, [i, j]) = (panel.piece, panel.place);
+            let place = self.pieces[piece].vertex_at(match side {
                 Side::Bottom | Side::Left => [i, j],
                 Side::Top => [i, j + 1],
                 Side::Right => [i + 1, j],
             });
-            let offset = other.map(|other| side_arc(&other.patch(i, j), side)).transpose()?;
+            let offset = other.map(|other| side_arc(&other.nets()[piece].patch(i, j), side)).transpose()?;
             let offset = offset.map(|arc| if forward { arc } else { arc.reversed() });
             let (s, t) = side.place(if forward { 0.0 } else { 1.0 });
             let normal = panel.patch.unit_normal(s, t);
@@ -170,6 +192,7 @@ impl Net {
             let strip = self.beam_depth.map(|depth| NormalStrip::new(arc, normal, [depth.min(0.0), depth.max(0.0)]));
             let crease = creases.get(&index).map(|angle| if *angle > CORNER_ANGLE { *angle } else { 0.0 });
             let edge = Edge {
+                piece,
                 place,
                 direction: side.direction(),
                 arc: *arc,
@@ -181,7 +204,7 @@ impl Net {
             };
             order.push((index, edge));
         }
-        order.sort_by_key(|(_, edge)| (edge.direction, edge.place[1], edge.place[0]));
+        order.sort_by_key(|(_, edge)| (edge.piece, edge.direction, edge.place[1], edge.place[0]));
         let numbers: HashMap<usize, usize> = order.iter().enumerate().map(|(number, (k, _))| (*k, number)).collect();
         let renumbered = |side: FaceEdge| Some(FaceEdge { edge: *numbers.get(&side.edge)?, ..side });
         for panel in &mut self.panels {
@@ -192,7 +215,7 @@ impl Net {
     }
 
     /// What meets at each node.
-    fn take_beams(&mut self, net: &CyclidicNet) {
+    fn take_beams(&mut self, skin: &Skin) {
         for (index, edge) in self.edges.iter().enumerate() {
             let ends = [edge.arc.start_tangent(), edge.arc.end_tangent().map(|tangent| -tangent)];
             for (node, direction) in edge.nodes.into_iter().zip(ends) {
@@ -204,7 +227,7 @@ impl Net {
             }
         }
         for node in &mut self.nodes {
-            let [e1, e2, _] = net.vertex_frame(node.place[0], node.place[1]);
+            let [e1, e2, _] = skin.nets()[node.piece].vertex_frame(node.place[0], node.place[1]);
             let angle = |beam: &Beam| {
                 let angle = beam.direction.dot(e2).atan2(beam.direction.dot(e1));
                 if angle < FIRST { angle + std::f64::consts::TAU } else { angle }
@@ -219,6 +242,40 @@ impl Net {
         }
     }
 
+    /// What a piece is called: as the net, if it is the only one.
+    pub(super) fn piece_name(&self, piece: usize) -> String {
+        if self.pieces.len() > 1 { format!("{}.{piece}", self.name) } else { self.name.clone() }
+    }
+
+    /// Row and column of a panel, after the number of its piece, if there are several.
+    pub(super) fn panel_number(&self, panel: usize) -> String {
+        let Panel { piece, place, .. } = self.panels[panel];
+        let number = self.pieces[piece].numbered(place);
+        if self.pieces.len() > 1 { format!("{piece}-{number}") } else { number }
+    }
+
+    pub(super) fn panel_id(&self, panel: usize) -> String {
+        let Panel { piece, place, .. } = self.panels[panel];
+        format!("{}-{}", self.piece_name(piece), self.pieces[piece].numbered(place))
+    }
+
+    pub(super) fn edge_id(&self, edge: usize) -> String {
+        let Edge { piece, place, direction, .. } = self.edges[edge];
+        format!("{}-{}-{}", self.piece_name(piece), ["s", "t"][direction], self.pieces[piece].numbered(place))
+    }
+
+    pub(super) fn node_id(&self, node: usize) -> String {
+        let Node { piece, place, .. } = self.nodes[node];
+        format!("{}-n-{}", self.piece_name(piece), self.pieces[piece].numbered(place))
+    }
+
+    /// Length of all edges, each once.
+    pub(super) fn edge_length(&self) -> f64 {
+        self.edges.iter().map(|edge| edge.arc.length()).sum()
+    }
+}
+
+impl Piece {
     /// A vertex, counted round in closed directions.
     fn vertex_at(&self, place: [usize; 2]) -> [usize; 2] {
         [place[0] % self.vertices[0], place[1] % self.vertices[1]]
@@ -229,34 +286,6 @@ impl Net {
         let digits = |count: usize| count.saturating_sub(1).to_string().len().max(2);
         let [columns, rows] = self.vertices.map(digits);
         format!("r{row:0rows$}-c{column:0columns$}")
-    }
-
-    /// Row and column of a panel.
-    pub(super) fn panel_number(&self, panel: usize) -> String {
-        self.numbered(self.panels[panel].place)
-    }
-
-    pub(super) fn panel_id(&self, panel: usize) -> String {
-        format!("{}-{}", self.name, self.panel_number(panel))
-    }
-
-    /// Direction, row and column of an edge.
-    pub(super) fn edge_number(&self, edge: usize) -> String {
-        let Edge { place, direction, .. } = self.edges[edge];
-        format!("{}-{}", ["s", "t"][direction], self.numbered(place))
-    }
-
-    pub(super) fn edge_id(&self, edge: usize) -> String {
-        format!("{}-{}", self.name, self.edge_number(edge))
-    }
-
-    pub(super) fn node_id(&self, node: usize) -> String {
-        format!("{}-n-{}", self.name, self.numbered(self.nodes[node].place))
-    }
-
-    /// Length of all edges, each once.
-    pub(super) fn edge_length(&self) -> f64 {
-        self.edges.iter().map(|edge| edge.arc.length()).sum()
     }
 }
 
@@ -275,17 +304,6 @@ pub(super) fn kind_word(kind: &PatchKind) -> &'static str {
         PatchKind::Cone { .. } => "cone",
         PatchKind::Torus { .. } => "torus",
         PatchKind::Cyclide => "cyclide",
-    }
-}
-
-/// The net on the other side of panels, refused where no panel can be so thick.
-fn other_side(net: &CyclidicNet, h: f64) -> Result<CyclidicNet> {
-    match net.patches().position(|patch| !patch.offset_is_regular(h)) {
-        None => net.offset(h),
-        Some(quad) => match net.thick(h) {
-            Err(error) => Err(error),
-            Ok(_) => Err(Error::InQuad { quad, cause: Box::new(Error::OffsetNotRegular { distance: h, limit: 0.0 }) }),
-        },
     }
 }
 

@@ -39,7 +39,7 @@ pub(super) fn panels(nets: &[Net], groups: &PanelGroups, units: Units) -> Table 
         let net = item.map(|(_, net, _)| *net);
         let panel = item.map(|(_, net, k)| &net.panels[*k]);
         row.text(format_args!("id"), item.map(|(_, net, k)| net.panel_id(*k)));
-        row.text(format_args!("object"), net.map(|net| net.name.as_str()));
+        row.text(format_args!("object"), item.map(|(_, net, k)| net.piece_name(net.panels[*k].piece)));
         row.count(format_args!("row"), panel.map(|panel| panel.place[1]));
         row.count(format_args!("column"), panel.map(|panel| panel.place[0]));
         row.text(format_args!("kind"), panel.map(|panel| kind_word(&panel.kind)));
@@ -75,7 +75,7 @@ pub(super) fn edges(nets: &[Net], units: Units) -> Table {
     Table::of("edges", units, items, |row, item| {
         let edge = item.map(|(net, k)| &net.edges[*k]);
         row.text(format_args!("id"), item.map(|(net, k)| net.edge_id(*k)));
-        row.text(format_args!("object"), item.map(|(net, _)| net.name.as_str()));
+        row.text(format_args!("object"), item.map(|(net, k)| net.piece_name(net.edges[*k].piece)));
         row.text(format_args!("direction"), edge.map(|edge| ["s", "t"][edge.direction]));
         row.count(format_args!("row"), edge.map(|edge| edge.place[1]));
         row.count(format_args!("column"), edge.map(|edge| edge.place[0]));
@@ -102,7 +102,7 @@ pub(super) fn nodes(nets: &[Net], units: Units) -> Table {
     Table::of("nodes", units, items, |row, item| {
         let node = item.map(|(net, k)| &net.nodes[*k]);
         row.text(format_args!("id"), item.map(|(net, k)| net.node_id(*k)));
-        row.text(format_args!("object"), item.map(|(net, _)| net.name.as_str()));
+        row.text(format_args!("object"), item.map(|(net, k)| net.piece_name(net.nodes[*k].piece)));
         row.count(format_args!("row"), node.map(|node| node.place[1]));
         row.count(format_args!("column"), node.map(|node| node.place[0]));
         row.point(format_args!("position"), node.map(|node| node.point));
@@ -138,7 +138,7 @@ pub(super) fn beams(nets: &[Net], units: Units) -> Table {
         let edge = item.map(|(net, k)| &net.edges[*k]);
         let strip = edge.and_then(|edge| edge.strip.as_ref());
         row.text(format_args!("id"), item.map(|(net, k)| net.edge_id(*k)));
-        row.text(format_args!("object"), item.map(|(net, _)| net.name.as_str()));
+        row.text(format_args!("object"), item.map(|(net, k)| net.piece_name(net.edges[*k].piece)));
         for (end, name) in ["start", "end"].into_iter().enumerate() {
             row.text(format_args!("{name}_node"), item.map(|(net, k)| net.node_id(net.edges[*k].nodes[end])));
         }

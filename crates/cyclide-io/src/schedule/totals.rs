@@ -32,6 +32,9 @@ pub(super) struct Totals {
     /// Panels along s and along t.
     #[serde(skip_serializing_if = "Option::is_none")]
     columns_and_rows: Option<[usize; 2]>,
+    /// The same for each of several nets that join.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pieces: Vec<[usize; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     thickness: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,7 +84,11 @@ impl Totals {
         let net = &nets[index];
         let mut totals = Self::of(std::slice::from_ref(net));
         totals.object = Some(net.name.clone());
-        totals.columns_and_rows = Some(net.size);
+        let sizes: Vec<[usize; 2]> = net.pieces.iter().map(|piece| piece.size).collect();
+        match *sizes.as_slice() {
+            [only] => totals.columns_and_rows = Some(only),
+            _ => totals.pieces = sizes,
+        }
         (totals.thickness, totals.beam_depth) = (net.thickness, net.beam_depth);
         totals.groups = groups.totals(nets, Some(index));
         totals
@@ -139,6 +146,7 @@ impl Totals {
         };
         let head = match (&self.object, self.columns_and_rows) {
             (Some(name), Some([columns, rows])) => format!("{name}: {rows} rows of {columns} panels"),
+            (Some(name), None) => format!("{name}: {} nets that join", self.pieces.len()),
             _ => "all nets".to_owned(),
         };
         let mut out = format!("{head}\n");

@@ -119,7 +119,9 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> 
         };
         let index = poses.len();
         let of_row = |e| if let Error::ZeroRotation { .. } = e { Error::ZeroRotation { index } } else { e };
-        let (pose, off) = made.map_err(of_row).map_err(|e: Error| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
+        let (pose, off) = made
+            .map_err(of_row)
+            .map_err(|e: Error| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
         if off > SIX_DECIMALS {
             let (count, start, most) = rounded.unwrap_or((0, row.fields[0].start, off));
             let worst = if off > most { (row.fields[0].start, off) } else { (start, most) };

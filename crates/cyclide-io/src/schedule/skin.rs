@@ -1,0 +1,45 @@
+//! What is measured as one: a net, or nets that join.
+
+use cyclide::{CyclidicNet, Error, NetLayout, Result, Shell};
+
+/// A surface of panels.
+#[derive(Debug, Clone)]
+pub(super) enum Skin {
+    Net(CyclidicNet),
+    /// Nets that share nodes and edges.
+    Layout(NetLayout),
+}
+
+impl Skin {
+    pub(super) fn nets(&self) -> &[CyclidicNet] {
+        match self {
+            Self::Net(net) => std::slice::from_ref(net),
+            Self::Layout(layout) => layout.nets(),
+        }
+    }
+
+    /// All panels, in the order of the nets and of the patches of each.
+    pub(super) fn to_shell(&self) -> Result<Shell> {
+        match self {
+            Self::Net(net) => net.to_shell(),
+            Self::Layout(layout) => layout.to_shell(),
+        }
+    }
+
+    /// The other side of its panels, refused where no panel can be so thick.
+    pub(super) fn other_side(&self, h: f64) -> Result<Self> {
+        for net in self.nets() {
+            let Some(quad) = net.patches().position(|patch| !patch.offset_is_regular(h)) else { continue };
+            return match net.thick(h) {
+                Err(error) => Err(error),
+                Ok(_) => {
+                    Err(Error::InQuad { quad, cause: Box::new(Error::OffsetNotRegular { distance: h, limit: 0.0 }) })
+                }
+            };
+        }
+        match self {
+            Self::Net(net) => net.offset(h).map(Self::Net),
+            Self::Layout(layout) => layout.offset(h).map(Self::Layout),
+        }
+    }
+}
