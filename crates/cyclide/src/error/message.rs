@@ -787,7 +787,7 @@ impl std::fmt::Display for Error {
             Self::NotAQuadLayout { fault, index } => f.write_str(&fault.words(*index)),
             Self::RingDoesNotClose { vertex, angle, limit } => write!(
                 f,
-                "the frame that is carried round extraordinary vertex {vertex} comes back turned by {} rad more than quarter turns (at most {})",
+                "the frame that is carried round extraordinary vertex {vertex} comes back turned by {} rad more than quarter turns (at most {}): the net is not smooth round it",
                 ShortNumber(*angle),
                 ShortNumber(*limit)
             ),

@@ -39,7 +39,13 @@ impl<'a> Builder<'a> {
         let progress = &mut *self.progress;
         let made = make_layout_circular(layout, &options, &mut |step| progress(words(step)));
         let made = made.map_err(|e| self.refused_in_layout(spec, layout, &e))?;
-        self.remarks.extend(made.warnings().iter().cloned().map(Remark::from));
+        for warning in made.warnings() {
+            let mut remark = Remark::from(warning.clone());
+            if let Some(vertex) = warning.index() {
+                remark.message += &format!(" (point {} of {})", vertex + 1, self.mesh_name());
+            }
+            self.remarks.push(remark);
+        }
         if let [first, ..] = made.report.rejected_quads[..] {
             let (quads, steps, moved) = (&made.report.rejected_quads, made.report.steps, made.report.moves.max);
             let corners = layout.corners(first).map(|corners| corners.map(|v| (v + 1).to_string()).join(", "));

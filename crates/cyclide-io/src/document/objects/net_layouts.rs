@@ -16,7 +16,7 @@ impl Builder<'_> {
     pub(super) fn net_layout(&mut self, spec: &CyclidicNetSpec, given: QuadLayout) -> Result<Vec<SurfaceObject>> {
         if !spec.openings.is_empty() {
             return Err(self.unfit(
-                "`openings` are columns and rows of one grid: a mesh with extraordinary vertices has several, and leave quads out in the file instead",
+                "`openings` are columns and rows of one grid: a mesh with extraordinary vertices has several, and no openings but those round these vertices",
             ));
         }
         if let FrameSpec::First(_) = spec.frame {
@@ -55,7 +55,7 @@ impl Builder<'_> {
         };
         let grids = layout.pieces().len();
         let message =
-            format!("{vertices} {quads} quads stay open, and the net of {grids} grids is smooth round each opening");
+            format!("{vertices} {quads} quads stay open, and the net of {grids} grids goes on round each opening");
         let place = self.place_of([Step::from("grid")]);
         self.remark("extraordinary-vertices", None, Some(round[0].vertex), place, message);
     }
@@ -80,8 +80,12 @@ impl Builder<'_> {
                 format!("{error}{hint}{corners}")
             }
             KernelError::RingDoesNotClose { vertex, .. } => {
-                let hint = if moves { "" } else { "; `make_circular` moves the vertices until it closes" };
-                format!("{error}{hint}{}", points(&[*vertex]))
+                let hint = if moves {
+                    "; where it is the corner of a box, round its edges in the mesh first, or give each side a net of its own"
+                } else {
+                    "; `make_circular` moves the vertices of a smooth mesh until it closes"
+                };
+                format!("{error}{hint} (point {} of {})", vertex + 1, self.mesh_name())
             }
             // What concerns the whole, as of a single grid.
             _ => return self.refused_in_grid(&given.pieces()[0].grid, error),

@@ -284,7 +284,7 @@ impl<'a> Mesh<'a> {
         QuadLayout::new(self.polygons.points.clone(), &self.quads).map_err(|error| match error {
             Error::NotAQuadLayout { fault: fault @ (LayoutFault::Crowded | LayoutFault::Holes), index } => {
                 let what = match fault {
-                    LayoutFault::Holes => "of a mesh with holes, or of a tube: fill the holes with quads; cut the tube open",
+                    LayoutFault::Holes => "of a mesh with holes, or of a tube: fill the holes with quads, or lead them to the border; cut the tube open",
                     _ => "whose quads reach the border, or those of another such vertex: divide every quad into four, or nine",
                 };
                 let message = format!("point {} is an inner vertex without four quads {what}", index + 1);

@@ -2,7 +2,7 @@
 
 use super::border::Holds;
 use super::closing::Closing;
-use super::guard::Guard;
+use super::guard::{Guard, whole_change};
 use super::normal_equations::Pattern;
 use super::options::{Border, CircularMeshOptions};
 use super::report::{CircularMeshReport, Comparison, LineAngles, RoundChange, VertexMoves, rejected};
@@ -14,6 +14,7 @@ use crate::error::{Error, GridCellFault, Result};
 use crate::shape_change::ShapeChange;
 use crate::surface::{LayoutPiece, QuadGrid, QuadLayout, RoundClosing};
 use crate::warning::Warning;
+use std::cmp::Ordering;
 
 /// Grids round extraordinary vertices with circular quads, and what it took.
 ///
@@ -48,8 +49,8 @@ impl CircularLayout {
 /// Moves the vertices of a mesh until every quad has a circle and the net closes round each extraordinary vertex, whose own quads stay open.
 ///
 /// It is the search of [`make_circular`](super::make_circular), of all grids at once. Round an extraordinary vertex of n quads the frame that
-/// is carried along the ring comes back turned by `n - 4` quarter turns about the normal of the net there: three equations
-/// for each of them, two unknowns for all. A mesh whose edges cross at right angles nearly everywhere moves little: some hundredths of an edge on spheres and planes, some tenths on
+/// is carried along the ring comes back turned by `n - 4` quarter turns about the normal of the net there: four equations
+/// for each of them, one of which follows, two unknowns for all. A mesh whose edges cross at right angles nearly everywhere moves little: some hundredths of an edge on spheres and planes, some tenths on
 /// domes. Where the principal curvatures differ much an odd number of quads round a vertex cannot follow the lines of curvature, whose
 /// two families would change places round it; the surface then changes, or is refused (`shape-lost`).
 ///
@@ -192,7 +193,8 @@ impl Pieces<'_> {
         quads
     }
 
-    /// The change of the grid whose shape has changed most; `given` and `points` are those of the mesh in units near its edge.
+    /// The change of the grid whose shape has changed most, or of the whole; `given` and `points` are those of the mesh in units near
+    /// its edge.
     fn shape(&self, given: &[Point3], points: &[Point3], edge: f64) -> Option<ShapeChange> {
         let of_piece = |(piece, _): (&LayoutPiece, &QuadGrid)| {
             let [before, after] = [given, points].map(|all| -> Vec<Point3> {
@@ -202,9 +204,15 @@ impl Pieces<'_> {
             });
             Guard { grid: &piece.grid, before: &before, after: &after, edge }.shape_change()
         };
-        self.each().filter_map(of_piece).max_by(|a, b| {
-            (a.is_lost(), a.turn).partial_cmp(&(b.is_lost(), b.turn)).unwrap_or(std::cmp::Ordering::Equal)
-        })
+        let whole = whole_change([given, points], [self.normals, &self.after.normals(self.after.points())]);
+        let lost = |change: &ShapeChange| (change.is_lost(), change.turn);
+        let order = |a: &ShapeChange, b: &ShapeChange| lost(a).partial_cmp(&lost(b)).unwrap_or(Ordering::Equal);
+        let of_pieces = self.each().filter_map(of_piece).max_by(order);
+        // The grids tell more where they tell as much.
+        match (of_pieces, whole) {
+            (Some(of_pieces), Some(whole)) if !whole.is_lost() || of_pieces.is_lost() => Some(of_pieces),
+            (of_pieces, whole) => whole.or(of_pieces),
+        }
     }
 
     fn moves(&self) -> VertexMoves {

@@ -123,7 +123,8 @@ impl RoundClosing {
     /// are none.
     pub(crate) fn angle(&self, points: &[Point3]) -> (f64, usize) {
         let Some(products) = self.products(points) else { return (std::f64::consts::PI, 0) };
-        let normal = self.sum(&products).unit().unwrap_or(Vec3::ZERO);
+        let sum = self.sum(&products);
+        let normal = if sum.length() > NO_DIRECTION { sum.unit().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO };
         let angle = |(ring, product): (&Ring, &RingClosing)| {
             let target = Quat::from(normal * ring.turn[1]) + Quat::ONE * ring.turn[0];
             let off = (product.product() * ring.sign - target).norm();

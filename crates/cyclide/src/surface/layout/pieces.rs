@@ -3,7 +3,7 @@
 use super::connections::{Connections, side};
 use super::{LayoutPiece, RoundVertex};
 use crate::base::vector::Point3;
-use crate::error::{Error, LayoutFault, Result};
+use crate::error::{Error, GridCellFault, LayoutFault, Result};
 use crate::surface::{GridCell, QuadGrid};
 use std::collections::{HashSet, VecDeque};
 
@@ -151,6 +151,9 @@ fn piece(placed: &[Placed], points: &[Point3], round: &[RoundVertex]) -> Result<
     let cell = |i: usize, j: usize| if cells[i + j * quads[0]].is_some() { GridCell::Patch } else { GridCell::Outside };
     match QuadGrid::of_cells(&given, size, cell) {
         Ok(grid) => Ok(LayoutPiece { grid, vertices, quads: cells }),
+        Err(Error::CellsUnfit { fault: GridCellFault::Enclosed, .. }) if !round.is_empty() => {
+            refused(LayoutFault::Holes, round[0].vertex)
+        }
         // What is left between two extraordinary vertices falls apart.
         Err(Error::CellsUnfit { .. }) if !round.is_empty() => refused(LayoutFault::Crowded, round[0].vertex),
         Err(error) => Err(error),

@@ -94,6 +94,33 @@ impl Guard<'_> {
     }
 }
 
+/// The numbers of a whole mesh of several grids, by the normals at its vertices: what each grid is too flat for, as the faces of a box, and the
+/// angles between them. `None` if it is flat.
+pub(super) fn whole_change(points: [&[Point3]; 2], normals: [&[Option<Vec3>]; 2]) -> Option<ShapeChange> {
+    let both = normals[0].iter().zip(normals[1]).enumerate();
+    let known: Vec<(usize, Vec3, Vec3)> = both.filter_map(|(v, (a, b))| Some((v, (*a)?, (*b)?))).collect();
+    let count = known.len().max(1) as f64;
+    let mean = known.iter().fold(Vec3::ZERO, |sum, (_, normal, _)| sum + *normal) / count;
+    let rms = |squares: f64| (squares / count).sqrt();
+    let spread = rms(known.iter().map(|(_, normal, _)| (*normal - mean).length_squared()).sum());
+    let [thin, thinner] = points.map(|points| thickness(&known.iter().map(|(v, ..)| points[*v]).collect::<Vec<_>>()));
+    let size = extent(&known.iter().map(|(v, ..)| points[0][*v]).collect::<Vec<_>>());
+    if !(thin > FLAT * size && spread > FLAT) {
+        return None;
+    }
+    let turn = rms(known.iter().map(|(_, before, after)| before.angle(*after).powi(2)).sum());
+    Some(ShapeChange {
+        bending: None,
+        thickness: Some(thinner / thin),
+        normal_turn: Some(turn / spread),
+        turn,
+        lost_relief: 0.0,
+        across: None,
+        clear_lines: false,
+        noise: false,
+    })
+}
+
 /// Root mean square of the angles between the new normals and those of the input at the feet.
 fn turn(feet: &Feet, before: &[Vec3], after: &[Vec3]) -> f64 {
     let (mut squares, mut count) = (0.0, 0usize);
