@@ -1,12 +1,17 @@
-//! Nets round extraordinary vertices in what is made of nets: schedules.
+//! Nets round extraordinary vertices in what is made of nets: schedules, pictures.
 
 #![cfg(feature = "circular-mesh")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::{HashMap, HashSet};
 
-use cyclide::{Arc, CircularMeshOptions, Item, NetLayout, QuadLayout, Shell, SurfaceObject, make_layout_circular};
-use cyclide_io::{BuiltObject, Document, GeometryReport, ObjectReport, ScheduleOptions, WorkshopSchedule};
+use cyclide::{
+    Arc, CircularMeshOptions, Item, Model, NetLayout, QuadLayout, Shell, SurfaceObject, Units, make_layout_circular,
+};
+use cyclide_io::{
+    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ObjectReport, Provenance, ScheduleOptions,
+    WorkshopSchedule,
+};
 use cyclide_testkit::layouts::{ball, cap};
 
 fn net_of(layout: &QuadLayout) -> NetLayout {
@@ -134,4 +139,45 @@ fn schedules_list_once_what_pieces_share() {
         }
         assert_eq!(files["beams.dxf"].matches("LWPOLYLINE").count(), 2 * edges.len());
     }
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn pictures_number_the_panels_of_all_pieces() {
+    let net = dome();
+    let panels = net.to_shell().unwrap().faces().len();
+    let (skin, solid) = (SurfaceObject::Layout(net.clone()), SurfaceObject::Body(net.thick(0.05).unwrap()));
+    for (object, skin) in [(skin.clone(), vec![]), (solid, vec![skin])] {
+        let model = Model::new(Units::Metre).with_surface("dome", object);
+        let given = [Provenance { kind: "offset", skin, ..Provenance::default() }];
+        for camera in ["top", "bottom"] {
+            let options = ExportOptions {
+                png_labels: true,
+                png_width: Some(2400),
+                png_height: Some(2000),
+                camera: camera.parse().ok(),
+                ..ExportOptions::default()
+            };
+            let exporter = Exporter::with_provenance(&model, &given).unwrap();
+            let file = exporter.export(Format::Png, &options).unwrap();
+            let said = file.notes.join("\n");
+            let count = said.strip_prefix("1-r03-c07 is piece 1, row 3, column 7; ").unwrap();
+            let count =
+                count.strip_suffix(&format!(" of {panels} panels are numbered, {panels} are in sight")).unwrap();
+            // Most have room at this size.
+            assert!(count.parse::<usize>().unwrap() * 10 >= panels * 8, "{said}");
+        }
+    }
+}
+
+#[test]
+fn solids_and_their_images_know_their_skin() {
+    let text = include_str!("../../../examples/canopy.json");
+    let image = r#""turned": {"type": "transform", "of": "glass", "steps": [{"translation": [50, 0, 0]}]}, "ribs": {"#;
+    let document: Document = text.replace("\"ribs\": {", image).parse().unwrap();
+    let built = document.build().unwrap();
+    let skin = |name: &str| &built.iter().find(|built| built.item.name == name).unwrap().provenance.skin;
+    let net = built.iter().find(|built| built.item.name == "skin").unwrap();
+    assert_eq!((skin("glass").as_slice(), skin("turned").as_slice()), (net.item.surfaces(), net.item.surfaces()));
+    assert!(skin("skin").is_empty() && skin("ribs").is_empty());
 }

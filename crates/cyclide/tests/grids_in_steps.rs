@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, CyclidicNet, DupinCyclide, Error, GridCell, GridCellFault, Mobius, NetFrame,
-    ParamSurface as _, Point3, QuadGrid, Vec3, surface_joints,
+    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, DupinCyclide, Error, GridCell, GridCellFault,
+    Mobius, NetFrame, ParamSurface as _, Point3, QuadGrid, Vec3, surface_joints,
 };
 
 /// Quads along s and t.
@@ -156,9 +156,37 @@ fn images_keep_the_steps() {
 }
 
 #[test]
-fn layers_need_all_quads() {
-    let refused = cyclide::CyclideGrid::layers(&net(), &[0.0, 0.1]).unwrap_err();
-    assert_eq!(refused, Error::CellsUnfit { fault: GridCellFault::Layers, index: 0 });
+fn layers_are_over_all_patches_and_share_faces() {
+    let net = net();
+    let distances = [-0.02, 0.0, 0.05];
+    let layers = CyclideGrid::layers(&net, &distances).unwrap();
+    assert_eq!(layers.blocks().count(), 2 * net.patches_with_quads().count());
+    let [m, n, _] = layers.size();
+    let mut shared = 0;
+    for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+        assert_eq!(layers.has_block([i, j, 1]), net.grid().cell(i, j) == GridCell::Patch);
+        for (axis, next) in [[i + 1, j, 1], [i, j + 1, 1], [i, j, 0]].into_iter().enumerate() {
+            if layers.has_block([i, j, 1]) && layers.has_block(next) {
+                let end = usize::from(axis < 2);
+                let faces = [layers.block([i, j, 1]), layers.block(next)].map(|block| block.faces());
+                let (own, other) = (faces[0][2 * axis + end], faces[1][2 * axis + 1 - end]);
+                assert_eq!((own.corners(), own.weights()), (other.corners(), other.weights()));
+                shared += 1;
+            }
+        }
+    }
+    assert!(shared > 2 * net.patches_with_quads().count());
+    // As many blocks as figures that are known to 1e-12.
+    for (h, layer) in [(-0.02, 0), (0.05, 1)] {
+        let of_layer = layers.blocks().skip(layer * layers.blocks().count() / 2).take(layers.blocks().count() / 2);
+        let sum: f64 = of_layer.map(|block| block.measure().volume).sum();
+        let solid = net.thick(h).unwrap().outer.volume();
+        assert!((sum / solid - 1.0).abs() < 1e-9, "{sum} {solid}");
+    }
+    // Both layers together have the boundary of one solid, with the openings through it.
+    let blocks: Vec<_> = layers.blocks().collect();
+    let bodies = CyclideVolume::outer_bodies(&blocks).unwrap();
+    assert!(bodies.len() == 1 && bodies[0].is_solid() && bodies[0].voids.is_empty());
 }
 
 #[cfg(feature = "circular-mesh")]

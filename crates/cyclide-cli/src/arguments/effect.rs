@@ -126,7 +126,9 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
     let faces = model.items.iter().any(|item| item.surfaces().iter().any(|surface| surface.as_triangles().is_none()));
     let names = model.items.iter().filter(|item| item.motion().is_none()).count() > 1;
-    let panels = model.items.iter().any(|item| matches!(item.surfaces(), [SurfaceObject::Net(_)]));
+    let of_nets = |surfaces: &[SurfaceObject]| matches!(surfaces, [one] if !one.nets().is_empty());
+    let panels =
+        model.items.iter().any(|item| of_nets(item.surfaces())) || provenance.iter().any(|own| of_nets(&own.skin));
     let colour = options.png_colour;
     let curvature = !matches!(colour, PictureColour::Object | PictureColour::Deviation | PictureColour::Field);
     let idle = [

@@ -33,6 +33,8 @@ pub struct Provenance {
     pub given: Option<GivenSurface>,
     /// What was found on a surface whose lines of curvature its curves are.
     pub field: Option<LaidField>,
+    /// What it is the solid over, if it is the one between a surface and its offset: pictures number the panels of nets on it.
+    pub skin: Vec<SurfaceObject>,
 }
 
 /// The objects of a model with how they came about, where that is known.
@@ -77,6 +79,12 @@ impl<'a> Provenances<'a> {
     #[cfg(feature = "png")]
     pub(crate) fn field(&self, item: usize) -> Option<&'a LaidField> {
         self.given.get(item)?.field.as_ref()
+    }
+
+    /// What an object is the solid over.
+    #[cfg(feature = "png")]
+    pub(crate) fn skin(&self, item: usize) -> &'a [SurfaceObject] {
+        self.given.get(item).map_or(&[], |given| &given.skin)
     }
 
     /// The points that the objects were laid through besides their joints.

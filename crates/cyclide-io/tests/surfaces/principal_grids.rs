@@ -3,7 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport, PrincipalReport};
+use cyclide::{Model, Units};
+use cyclide_io::{
+    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, ObjectReport,
+    PrincipalReport, VtuCells,
+};
 
 const COUNT: usize = 17;
 /// A net over the largest grid.
@@ -122,7 +126,7 @@ fn every_source_of_a_mesh_carries_a_net() {
 fn the_report_says_what_was_laid() {
     let fields = format!(r#"{}, "edge_length": 0.7"#, inline());
     let built = build(&fields, &[]).unwrap();
-    let text = cyclide_io::Report::new(cyclide::Units::Metre, &built, None).to_string();
+    let text = cyclide_io::Report::new(Units::Metre, &built, None).to_string();
     for words in ["grid 0", " points, edges 0.", "% of the surface", "directions", "smoothed by 1,"] {
         assert!(text.contains(words), "{words}: {text}");
     }
@@ -144,7 +148,8 @@ fn grids_in_steps_make_nets_and_solids() {
     let laid = format!(r#"{}, "edge_length": 0.7, "border": "staircase""#, inline());
     let net = r#""n": {"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true, "openings": [[7, 7]]}"#;
     let wall = r#""w": {"type": "offset", "of": "n", "distance": 0.1, "thick": true}"#;
-    let built = build(&laid, &[net, wall]).unwrap();
+    let layers = r#""l": {"type": "layers", "of": "n", "distances": [0, 0.04, 0.1], "cells": 2}"#;
+    let built = build(&laid, &[net, wall, layers]).unwrap();
     let shell = &built[1].bodies[0].outer;
     let cells = shell.faces().len();
     assert!(cells > 40 && !shell.is_closed() && built[2].bodies[0].outer.is_closed());
@@ -154,6 +159,16 @@ fn grids_in_steps_make_nets_and_solids() {
     let wall = &built[2].bodies[0].outer;
     let free = 4 * cells - 2 * joints.len();
     assert_eq!(wall.faces().len(), 2 * cells + free);
+    // Blocks over every patch fill it, and the files of them are read back.
+    let blocks = built[3].item.volumes();
+    assert_eq!(blocks.len(), 2 * cells);
+    let volume: f64 = blocks.iter().map(|block| block.measure().volume).sum();
+    assert!((volume / wall.volume() - 1.0).abs() < 1e-9, "{volume}"); // quadrature to 1e-12 each
+    let model = Model { items: vec![built[3].item.clone()], units: Units::Metre };
+    let exporter = Exporter::with_provenance(&model, std::slice::from_ref(&built[3].provenance)).unwrap();
+    for vtu_cells in [VtuCells::Bezier, VtuCells::Linear] {
+        exporter.export(Format::Vtu, &ExportOptions { vtu_cells, ..ExportOptions::default() }).unwrap();
+    }
 
     let row = |y: f64, n: usize| {
         let at = |k: usize| if k < n { format!("[{k}, {y}, 0]") } else { "null".to_owned() };

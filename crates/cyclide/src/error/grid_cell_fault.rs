@@ -27,8 +27,6 @@ pub enum GridCellFault {
     Closed,
     /// Curves for the sides of a grid that is not whole.
     Curves,
-    /// Layers over a net that is not whole.
-    Layers,
 }
 
 impl GridCellFault {
@@ -42,7 +40,6 @@ impl GridCellFault {
             Self::NoPoint => format!("quad {cell} has no point at a corner"),
             Self::Closed => "a closed grid is whole: no quads of it can be left out".to_owned(),
             Self::Curves => "a border in steps has no sides for curves: leave it free, or hold it".to_owned(),
-            Self::Layers => "layers and blocks need a grid without steps and openings".to_owned(),
         }
     }
 }

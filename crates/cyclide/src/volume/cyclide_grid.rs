@@ -8,8 +8,8 @@ use super::spherical_cube::SphericalCube;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, GridCellFault, Result};
-use crate::surface::{CyclidicNet, DupinCyclide, check_following_quad, on_corner_circle};
+use crate::error::{Error, ErrorItem, Result};
+use crate::surface::{CyclidicNet, DupinCyclide, GridCell, check_following_quad, on_corner_circle};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
 ///
@@ -30,22 +30,21 @@ pub struct CyclideGrid {
     points: Vec<Point3>,
     weights: Vec<Quat>,
     v: [Vec3; 3],
+    /// Which columns of blocks are left out, s fastest; empty if none is.
+    left_out: Vec<bool>,
 }
 
 impl CyclideGrid {
     /// Layers over a net: the blocks between its offsets at these distances along its normals, which rise. All lines across are straight and
-    /// normal to all layers. Of a closed net they close.
+    /// normal to all layers. Of a closed net they close. Over quads without a patch there are no blocks.
     ///
     /// # Errors
-    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; `cells-unfit` (a net with quads left out); with the quad `offset-on-focal-set` where an offset shrinks
+    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; with the quad `offset-on-focal-set` where an offset shrinks
     /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with the nearest and its distance;
     /// `below-rounding-of-place` of a layer thinner than 1.5e-11 of the coordinates; `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
         if distances.len() < 2 {
             return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
-        }
-        if !net.grid().is_whole() {
-            return Err(Error::CellsUnfit { fault: GridCellFault::Layers, index: 0 });
         }
         if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
@@ -67,7 +66,12 @@ impl CyclideGrid {
         }
         // Offsets have the weights of their net.
         let weights = distances.iter().flat_map(|_| vertices().map(|(i, j)| net.weight(i, j))).collect();
-        Self { size: [m, n, distances.len() - 1], points, weights, v: net.frame() }.checked()
+        let left_out = if net.grid().is_whole() {
+            Vec::new()
+        } else {
+            (0..m * n).map(|k| net.grid().cell(k % m, k / m) != GridCell::Patch).collect()
+        };
+        Self { size: [m, n, distances.len() - 1], points, weights, v: net.frame(), left_out }.checked()
     }
 
     /// Layers over a whole cyclide between parallel ones: one grid, closed in both directions, of a ring; of a horn or a spindle one over its outer
@@ -106,7 +110,7 @@ impl CyclideGrid {
         if let Some(&given) = size.iter().find(|n| **n == 0) {
             return Err(Error::TooFewPoints { given: given + 1, needed: 2 });
         }
-        let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [Vec3::ZERO; 3] };
+        let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [Vec3::ZERO; 3], left_out: Vec::new() };
         for at in grid.vertices() {
             let made = if at.contains(&0) { point(at) } else { grid.last_of_cube(at)?.corners()[7] };
             range::check_point(grid.points.len(), made.to_vec())?;
@@ -226,16 +230,23 @@ impl CyclideGrid {
         Ok(self)
     }
 
-    /// Blocks along s, t and u.
+    /// Blocks along s, t and u, those left out as well.
     #[must_use]
     pub fn size(&self) -> [usize; 3] {
         self.size
     }
 
-    /// All vertices, s fastest, one more than blocks in every direction.
+    /// All vertices, s fastest, one more than blocks in every direction; no block is at those between columns that are left out.
     #[must_use]
     pub fn points(&self) -> &[Point3] {
         &self.points
+    }
+
+    /// Whether there is a block with these indices.
+    #[must_use]
+    pub fn has_block(&self, at: [usize; 3]) -> bool {
+        let left_out = || self.left_out.get(at[0] + at[1] * self.size[0]).is_some_and(|left_out| *left_out);
+        (0..3).all(|d| at[d] < self.size[d]) && !left_out()
     }
 
     /// The block with these indices.
@@ -244,16 +255,17 @@ impl CyclideGrid {
     /// If there is no such block.
     #[must_use]
     pub fn block(&self, at: [usize; 3]) -> CyclideVolume {
-        assert!((0..3).all(|d| at[d] < self.size[d]), "block {at:?} of a grid of {:?}", self.size);
+        assert!(self.has_block(at), "block {at:?} of a grid of {:?}", self.size);
         let corner = |bits: usize| self.index(std::array::from_fn(|d| at[d] + (bits >> d & 1)));
         let corners: [usize; 8] = std::array::from_fn(corner);
         CyclideVolume::from_weights_unchecked(corners.map(|k| self.points[k]), corners.map(|k| self.weights[k]), self.v)
     }
 
-    /// All blocks, s fastest.
+    /// All blocks that are not left out, s fastest.
     pub fn blocks(&self) -> impl Iterator<Item = CyclideVolume> {
         let [m, n, l] = self.size;
-        (0..m * n * l).map(move |k| self.block([k % m, k / m % n, k / m / n]))
+        let all = (0..m * n * l).map(move |k| [k % m, k / m % n, k / m / n]);
+        all.filter(|at| self.has_block(*at)).map(|at| self.block(at))
     }
 
     fn vertices(&self) -> impl Iterator<Item = [usize; 3]> + use<> {

@@ -50,7 +50,7 @@ impl Builder<'_> {
             (None, None) => 0,
         };
         let patches = |surface: &SurfaceObject| match surface {
-            SurfaceObject::Net(net) => net.size().into_iter().map(|n| n as f64).product(),
+            SurfaceObject::Net(net) => net.patches_with_quads().count() as f64,
             _ => 1.0,
         };
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());

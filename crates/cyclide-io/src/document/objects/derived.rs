@@ -10,7 +10,7 @@ use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec};
+use crate::document::spec::{ObjectSpec, OffsetSpec, PipeSpec, RevolutionSpec};
 use crate::error::{Error, Result};
 
 /// An angle in radians that leaves less of a whole turn than this may be one, typed with three digits or more.
@@ -28,6 +28,15 @@ impl Builder<'_> {
             made.ok_or_else(|| self.wrong_source(other))?.map_err(|e| self.refused(&e, None))
         });
         made.collect()
+    }
+
+    /// What it is the solid over, as an offset that is thick or the image of one.
+    pub(super) fn skin(&self) -> Vec<SurfaceObject> {
+        match (self.spec, self.sources.first()) {
+            (ObjectSpec::Offset(spec), Some(source)) if spec.thick => source.item.surfaces().to_vec(),
+            (ObjectSpec::Transform(_), Some(source)) => source.provenance.skin.clone(),
+            _ => Vec::new(),
+        }
     }
 
     /// What the curves of another object sweep.

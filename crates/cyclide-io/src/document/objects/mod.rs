@@ -359,6 +359,7 @@ impl Builder<'_> {
         };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
+        let skin = self.skin();
         let Self {
             data,
             grids,
@@ -379,7 +380,7 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names, given, field };
+        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names, given, field, skin };
         Ok(BuiltObject {
             item,
             provenance,

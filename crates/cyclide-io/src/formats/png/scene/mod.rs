@@ -122,8 +122,9 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         items.resize(drawn.len(), body.item);
-        let own = panels::panels(job, body.item, drawn.len() - first).filter(|_| labels);
-        numbered.extend(own.into_iter().flatten().enumerate().map(|(k, panel)| ((first + k) as u32, panel)));
+        if labels {
+            numbered.extend(panels::panels(job, body.item, first, drawn.len() - first));
+        }
         let mesh = mesh_of(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
         facets.add_body(faces, &mesh, first, &camera);
     }

@@ -2,7 +2,8 @@
 //!
 //! The number of a panel stands at its middle if the middle is seen and the number lies on what is seen of this panel alone; so no two
 //! of them overlap. All numbers of a picture have one size and one form: the largest at which most panels in sight have room, in full
-//! (`r03-c07`, row and column from 0, as in lists of panels) or short (`3-7`).
+//! (`r03-c07`, row and column from 0, as in lists of panels) or short (`3-7`); of nets that join behind the number of the piece
+//! (`1-r03-c07`, `1-3-7`). A panel of a solid has its number on both sides.
 
 use super::surface::Surface;
 use crate::export::job::Job;
@@ -10,6 +11,7 @@ use crate::formats::png::canvas::{Canvas, Ink};
 use crate::formats::png::lettering;
 use crate::formats::png::sheet::Sheet;
 use cyclide::{ParamSurface as _, Point3, SurfaceObject};
+use std::collections::HashSet;
 
 /// Heights of the capitals of numbers that are tried, pixels of a usual picture, and the least that can be read, pixels.
 const SIZES: [f64; 4] = [14.0, 11.5, 9.5, 8.0];
@@ -55,6 +57,10 @@ impl Seen {
 /// The number of a panel: its row and column, and how many digits the rows and columns of its net have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Panel {
+    /// One of the picture's panels: the index of its first surface.
+    key: u32,
+    /// The net, of several that join.
+    piece: Option<usize>,
     row: usize,
     column: usize,
     digits: [usize; 2],
@@ -62,21 +68,35 @@ pub(super) struct Panel {
 
 impl Panel {
     fn words(self, full: bool) -> String {
-        let Self { row, column, digits: [of_column, of_row] } = self;
-        if full { format!("r{row:0of_row$}-c{column:0of_column$}") } else { format!("{row}-{column}") }
+        let Self { row, column, digits: [of_column, of_row], .. } = self;
+        let piece = self.piece.map_or(String::new(), |piece| format!("{piece}-"));
+        if full { format!("{piece}r{row:0of_row$}-c{column:0of_column$}") } else { format!("{piece}{row}-{column}") }
     }
 }
 
-/// The panels of the faces of an object, if they are those of one net: in its order, the columns fastest.
-pub(super) fn panels(job: &Job<'_>, item: usize, faces: usize) -> Option<Vec<Panel>> {
-    let [SurfaceObject::Net(net)] = job.model.items[item].surfaces() else { return None };
-    let quads: Vec<[usize; 2]> = net.patches_with_quads().map(|(quad, _)| quad).collect();
-    // A net that is cut at singular lines has more faces.
-    if quads.len() != faces {
-        return None;
+/// The panels of the faces of an object from the surface `first` on, if they are those of one net, of nets that join, or of the solid over
+/// these: with the indices of their surfaces.
+pub(super) fn panels(job: &Job<'_>, item: usize, first: usize, faces: usize) -> Vec<(u32, Panel)> {
+    // Both skins of a solid come before its rims.
+    let (surfaces, skins) = match job.model.items[item].surfaces() {
+        [SurfaceObject::Body(_)] => (job.provenances.skin(item), 2),
+        surfaces => (surfaces, 1),
+    };
+    let [surface] = surfaces else { return Vec::new() };
+    let mut panels = Vec::new();
+    for (piece, net) in surface.nets().iter().enumerate() {
+        let piece = (surface.nets().len() > 1).then_some(piece);
+        let digits = net.grid().size().map(|count| count.saturating_sub(1).to_string().len().max(2));
+        for ([column, row], _) in net.patches_with_quads() {
+            panels.push(Panel { key: (first + panels.len()) as u32, piece, row, column, digits });
+        }
     }
-    let digits = net.grid().size().map(|count| count.saturating_sub(1).to_string().len().max(2));
-    Some(quads.into_iter().map(|[column, row]| Panel { row, column, digits }).collect())
+    // A net that is cut at singular lines has more faces.
+    let count = panels.len();
+    if skins == 1 && faces != count || faces < skins * count {
+        return Vec::new();
+    }
+    (0..skins * count).map(|face| ((first + face) as u32, panels[face % count])).collect()
 }
 
 /// The index of a panel's surface, its number, and its middle in the picture.
@@ -163,8 +183,14 @@ impl DrawnLabels {
             }
         }
         let (full, found) = best;
-        let form = if full { "r03-c07 is row 3, column 7" } else { "3-7 is row 3, column 7" };
-        let (count, sight, all) = (found.len(), in_sight.len(), panels.len());
+        let form = match (full, panels.iter().any(|(_, panel, _)| panel.piece.is_some())) {
+            (true, false) => "r03-c07 is row 3, column 7",
+            (false, false) => "3-7 is row 3, column 7",
+            (true, true) => "1-r03-c07 is piece 1, row 3, column 7",
+            (false, true) => "1-3-7 is piece 1, row 3, column 7",
+        };
+        let all = panels.iter().map(|(_, panel, _)| panel.key).collect::<HashSet<_>>().len();
+        let (count, sight) = (found.len(), in_sight.len());
         self.said.push(match count {
             0 => format!("no panel is numbered: none of {sight} in sight has room"),
             _ => format!("{form}; {count} of {all} panels are numbered, {sight} are in sight"),
@@ -215,7 +241,7 @@ mod tests {
         let panel = |k: usize| {
             let (column, row) = (k % columns, k / columns);
             let at = [column, row].map(|v| (v as f64 + 0.5) * size as f64);
-            (k as u32, Panel { row, column, digits: [2; 2] }, (at[0], at[1]))
+            (k as u32, Panel { key: k as u32, piece: None, row, column, digits: [2; 2] }, (at[0], at[1]))
         };
         (seen, (0..columns * (600 / size)).map(panel).collect())
     }
