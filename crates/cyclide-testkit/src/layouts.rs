@@ -69,3 +69,64 @@ pub fn ball(k: usize, bulge: f64) -> QuadLayout {
     }
     mesh.layout()
 }
+
+/// A plane of 5 x 5 quads of which two neighbours are a pentagon and a triangle, divided three times and smoothed: two vertices of three
+/// quads and two of five.
+#[must_use]
+pub fn pair(height: impl Fn(f64, f64) -> f64) -> QuadLayout {
+    let at = |i: usize, j: usize| i + 6 * j;
+    let mut points: Vec<[f64; 2]> = (0..36).map(|k| [(k % 6) as f64 - 2.5, (k / 6) as f64 - 2.5]).collect();
+    let face = |k: usize| match (k % 5, k / 5) {
+        (1, 2) => vec![at(1, 2), at(2, 2), at(3, 3), at(2, 3), at(1, 3)],
+        (2, 2) => vec![at(2, 2), at(3, 2), at(3, 3)],
+        (i, j) => vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)],
+    };
+    let mut faces: Vec<Vec<usize>> = (0..25).map(face).collect();
+    for _ in 0..3 {
+        faces = divided(&mut points, &faces);
+        smooth(&mut points, &faces);
+    }
+    let quads: Vec<[usize; 4]> = faces.iter().map(|face| [face[0], face[1], face[2], face[3]]).collect();
+    let points = points.into_iter().map(|[x, y]| Point3::new(x, y, height(x, y))).collect();
+    Mesh { points, quads }.layout()
+}
+
+fn mean(points: &[[f64; 2]], of: &[usize]) -> [f64; 2] {
+    [0, 1].map(|k| of.iter().map(|v| points[*v][k]).sum::<f64>() / of.len() as f64)
+}
+
+/// Every face cut into quads from its middle to the middles of its sides.
+fn divided(points: &mut Vec<[f64; 2]>, faces: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut middles = std::collections::HashMap::new();
+    let mut quads = Vec::new();
+    for face in faces {
+        let n = face.len();
+        let centre = points.len();
+        points.push(mean(points, face));
+        let mut middle = |points: &mut Vec<[f64; 2]>, a: usize, b: usize| {
+            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                points.push(mean(points, &[a, b]));
+                points.len() - 1
+            })
+        };
+        let sides: Vec<usize> = (0..n).map(|k| middle(points, face[k], face[(k + 1) % n])).collect();
+        quads.extend((0..n).map(|k| vec![face[k], sides[k], centre, sides[(k + n - 1) % n]]));
+    }
+    quads
+}
+
+/// Inner vertices moved to the middle of their neighbours, again and again.
+fn smooth(points: &mut [[f64; 2]], quads: &[Vec<usize>]) {
+    let mut next = vec![Vec::new(); points.len()];
+    for quad in quads {
+        (0..4).for_each(|k| next[quad[k]].push(quad[(k + 1) % 4]));
+    }
+    // Each edge of an inner vertex is there once from it and once to it.
+    let is_inner = |v: usize, next: &[Vec<usize>]| next[v].iter().all(|w| next[*w].contains(&v));
+    let inner: Vec<usize> = (0..points.len())
+        .filter(|v| is_inner(*v, &next) && quads.iter().flatten().filter(|w| *w == v).count() == next[*v].len())
+        .collect();
+    for _ in 0..200 {
+        inner.iter().for_each(|v| points[*v] = mean(points, &next[*v]));
+    }
+}

@@ -8,7 +8,7 @@ use cyclide::{
     CircularMeshOptions, Conformal, CyclidicNet, Error, Mobius, NetLayout, ParamSurface, Point3, QuadLayout, Vec3,
     make_layout_circular, surface_joints,
 };
-use cyclide_testkit::layouts::{ball, cap};
+use cyclide_testkit::layouts::{ball, cap, pair};
 
 fn made(layout: &QuadLayout) -> NetLayout {
     let made = make_layout_circular(layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap();
@@ -143,5 +143,22 @@ fn what_does_not_close_is_refused() {
     match NetLayout::new(cube) {
         Err(Error::RingDoesNotClose { angle, .. }) => assert!(angle > 1.0),
         other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn threes_and_fives_together() {
+    // Two of each, on a plane, a dome and a ball, of a mesh that was divided and smoothed.
+    let heights: [fn(f64, f64) -> f64; 3] =
+        [|_, _| 0.0, |x, y| -0.06 * (x * x + y * y), |x, y| (36.0 - x * x - y * y).sqrt()];
+    for height in heights {
+        let layout = pair(height);
+        assert_eq!((layout.round().len(), layout.quads().len()), (4, 1600 - 16));
+        let report = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+        assert!(report.moves.max < 1.5 * report.median_edge, "{report:?}");
+        let net = made(&layout);
+        assert!(crease(&net) < 1e-9, "{}", crease(&net));
+        // Below a degree: the normals of the net are those of the mesh.
+        assert!(net.tilt() < 0.02, "{}", net.tilt());
     }
 }

@@ -117,3 +117,27 @@ fn what_does_not_go_is_said() {
     let pinned = build(&net(r#", "make_circular": {"border": "pinned", "allow_shape_change": true}"#), &dome(5, 0.1));
     assert!(pinned.is_ok() || pinned.unwrap_err().contains("[not-converged]"));
 }
+
+#[test]
+fn corners_of_flat_faces_are_refused() {
+    // Three planes that meet in the vertex: their nets would bulge.
+    for slope in [0.5, 1.0, std::f64::consts::SQRT_2] {
+        let corner: String = dome(3, 0.0)
+            .lines()
+            .map(|line| match line.strip_prefix("v ") {
+                Some(xyz) => {
+                    let p: Vec<f64> = xyz.split(' ').map(|x| x.parse().unwrap()).collect();
+                    let towards = |k: usize| std::f64::consts::TAU * (k as f64 + 0.5) / 3.0;
+                    let down = (0..3).map(|k| p[0] * towards(k).cos() + p[1] * towards(k).sin()).fold(0.0, f64::max);
+                    format!("v {} {} {}\n", p[0], p[1], -slope * down)
+                }
+                None => format!("{line}\n"),
+            })
+            .collect();
+        let message = build(&net(CIRCULAR), &corner).unwrap_err();
+        assert!(
+            ["[shape-lost]", "[ring-does-not-close]", "[not-converged]"].iter().any(|word| message.contains(word)),
+            "{message}"
+        );
+    }
+}

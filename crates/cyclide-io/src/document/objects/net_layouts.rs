@@ -8,6 +8,9 @@ use crate::document::spec::{CyclidicNetSpec, FrameSpec};
 use crate::error::{Error, Result};
 use crate::export::given_surface::GivenSurface;
 
+/// Largest angle (radians, rms) of the normals of a net to those of its mesh: domes and balls of some quads a sector are below 3 degrees, the corner of
+/// a box is near 45.
+const MOST_TILT: f64 = 0.2;
 /// Vertices that a message names, at most.
 const MOST_NAMED: usize = 6;
 
@@ -36,6 +39,17 @@ impl Builder<'_> {
         };
         self.given = spec.make_circular.options().map(|_| GivenSurface::from_layout(&given));
         let net = NetLayout::new(layout).map_err(|e| self.refused_in_layout(spec, &given, &e))?;
+        let allowed = spec.make_circular.options().is_some_and(|options| options.allow_shape_change);
+        let tilt = net.tilt();
+        if !(tilt <= MOST_TILT || allowed) {
+            let words = format!(
+                "the net bulges: its normals are {:.0} degrees (rms) off those of the mesh (at most {:.0}); round an extraordinary vertex the mesh must be smooth, so \
+                 round the edges of a box first, or give each side a net of its own; `\"allow_shape_change\": true` in `make_circular` takes the net as it is",
+                tilt.to_degrees(),
+                MOST_TILT.to_degrees()
+            );
+            return Err(self.refused_in_words([Step::from("grid")], "shape-lost", words));
+        }
         self.remark_openings(&given);
         Ok(vec![SurfaceObject::Layout(net)])
     }

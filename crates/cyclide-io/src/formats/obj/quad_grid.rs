@@ -44,9 +44,9 @@ pub struct ObjLayout {
 /// What the quads of a file are.
 ///
 /// ```
-/// # use cyclide_io::{ObjQuads, read_quads};
-/// let tri = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
-/// assert_eq!(read_quads("a.obj", tri).unwrap_err().reason(), Some("not-a-quad"));
+/// let triangle = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+/// let message = cyclide_io::read_quads("a.obj", triangle).unwrap_err().to_string();
+/// assert!(message.contains("not a quad: a `principal-grid` lays a grid of quads"));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum ObjQuads {

@@ -16,9 +16,7 @@ pub use net_layout::NetLayout;
 
 use super::QuadGrid;
 use crate::base::range;
-use crate::base::vector::Point3;
-#[cfg(any(test, feature = "circular-mesh"))]
-use crate::base::vector::Vec3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, LayoutFault, Result};
 use connections::{Connections, side};
 use std::collections::{BTreeSet, HashMap, VecDeque};
@@ -297,7 +295,6 @@ impl QuadLayout {
     }
 
     /// The mean direction of the quads of the grids round each vertex; `None` where it vanishes.
-    #[cfg(any(test, feature = "circular-mesh"))]
     pub(crate) fn normals(&self, points: &[Point3]) -> Vec<Option<Vec3>> {
         let mut sums = vec![Vec3::ZERO; points.len()];
         for [a0, a1, a2, a3] in self.quads() {

@@ -81,6 +81,24 @@ impl NetLayout {
         &self.nets
     }
 
+    /// How far the normals of the nets are from those of the mesh, the mean directions of its quads: the root mean square over the vertices, radians.
+    /// A few hundredths where the nets follow the mesh; a mesh whose quads have circles but bend round no extraordinary vertex, as the
+    /// corner of a box, gets patches that bulge.
+    #[must_use]
+    pub fn tilt(&self) -> f64 {
+        let normals = self.layout.normals(self.layout.points());
+        let (mut squares, mut count) = (0.0, 0usize);
+        for (piece, net) in self.layout.pieces().iter().zip(&self.nets) {
+            let columns = net.grid().size()[0];
+            for (place, v) in piece.vertices.iter().enumerate() {
+                let Some(normal) = v.and_then(|v| normals[v]) else { continue };
+                squares += normal.angle(net.vertex_frame(place % columns, place / columns)[2]).powi(2);
+                count += 1;
+            }
+        }
+        (squares / count.max(1) as f64).sqrt()
+    }
+
     /// The nets at the signed distance `h` along the normals: see [`CyclidicNet::offset`].
     ///
     /// # Errors
