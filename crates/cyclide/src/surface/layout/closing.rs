@@ -125,6 +125,10 @@ impl RoundClosing {
         let Some(products) = self.products(points) else { return (std::f64::consts::PI, 0) };
         let sum = self.sum(&products);
         let normal = if sum.length() > NO_DIRECTION { sum.unit().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO };
+        if normal == Vec3::ZERO && self.rings.iter().any(|ring| ring.turn[1].abs() > NO_DIRECTION) {
+            // As round the corner of a box: no normal suits any better than others.
+            return (std::f64::consts::PI, 0);
+        }
         let angle = |(ring, product): (&Ring, &RingClosing)| {
             let target = Quat::from(normal * ring.turn[1]) + Quat::ONE * ring.turn[0];
             let off = (product.product() * ring.sign - target).norm();
