@@ -38,8 +38,7 @@ impl Turn {
         let all = (0..8).map(|k: usize| Self { exchanged: k & 4 > 0, back: [k & 1 > 0, k & 2 > 0] });
         let ordered = |turn: Self| {
             let corner = |k: usize| {
-                let [x, y] = [k & 1, k >> 1];
-                let [x, y] = if turn.exchanged { [y, x] } else { [x, y] };
+                let [x, y] = turn.exchanged([k & 1, k >> 1]);
                 corners[(x ^ usize::from(turn.back[0])) + 2 * (y ^ usize::from(turn.back[1]))]
             };
             [0, 1, 2, 3].map(corner)
@@ -49,10 +48,19 @@ impl Turn {
         (least, ordered(least))
     }
 
+    /// One of the block's own two directions, which runs along this axis.
+    pub(super) fn way(self, own: usize, axis: usize) -> Way {
+        Way { axis, back: self.back[own] }
+    }
+
     /// The ways of a block with these directions in the common order.
     pub(super) fn ways(self, axes: [usize; 2]) -> [Way; 2] {
-        let own = [0, 1].map(|k| Way { axis: axes[k], back: self.back[k] });
-        if self.exchanged { [own[1], own[0]] } else { own }
+        self.exchanged([self.way(0, axes[0]), self.way(1, axes[1])])
+    }
+
+    /// What belongs to the two directions of the block for those of the common order, or the other way round.
+    pub(super) fn exchanged<T>(self, [a, b]: [T; 2]) -> [T; 2] {
+        if self.exchanged { [b, a] } else { [a, b] }
     }
 }
 
