@@ -1,4 +1,4 @@
-//! Nets round extraordinary vertices in what is made of nets: schedules, pictures.
+//! Nets round extraordinary vertices in what is made of nets: schedules, pictures, layers.
 
 #![cfg(feature = "circular-mesh")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
@@ -6,11 +6,12 @@
 use std::collections::{HashMap, HashSet};
 
 use cyclide::{
-    Arc, CircularMeshOptions, Item, Model, NetLayout, QuadLayout, Shell, SurfaceObject, Units, make_layout_circular,
+    Arc, CircularMeshOptions, CyclideGrid, CyclideVolume, Grading, Item, Model, NetLayout, QuadLayout, Shell,
+    SurfaceObject, Units, make_layout_circular,
 };
 use cyclide_io::{
     BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ObjectReport, Provenance, ScheduleOptions,
-    WorkshopSchedule,
+    VtuCells, WorkshopSchedule,
 };
 use cyclide_testkit::layouts::{ball, cap};
 
@@ -180,4 +181,33 @@ fn solids_and_their_images_know_their_skin() {
     let net = built.iter().find(|built| built.item.name == "skin").unwrap();
     assert_eq!((skin("glass").as_slice(), skin("turned").as_slice()), (net.item.surfaces(), net.item.surfaces()));
     assert!(skin("skin").is_empty() && skin("ribs").is_empty());
+}
+
+#[test]
+fn blocks_of_all_pieces_are_read_back() {
+    let grids = CyclideGrid::layers_of_layout(&dome(), &[0.0, 0.05, 0.08]).unwrap();
+    let blocks: Vec<CyclideVolume> = grids.iter().flat_map(CyclideGrid::blocks).collect();
+    let item = Item::new("wall", blocks);
+    let model = Model { items: vec![item], units: Units::Metre };
+    let even = || Grading::Uniform.places(2).unwrap();
+    let given = [Provenance { kind: "layers", places: Some([even(), even(), even()]), ..Provenance::default() }];
+    let exporter = Exporter::with_provenance(&model, &given).unwrap();
+    let shell = dome().to_shell().unwrap();
+    for (format, vtu_cells) in [
+        (Format::Vtu, VtuCells::Linear),
+        (Format::Vtu, VtuCells::Bezier),
+        (Format::Mfem, VtuCells::Bezier),
+        (Format::Gismo, VtuCells::Bezier),
+        (Format::Step, VtuCells::Bezier),
+        (Format::Glb, VtuCells::Bezier),
+    ] {
+        // Written files are read back, held against the blocks, and refused if they differ.
+        let file = exporter.export(format, &ExportOptions { vtu_cells, ..ExportOptions::default() }).unwrap();
+        if vtu_cells == VtuCells::Linear {
+            // Two cells along each edge of two layers.
+            let nodes = 5 * (shell.vertices().len() + shell.edges().len() + shell.faces().len());
+            let text = String::from_utf8(file.bytes).unwrap();
+            assert!(text.contains(&format!("NumberOfPoints=\"{nodes}\"")), "{}", &text[..400]);
+        }
+    }
 }

@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use cyclide::{
-    CircularMeshOptions, Conformal, CyclidicNet, Error, Mobius, NetLayout, ParamSurface, Point3, QuadLayout, Vec3,
-    make_layout_circular, surface_joints,
+    CircularMeshOptions, Conformal, CyclideGrid, CyclideVolume, CyclidicNet, Error, FineEnd, Grading, Mobius,
+    NetLayout, ParamSurface, Point3, QuadLayout, StructuredGrid, Vec3, make_layout_circular, surface_joints,
 };
 use cyclide_testkit::layouts::{ball, cap, pair};
 
@@ -161,4 +161,64 @@ fn threes_and_fives_together() {
         // Below a degree: the normals of the net are those of the mesh.
         assert!(net.tilt() < 0.02, "{}", net.tilt());
     }
+}
+
+/// Blocks between offsets of all pieces hang together, also where one is turned against the other: as one solid, and in a grid of cells.
+#[test]
+fn layers_share_faces_across_pieces() {
+    for (net, openings) in [(made(&cap(5, 4, |x, y| -0.3 * (x * x + y * y))), 1), (made(&ball(5, 0.1)), 8)] {
+        let grids = CyclideGrid::layers_of_layout(&net, &[-0.02, 0.0, 0.05]).unwrap();
+        let blocks: Vec<CyclideVolume> = grids.iter().flat_map(CyclideGrid::blocks).collect();
+        let shell = net.to_shell().unwrap();
+        let (quads, layers) = (shell.faces().len(), 2);
+        assert_eq!(blocks.len(), layers * quads);
+        let volume: f64 = blocks.iter().map(|block| block.measure().volume).sum();
+        let solid: f64 = [-0.02, 0.05].map(|h| net.thick(h).unwrap().outer.volume()).iter().sum();
+        // Each is known to 1e-12 or better.
+        assert!((volume / solid - 1.0).abs() < 1e-9, "{volume} {solid}");
+        // Every vertex of the three skins once, bit for bit.
+        let corners: std::collections::BTreeSet<[u64; 3]> = blocks
+            .iter()
+            .flat_map(|block| block.corners().map(|p| p.to_array().map(|x| (x + 0.0).to_bits())))
+            .collect();
+        assert_eq!(corners.len(), (layers + 1) * shell.vertices().len());
+        // Nodes at even places are those of the shell's edges, faces and blocks: no face between two pieces has its own.
+        let places = || Grading::Uniform.places(3).unwrap();
+        let grid = StructuredGrid::new(&blocks, [places(), places(), places()]).unwrap();
+        let of_skin = shell.vertices().len() + 2 * shell.edges().len() + 4 * quads;
+        assert_eq!(grid.nodes().len(), (3 * layers + 1) * of_skin);
+        assert!(grid.quality().scaled_jacobian > 0.5);
+        // What is outside is one solid without hollows: both skins, and a rim of two layers over every free edge.
+        let bodies = CyclideVolume::outer_bodies(&blocks).unwrap();
+        let free = shell.edge_uses().iter().filter(|uses| **uses == 1).count();
+        assert_eq!((bodies.len(), bodies[0].outer.faces().len()), (1, 2 * quads + layers * free));
+        assert!(bodies[0].is_solid() && (bodies[0].outer.volume() / solid - 1.0).abs() < 1e-9);
+        let characteristic = bodies[0].outer.vertices().len() as i64 + bodies[0].outer.faces().len() as i64
+            - bodies[0].outer.edges().len() as i64;
+        // A disc or a sphere with openings, doubled.
+        assert_eq!(characteristic, if openings == 1 { 0 } else { 2 * (2 - 8) });
+        // The skins between layers run on over all pieces.
+        let skins = CyclideVolume::coordinate_bodies(&blocks, 2, &[0.0, 1.0]).unwrap();
+        assert_eq!(skins.iter().map(|(_, skin)| skin.outer.faces().len()).collect::<Vec<_>>(), [quads; 3]);
+    }
+}
+
+/// Cells fit across pieces if they are at the same places on the sides that meet: else nodes are the blocks' own, and it is told.
+#[test]
+fn unlike_cells_do_not_fit_turned_neighbours() {
+    let net = made(&cap(5, 4, |x, y| -0.3 * (x * x + y * y)));
+    let grids = CyclideGrid::layers_of_layout(&net, &[0.0, 0.05]).unwrap();
+    let blocks: Vec<CyclideVolume> = grids.iter().flat_map(CyclideGrid::blocks).collect();
+    let even = |n: usize| Grading::Uniform.places(n).unwrap();
+    let grid = |s: Vec<f64>, t: Vec<f64>| StructuredGrid::new(&blocks, [s, t, even(3)]).unwrap();
+    let graded = |fine| Grading::Geometric { ratio: 1.5, fine }.places(4).unwrap();
+    let nodes = grid(even(4), even(4)).nodes().len();
+    // Seen from both ends they are the same.
+    let both = grid(graded(FineEnd::Both), graded(FineEnd::Both));
+    assert_eq!((both.nodes().len(), both.faces_apart()), (nodes, 0));
+    // The s of a sector is the t of the next one.
+    let unlike = grid(graded(FineEnd::Both), even(4));
+    assert!(unlike.nodes().len() > nodes);
+    // Where sectors join there are three faces, four quads less the open one.
+    assert_eq!((unlike.faces_apart(), grid(even(4), even(2)).faces_apart()), (5 * 3, 5 * 3));
 }

@@ -147,21 +147,24 @@ impl<'a> BlockFaces<'a> {
                 }
                 let [from, to] = [from, to]
                     .map(|node| *vertices.entry(node).or_insert_with(|| sewing.vertex(self.grid.nodes()[node])));
-                let direction = usize::from(side.runs_with_loop() == same_sense);
+                let with_loop = side.runs_with_loop() == same_sense;
+                // Blocks that are turned run along a side the other way.
+                let forward = |edge: usize| sewing.edges[edge].start == from;
                 let met = edges.entry(middle).or_default();
-                let free = |(_, runs): &&mut (usize, [bool; 2])| meeting == Meeting::Refused || !runs[direction];
-                let edge = match met.iter_mut().find(free) {
-                    Some((edge, runs)) => {
-                        runs[direction] = true;
-                        *edge
+                let direction = |edge: usize| usize::from(with_loop == forward(edge));
+                let free = |(edge, runs): &(usize, [bool; 2])| meeting == Meeting::Refused || !runs[direction(*edge)];
+                *made = Some(match met.iter().position(free) {
+                    Some(known) => {
+                        let (edge, runs) = &mut met[known];
+                        runs[direction(*edge)] = true;
+                        FaceEdge { edge: *edge, forward: forward(*edge) }
                     }
                     None => {
                         let edge = self.edge(&mut sewing, face.block, at, [from, to])?;
-                        met.push((edge, [direction == 0, direction == 1]));
-                        edge
+                        met.push((edge, [!with_loop, with_loop]));
+                        FaceEdge { edge, forward: true }
                     }
-                };
-                *made = Some(FaceEdge { edge, forward: true });
+                });
             }
             sewing.face_along(self.patch(face), sides, same_sense);
         }

@@ -9,7 +9,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CyclidicNet, DupinCyclide, GridCell, check_following_quad, on_corner_circle};
+use crate::surface::{CyclidicNet, DupinCyclide, GridCell, NetLayout, check_following_quad, on_corner_circle};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
 ///
@@ -43,20 +43,39 @@ impl CyclideGrid {
     /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with the nearest and its distance;
     /// `below-rounding-of-place` of a layer thinner than 1.5e-11 of the coordinates; `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
-        if distances.len() < 2 {
-            return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
-        }
-        if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
-        }
-        if let Some(k) = (1..distances.len()).find(|&k| !(distances[k] > distances[k - 1])) {
-            return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
-        }
-        let [m, n] = net.size();
-        let ends = [distances[0], distances[distances.len() - 1]];
-        // What is regular as far as the outermost skins is so between.
-        ends.into_iter().filter(|&h| h != 0.0).try_for_each(|h| net.check_offset_regular(h))?;
+        check_distances(distances)?;
+        net.check_layers_regular(distances)?;
         let skins = distances.iter().map(|&h| net.offset(h)).collect::<Result<Vec<_>>>()?;
+        Self::between(&skins.iter().collect::<Vec<_>>(), distances)
+    }
+
+    /// Layers over nets that join, one grid for each: where two of them join they share vertices bit for bit, and parameters, of which those along s
+    /// and t are exchanged or run the other way where the pieces are turned.
+    ///
+    /// ```
+    /// use cyclide::{CyclideGrid, NetLayout, Point3, QuadLayout};
+    /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+    /// let net = NetLayout::new(QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?)?;
+    /// let grids = CyclideGrid::layers_of_layout(&net, &[0.0, 0.1, 0.3])?;
+    /// assert_eq!(grids.iter().map(|grid| grid.blocks().count()).sum::<usize>(), 4);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`layers`](Self::layers), quads counted in their piece.
+    pub fn layers_of_layout(layout: &NetLayout, distances: &[f64]) -> Result<Vec<Self>> {
+        check_distances(distances)?;
+        layout.nets().iter().try_for_each(|net| net.check_layers_regular(distances))?;
+        let skins = distances.iter().map(|&h| layout.offset(h)).collect::<Result<Vec<_>>>()?;
+        let of_piece =
+            |piece: usize| Self::between(&skins.iter().map(|skin| &skin.nets()[piece]).collect::<Vec<_>>(), distances);
+        (0..layout.nets().len()).map(of_piece).collect()
+    }
+
+    /// The blocks between the offsets of a net at these distances.
+    fn between(skins: &[&CyclidicNet], distances: &[f64]) -> Result<Self> {
+        let net = skins[0];
+        let [m, n] = net.size();
         let vertices = || (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
         let points: Vec<Point3> =
             skins.iter().flat_map(|skin| vertices().map(|(i, j)| skin.grid().point(i, j))).collect();
@@ -65,7 +84,7 @@ impl CyclideGrid {
             range::check_size_in_place(ErrorItem::Layer, height, place, range::SMALLEST_IN_PLACE)?;
         }
         // Offsets have the weights of their net.
-        let weights = distances.iter().flat_map(|_| vertices().map(|(i, j)| net.weight(i, j))).collect();
+        let weights = skins.iter().flat_map(|_| vertices().map(|(i, j)| net.weight(i, j))).collect();
         let left_out = if net.grid().is_whole() {
             Vec::new()
         } else {
@@ -281,5 +300,27 @@ impl CyclideGrid {
     fn block_index(&self, [i, j, k]: [usize; 3]) -> usize {
         let [m, n, _] = self.size;
         i + (j + k * n) * m
+    }
+}
+
+/// Refuses distances of which there are too few or which do not rise.
+fn check_distances(distances: &[f64]) -> Result<()> {
+    if distances.len() < 2 {
+        return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
+    }
+    if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
+        return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
+    }
+    if let Some(k) = (1..distances.len()).find(|&k| !(distances[k] > distances[k - 1])) {
+        return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
+    }
+    Ok(())
+}
+
+impl CyclidicNet {
+    /// Refuses layers that reach a centre of curvature: what is regular as far as the outermost skins is so between.
+    fn check_layers_regular(&self, distances: &[f64]) -> Result<()> {
+        let ends = distances.first().into_iter().chain(distances.last());
+        ends.filter(|h| **h != 0.0).try_for_each(|h| self.check_offset_regular(*h))
     }
 }

@@ -49,9 +49,9 @@ impl Builder<'_> {
             // What is missing is said where layers are made.
             (None, None) => 0,
         };
-        let patches = |surface: &SurfaceObject| match surface {
-            SurfaceObject::Net(net) => net.patches_with_quads().count() as f64,
-            _ => 1.0,
+        let patches = |surface: &SurfaceObject| {
+            let of_nets: usize = surface.nets().iter().map(|net| net.patches_with_quads().count()).sum();
+            of_nets.max(1) as f64
         };
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
         Ok(surfaces.iter().map(patches).sum::<f64>() * layers as f64)

@@ -158,6 +158,10 @@ impl Builder<'_> {
         }
         let made = StructuredGrid::new(volumes, places.clone());
         let grid = made.map_err(|e| self.refused_at(field(0).into_iter().take(1), &e))?;
+        if grid.faces_apart() > 0 {
+            let words = "cells along s and t have the same places, seen from both ends, where nets join round extraordinary vertices: the s of one is the t of another".to_owned();
+            return Err(self.refused_in_words(field(0).into_iter().take(1), "cells-unfit", words));
+        }
         let quality = grid.quality();
         let at = if matches!(self.spec, ObjectSpec::Transform(_)) { "of" } else { "cells" };
         for warning in grid.warnings(&quality) {

@@ -146,10 +146,13 @@ impl Builder<'_> {
         let source = self.surface_source("only surfaces have layers")?;
         let mut volumes = Vec::new();
         for surface in source.item.surfaces() {
-            let net = match surface {
-                SurfaceObject::Patch(patch) => CyclidicNet::from(*patch),
-                SurfaceObject::Net(net) => net.clone(),
-                _ => {
+            let grids = match surface {
+                SurfaceObject::Patch(patch) => {
+                    CyclideGrid::layers(&CyclidicNet::from(*patch), &distances).map(|grid| vec![grid])
+                }
+                SurfaceObject::Net(net) => CyclideGrid::layers(net, &distances).map(|grid| vec![grid]),
+                SurfaceObject::Layout(layout) => CyclideGrid::layers_of_layout(layout, &distances),
+                SurfaceObject::Body(_) | SurfaceObject::Triangles(_) => {
                     let solid = matches!(surface, SurfaceObject::Body(_)) && source.provenance.kind == "offset";
                     let remedy = if solid { "; the offset itself has, without `thick`" } else { "" };
                     return Err(self.wrong_source(&format!(
@@ -157,9 +160,8 @@ impl Builder<'_> {
                     )));
                 }
             };
-            let refused = |e: cyclide::Error| self.refused_at([Step::from(field)], &e);
-            let grid = CyclideGrid::layers(&net, &distances).map_err(refused)?;
-            volumes.extend(grid.blocks());
+            let grids = grids.map_err(|e| self.refused_at([Step::from(field)], &e))?;
+            volumes.extend(grids.iter().flat_map(CyclideGrid::blocks));
         }
         Ok(volumes)
     }

@@ -6,6 +6,7 @@
 mod quality;
 mod resolved;
 mod shared_nodes;
+mod turn;
 
 use super::cyclide_volume::CyclideVolume;
 use super::grading::Grading;
@@ -18,8 +19,8 @@ pub use quality::{CellQuality, GridQuality};
 /// Most cells of a structured grid: with their nodes some gigabytes.
 pub const MOST_CELLS: usize = 1 << 24;
 
-/// Nodes and cells of blocks at given parameters. Neighbouring blocks share the nodes of a face whose corners they have in common, bit for bit, with
-/// its sides in the same directions; blocks that close share them too.
+/// Nodes and cells of blocks at given parameters. Neighbouring blocks share the nodes of a face whose corners they have in common, bit for bit, if their
+/// parameters there are the same, also with its sides in other directions; blocks that close share them too.
 ///
 /// ```
 /// use cyclide::{CyclideGrid, DupinCyclide, FineEnd, Grading, StructuredGrid};
@@ -42,6 +43,7 @@ pub struct StructuredGrid {
     index: Vec<u32>,
     /// The exact Jacobians of the blocks at their nodes, in the same order.
     jacobians: Vec<f64>,
+    faces_apart: usize,
 }
 
 impl StructuredGrid {
@@ -55,15 +57,22 @@ impl StructuredGrid {
             return Err(Error::TooFewPoints { given: 0, needed: 1 });
         }
         Self::check_size(blocks.len(), &places)?;
-        let mut shared = SharedNodes::new(places.each_ref().map(Vec::len));
-        let mut grid =
-            Self { blocks: blocks.to_vec(), places, nodes: Vec::new(), index: Vec::new(), jacobians: Vec::new() };
+        let mut shared = SharedNodes::new(&places);
+        let mut grid = Self {
+            blocks: blocks.to_vec(),
+            places,
+            nodes: Vec::new(),
+            index: Vec::new(),
+            jacobians: Vec::new(),
+            faces_apart: 0,
+        };
         for block in blocks {
             let first = grid.jacobians.len();
             let points = grid.add_rows(block);
             debug_assert_eq!(grid.jacobians.len() - first, points.len());
             shared.add(block, &points, &mut grid.nodes, &mut grid.index);
         }
+        grid.faces_apart = shared.faces_apart;
         Ok(grid)
     }
 
@@ -155,6 +164,13 @@ impl StructuredGrid {
     #[must_use]
     pub fn nodes(&self) -> &[Point3] {
         &self.nodes
+    }
+
+    /// Faces that two blocks have in common with nodes of their own on either side: where one is turned against the other, and the parameters along
+    /// the two directions that meet differ, or are not the same seen from both ends.
+    #[must_use]
+    pub fn faces_apart(&self) -> usize {
+        self.faces_apart
     }
 
     /// Cells of one block along s, t and u.
