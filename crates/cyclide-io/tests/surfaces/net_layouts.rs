@@ -141,3 +141,22 @@ fn corners_of_flat_faces_are_refused() {
         );
     }
 }
+
+/// Blocks between offsets of all pieces, whose cells meet if they are alike along s and t.
+#[test]
+fn layers_of_a_dome() {
+    let with = |cells: &str| {
+        let layers = format!(r#""l": {{"type": "layers", "of": "n", "distances": [0, 0.02, 0.05], "cells": {cells}}}"#);
+        build(&format!("{}, {layers}", net(CIRCULAR)), &dome(5, 0.3))
+    };
+    let built = with("[2, 2, 1]").unwrap();
+    let blocks = built.item.volumes();
+    assert_eq!((blocks.len(), built.quality.is_some()), (2 * 5 * 24, true));
+    let solid = r#""w": {"type": "offset", "of": "n", "distance": 0.05, "thick": true}"#;
+    let solid = build(&format!("{}, {solid}", net(CIRCULAR)), &dome(5, 0.3)).unwrap();
+    let volume: f64 = blocks.iter().map(|block| block.measure().volume).sum();
+    // Each is known to 1e-12 or better.
+    assert!((volume / solid.bodies[0].outer.volume() - 1.0).abs() < 1e-9);
+    let message = with("[2, 3, 1]").unwrap_err();
+    assert!(message.contains("[cells-unfit]") && message.contains("objects.l.cells"), "{message}");
+}
