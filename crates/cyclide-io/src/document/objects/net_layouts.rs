@@ -8,9 +8,9 @@ use crate::document::spec::{CyclidicNetSpec, FrameSpec};
 use crate::error::{Error, Result};
 use crate::export::given_surface::GivenSurface;
 
-/// Largest angle (radians, rms) of the normals of a net to those of its mesh: domes and balls of some quads a sector are below 3 degrees, the corner of
-/// a box is near 45.
-const MOST_TILT: f64 = 0.2;
+/// Largest angle (radians, rms) of the normals of a net to those of its mesh. Measured: 0.1 to 3 degrees on domes and balls of 4 to 32 quads a sector, 4.4, 5.9
+/// and 13 on balls of 5, 4 and 3 quads a side; 36 to 66 where flat faces make nets that bulge.
+const MOST_TILT: f64 = 0.35;
 /// Vertices that a message names, at most.
 const MOST_NAMED: usize = 6;
 
