@@ -11,6 +11,8 @@ use crate::export::given_surface::GivenSurface;
 /// Largest angle (radians, rms) of the normals of a net to those of its mesh. Measured: 0.1 to 3 degrees on domes and balls of 4 to 32 quads a sector, 4.4, 5.9
 /// and 13 on balls of 5, 4 and 3 quads a side; 36 to 66 where flat faces make nets that bulge.
 const MOST_TILT: f64 = 0.35;
+/// From here on it is told: flat faces of slopes from 0.2 on, and meshes of five quads a sector or fewer.
+const TOLD_TILT: f64 = 0.07;
 /// Vertices that a message names, at most.
 const MOST_NAMED: usize = 6;
 
@@ -49,6 +51,14 @@ impl Builder<'_> {
                 MOST_TILT.to_degrees()
             );
             return Err(self.refused_in_words([Step::from("grid")], "shape-lost", words));
+        }
+        if tilt > TOLD_TILT {
+            let message = format!(
+                "the net bulges between its vertices: its normals are {:.0} degrees (rms) off those of the mesh; look at it, and use more quads, or round edges in the mesh first",
+                tilt.to_degrees()
+            );
+            let place = self.place_of([Step::from("grid")]);
+            self.remark("shape-changed", None, None, place, message);
         }
         self.remark_openings(&given);
         Ok(vec![SurfaceObject::Layout(net)])
