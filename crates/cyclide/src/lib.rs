@@ -94,7 +94,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -167,7 +167,7 @@ pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, LayoutFault, Result, SurfaceFault, reasons};
+pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, JoinFault, LayoutFault, Result, SurfaceFault, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,

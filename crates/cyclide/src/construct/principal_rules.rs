@@ -17,6 +17,9 @@ pub enum UmbilicRule {
     /// The surface is cut from each of them to the border, and several grids are laid beside them.
     #[default]
     Pieces,
+    /// Umbilics are extraordinary vertices of one mesh of quads, with six quads or with two: the grids that it falls into share their
+    /// borders. The border runs in steps.
+    Joined,
     /// The directions are smoothed until no umbilic is left: one grid, which leaves the lines of curvature.
     Smooth,
 }

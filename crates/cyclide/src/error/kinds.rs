@@ -1,6 +1,6 @@
 //! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
 
-use super::{ErrorItem, FoldRemedy, GridCellFault, LayoutFault, SurfaceFault};
+use super::{ErrorItem, FoldRemedy, GridCellFault, JoinFault, LayoutFault, SurfaceFault};
 use crate::shape_change::ShapeChange;
 
 /// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
@@ -1158,6 +1158,13 @@ pub enum Error {
         halves: i32,
         /// The smoothing that was tried last with so few left.
         smoothing: f64,
+    },
+    /// One mesh of quads does not go through an umbilic.
+    UmbilicsNotJoined {
+        /// Where it is.
+        at: [f64; 3],
+        /// What stands against it.
+        fault: JoinFault,
     },
     /// Lines of curvature come back turned over after a way round a hole: no coordinates follow them all round.
     FieldNotOrientable {

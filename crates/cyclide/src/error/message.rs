@@ -808,6 +808,12 @@ impl std::fmt::Display for Error {
                 place(*at),
                 index_of_halves(*halves)
             ),
+            Self::UmbilicsNotJoined { at, fault } => write!(
+                f,
+                "no mesh of quads goes on through the umbilic at {}: {}; \"umbilics\": \"pieces\" lays grids beside it",
+                place(*at),
+                fault.words()
+            ),
             Self::FieldNotOrientable { at, halves } => write!(
                 f,
                 "lines of curvature come back turned over after a way round the hole at {} (index {}): take \"umbilics\": \"pieces\"",

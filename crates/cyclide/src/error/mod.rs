@@ -6,6 +6,7 @@
 mod fold_remedy;
 mod grid_cell_fault;
 mod item;
+mod join_fault;
 mod kinds;
 mod layout_fault;
 mod message;
@@ -19,6 +20,7 @@ mod words;
 pub use fold_remedy::FoldRemedy;
 pub use grid_cell_fault::GridCellFault;
 pub use item::ErrorItem;
+pub use join_fault::JoinFault;
 pub use kinds::Error;
 pub use layout_fault::LayoutFault;
 pub use surface_fault::SurfaceFault;

@@ -141,6 +141,7 @@ impl Error {
             Self::NotASurface { .. } => "not-a-surface",
             Self::FlatSurface { .. } => "flat-surface",
             Self::UmbilicsRemain { .. } => "umbilics-remain",
+            Self::UmbilicsNotJoined { .. } => "umbilics-not-joined",
             Self::FieldNotOrientable { .. } => "field-not-orientable",
             Self::SpiralLines { .. } => "spiral-lines",
             Self::NoGrid { .. } => "no-grid",

@@ -3,6 +3,7 @@
 #![cfg(feature = "circular-mesh")]
 
 mod faults;
+mod joined;
 mod oracle;
 mod surfaces;
 
@@ -166,6 +167,10 @@ fn tubes_close() {
     assert!(moves(&circular(&grids, 0)) <= 0.4);
     let columns = PrincipalGridOptions { columns: Some(17), ..edge(5.0) };
     assert_eq!(laid(&soft, &columns).unwrap().grids[0].size()[0], 17);
+
+    // Triangles that bad ones cut off leave the columns as they are: of the tower's fine mesh some do.
+    let cut_off = laid(&surfaces::tower(50.0, 40.0, 0.3, 200.0, [120, 150]), &edge(6.0)).unwrap();
+    assert!(cut_off.grids[0].size()[0] == 21 && cut_off.report.pieces[0].edges[1] < 9.0, "{:?}", cut_off.report.pieces);
 
     let straight = laid(&surfaces::hyperboloid([48, 32]), &edge(0.8)).unwrap();
     assert!(straight.grids[0].closed()[0] && straight.report.return_shift.unwrap() < 0.05);

@@ -14,9 +14,12 @@ pub(super) fn by_arc_length(sheet: &Sheet<'_>, coordinates: &mut Coordinates, we
     (0..parts.len()).filter(|f| sheet.active[*f]).for_each(|f| members[parts[f]].push(f));
     let slopes: Vec<[f64; 2]> =
         (0..parts.len()).map(|f| coordinates.slopes(sheet, f).map(|slope| slope.length())).collect();
+    let all: Vec<usize> = members.iter().flatten().copied().collect();
     for d in 0..2 {
         let old_period = coordinates.periods[d];
-        for part in &members {
+        // Parts that come back have one period: what bad triangles cut off follows the law of the whole.
+        let together = if old_period == 0.0 { &members[..] } else { std::slice::from_ref(&all) };
+        for part in together {
             let values = || part.iter().flat_map(|f| coordinates.corners[*f].iter().map(move |c| c[d]));
             let lowest = values().fold(f64::INFINITY, f64::min);
             let width =

@@ -2,6 +2,7 @@
 //! along the other.
 
 use super::sheet::Sheet;
+use super::unknowns::Unknowns;
 use crate::base::vector::Vec3;
 use crate::construct::sparse_solver::SymmetricSum;
 
@@ -20,78 +21,116 @@ pub(super) struct Coordinates {
     pub(super) periods: [f64; 2],
 }
 
-/// What is known of the seam: the corners on its left, and the directions whose period is to be found (others have none).
-pub(super) struct Seam<'a> {
-    pub(super) left: &'a [bool],
-    pub(super) free: [bool; 2],
-}
-
 /// Gradients of the three barycentric coordinates of a triangle.
 pub(super) fn gradients(sheet: &Sheet<'_>, f: usize) -> [Vec3; 3] {
     let (normal, double) = (sheet.table.normals[f], 2.0 * sheet.table.areas[f]);
     std::array::from_fn(|k| normal.cross(sheet.table.vector(3 * f + (k + 1) % 3)) / double)
 }
 
-/// `None` if a system has no solution in doubles.
-pub(super) fn coordinates(sheet: &Sheet<'_>, weights: &[f64], seam: Option<&Seam<'_>>) -> Option<Coordinates> {
-    let (places, count) = sheet.places();
-    let (parts, part_count) = sheet.parts();
-    let active = || (0..sheet.active.len()).filter(|f| sheet.active[*f]);
+/// Coordinates of an open surface, or of one with a seam: the corners on its left, and the directions whose period is to be found
+/// (others have none). `None` if a system has no solution in doubles.
+pub(super) fn coordinates(
+    sheet: &Sheet<'_>,
+    weights: &[f64],
+    seam: Option<(&[bool], [bool; 2])>,
+) -> Option<Coordinates> {
+    let weights = Weights::new(weights, WEIGHTS[0]);
     let mut result = Coordinates { corners: vec![[[0.0; 2]; 3]; sheet.active.len()], periods: [0.0; 2] };
     for d in 0..2 {
-        let period = seam.is_some_and(|seam| seam.free[d]).then_some(count);
-        let size = count + usize::from(period.is_some());
-        let mut sum = SymmetricSum::new(size);
-        let mut right = vec![0.0; size];
-        let mut fixed = vec![false; part_count];
-        for f in active() {
-            let [along, across] = [sheet.directions[f][d], sheet.directions[f][1 - d]];
-            let weight = sheet.table.areas[f] * weights[f].clamp(WEIGHTS[0], WEIGHTS[1]);
-            let gradients = gradients(sheet, f);
-            let terms = |direction: Vec3| {
-                let mut terms = Vec::with_capacity(6);
-                for k in 0..3 {
-                    let slope = gradients[k].dot(direction);
-                    terms.push((places[3 * f + k], slope));
-                    if let (Some(period), Some(seam)) = (period, seam)
-                        && seam.left[3 * f + k]
-                    {
-                        terms.push((period, slope));
-                    }
-                }
-                terms
-            };
-            sum.add_square(&terms(across), weight);
-            let spread = terms(along);
-            sum.add_square(&spread, SPREAD * weight);
-            spread.iter().for_each(|(k, slope)| right[*k] += SPREAD * weight * slope);
-        }
-        let mean = sum.mean_diagonal();
-        for f in active() {
-            if !fixed[parts[f]] {
-                // The constant, which nothing else fixes.
-                fixed[parts[f]] = true;
-                sum.add(places[3 * f], places[3 * f], mean);
-            }
-        }
-        // Corners of triangles left out.
-        let mut used = vec![false; size];
-        active().for_each(|f| (0..3).for_each(|k| used[places[3 * f + k]] = true));
-        period.into_iter().for_each(|k| used[k] = true);
-        used.iter().enumerate().filter(|(_, used)| !**used).for_each(|(k, _)| sum.add(k, k, mean));
-        sum.factor()?.solve(&mut right)?;
-        result.periods[d] = period.map_or(0.0, |k| right[k]);
-        for f in active() {
-            for k in 0..3 {
-                let turn = seam.is_some_and(|seam| seam.left[3 * f + k]);
-                result.corners[f][k][d] = right[places[3 * f + k]] + if turn { result.periods[d] } else { 0.0 };
-            }
-        }
+        let mut unknowns = Unknowns::new(sheet);
+        let period = seam.filter(|(_, free)| free[d]).map(|(left, _)| unknowns.add_period(left));
+        let values = solved(sheet, &weights, &unknowns, d, &[])?;
+        result.periods[d] = period.map_or(0.0, |k| values[k]);
+        result.set(sheet, &unknowns, d, &values);
     }
     Some(result)
 }
 
+/// Weights of the triangles by their area, of both terms.
+pub(super) struct Weights {
+    pub(super) aligning: Vec<f64>,
+    pub(super) spreading: Vec<f64>,
+}
+
+impl Weights {
+    /// `evenness` is the least weight that spreading is reckoned by.
+    pub(super) fn new(weights: &[f64], evenness: f64) -> Self {
+        let aligning: Vec<f64> = weights.iter().map(|w| w.clamp(WEIGHTS[0], WEIGHTS[1])).collect();
+        let spreading = aligning.iter().map(|w| SPREAD * w.max(evenness)).collect();
+        Self { aligning, spreading }
+    }
+}
+
+/// An unknown that is another one plus a number.
+pub(super) struct Tie {
+    pub(super) unknown: usize,
+    pub(super) to: usize,
+    pub(super) offset: f64,
+}
+
+/// The unknowns of one coordinate; `None` if there is no solution in doubles.
+pub(super) fn solved(
+    sheet: &Sheet<'_>,
+    weights: &Weights,
+    unknowns: &Unknowns,
+    d: usize,
+    ties: &[Tie],
+) -> Option<Vec<f64>> {
+    let active = || (0..sheet.active.len()).filter(|f| sheet.active[*f]);
+    let size = unknowns.count;
+    let mut sum = SymmetricSum::new(size);
+    let mut right = vec![0.0; size];
+    let mut tied: Vec<(usize, f64)> = (0..size).map(|k| (k, 0.0)).collect();
+    ties.iter().for_each(|tie| tied[tie.unknown] = (tie.to, tie.offset));
+    for f in active() {
+        let [along, across] = [sheet.directions[f][d], sheet.directions[f][1 - d]];
+        let area = sheet.table.areas[f];
+        let gradients = gradients(sheet, f);
+        let mut add = |direction: Vec3, weight: f64, wanted: f64| {
+            let (mut terms, mut rest) = (Vec::with_capacity(6), wanted);
+            for k in 0..3 {
+                let slope = gradients[k].dot(direction);
+                for (unknown, factor) in unknowns.terms(3 * f + k) {
+                    let (unknown, offset) = tied[unknown];
+                    terms.push((unknown, slope * factor));
+                    rest -= slope * factor * offset;
+                }
+            }
+            sum.add_square(&terms, weight);
+            terms.iter().for_each(|(k, slope)| right[*k] += weight * slope * rest);
+        };
+        add(across, weights.aligning[f] * area, 0.0);
+        add(along, weights.spreading[f] * area, 1.0);
+    }
+    let mean = sum.mean_diagonal();
+    let mut fixed = vec![false; unknowns.part_count];
+    let mut used = vec![false; size];
+    for f in active() {
+        if !fixed[unknowns.parts[f]] {
+            // The constant, which nothing else fixes.
+            fixed[unknowns.parts[f]] = true;
+            let place = tied[unknowns.places[3 * f].place].0;
+            sum.add(place, place, mean);
+        }
+        (0..3).flat_map(|k| unknowns.terms(3 * f + k)).for_each(|(k, _)| used[tied[k].0] = true);
+    }
+    // Corners of triangles left out, and what is tied to others.
+    used.iter().enumerate().filter(|(_, used)| !**used).for_each(|(k, _)| sum.add(k, k, mean));
+    sum.factor()?.solve(&mut right)?;
+    ties.iter().for_each(|tie| right[tie.unknown] = right[tie.to] + tie.offset);
+    Some(right)
+}
+
 impl Coordinates {
+    /// One coordinate of all corners.
+    pub(super) fn set(&mut self, sheet: &Sheet<'_>, unknowns: &Unknowns, d: usize, values: &[f64]) {
+        for f in (0..sheet.active.len()).filter(|f| sheet.active[*f]) {
+            for k in 0..3 {
+                self.corners[f][k][d] = unknowns.terms(3 * f + k).map(|(k, factor)| factor * values[k]).sum();
+            }
+        }
+    }
+
     /// Gradients of both coordinates on a triangle.
     pub(super) fn slopes(&self, sheet: &Sheet<'_>, f: usize) -> [Vec3; 2] {
         let gradients = gradients(sheet, f);
@@ -106,13 +145,25 @@ impl Coordinates {
         sum / active().map(|f| areas[f]).sum::<f64>()
     }
 
+    /// Whether a triangle is turned over.
+    pub(super) fn is_folded(&self, sheet: &Sheet<'_>, f: usize) -> bool {
+        let [u, v] = self.slopes(sheet, f);
+        !(u.cross(v).dot(sheet.table.normals[f]) > 0.0)
+    }
+
+    /// Leaves out the triangles that are turned over.
+    pub(super) fn leave_out_folded(&self, sheet: &mut Sheet<'_>) {
+        for f in 0..sheet.active.len() {
+            sheet.active[f] &= !self.is_folded(sheet, f);
+        }
+    }
+
     /// Leaves out the triangles that are turned over, or whose lines are far off the directions.
     pub(super) fn leave_out_bad(&self, sheet: &mut Sheet<'_>) {
+        self.leave_out_folded(sheet);
         for f in 0..sheet.active.len() {
-            let [u, v] = self.slopes(sheet, f);
-            let turned_over = !(u.cross(v).dot(sheet.table.normals[f]) > 0.0);
-            let off = [u, v].iter().zip(sheet.directions[f]).any(|(slope, d)| !(slope.angle(d) <= MOST_OFF));
-            if turned_over || off {
+            let off = |(slope, d): (&Vec3, Vec3)| !(slope.angle(d) <= MOST_OFF);
+            if self.slopes(sheet, f).iter().zip(sheet.directions[f]).any(off) {
                 sheet.active[f] = false;
             }
         }

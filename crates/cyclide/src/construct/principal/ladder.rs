@@ -29,7 +29,7 @@ pub(super) fn smoothed(
     progress: &mut dyn FnMut(PrincipalStage),
 ) -> Result<Smoothed> {
     let ladder = match rule {
-        UmbilicRule::Pieces => &LADDER[usize::from(noisy)..LADDER_OF_PIECES],
+        UmbilicRule::Pieces | UmbilicRule::Joined => &LADDER[usize::from(noisy)..LADDER_OF_PIECES],
         UmbilicRule::Smooth => &LADDER[usize::from(noisy)..],
     };
     let mut best: Option<Smoothed> = None;

@@ -9,11 +9,13 @@ mod cuts;
 mod denoise;
 mod field;
 mod jets;
+mod joined;
 mod ladder;
 mod lattice;
 mod layout;
 mod mesh_table;
 mod options;
+mod passages;
 mod pieces;
 mod point_grid;
 mod rectangles;
@@ -21,6 +23,7 @@ mod report;
 mod shape_tensors;
 mod sheet;
 mod staircase;
+mod unknowns;
 mod walker;
 
 pub use field::PrincipalField;
@@ -32,14 +35,16 @@ use crate::base::range;
 use crate::base::vector::Point3;
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
 use crate::error::{Error, Result};
-use crate::surface::QuadGrid;
+use crate::surface::{QuadGrid, QuadLayout};
 use crate::warning::Warning;
 use arc_length::by_arc_length;
-use coordinates::{Seam, coordinates};
+use coordinates::coordinates;
 use cross_field::CrossField;
 use jets::{CUBIC, jets};
+use joined::{NotJoined, Surface};
 use layout::Layout;
 use mesh_table::MeshTable;
+use passages::Passages;
 use pieces::{Steps, far_from, laid, weights_of_faces};
 use shape_tensors::ShapeTensors;
 use sheet::Sheet;
@@ -106,12 +111,14 @@ pub enum PrincipalStage {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrincipalGrids {
-    /// The grids, the largest first. The normal of the surface is that of growing s and t.
+    /// The grids, the largest first; of a joined mesh in its own order. The normal of the surface is that of growing s and t.
     pub grids: Vec<QuadGrid>,
     /// What was found and done.
     pub report: PrincipalGridReport,
     /// The surface and the directions that the grids follow.
     pub field: PrincipalField,
+    /// With [`UmbilicRule::Joined`] on a surface with umbilics: the mesh that the grids are of.
+    pub joined: Option<QuadLayout>,
     warnings: Vec<Warning>,
 }
 
@@ -120,6 +127,17 @@ impl PrincipalGrids {
     #[must_use]
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    /// With what concerns all grids.
+    fn measured(mut self) -> Self {
+        self.report.coverage = self.report.pieces.iter().map(|piece| piece.coverage).sum();
+        let uneven = self.report.pieces.iter().position(|piece| piece.edges[1] > UNEVEN * piece.edges[0]);
+        if let Some(piece) = uneven {
+            let edges = self.report.pieces[piece].edges;
+            self.warnings.push(Warning::UnevenEdges { piece, edges, limit: UNEVEN });
+        }
+        self
     }
 }
 
@@ -202,10 +220,26 @@ pub fn principal_grids(
     }
 
     let layout = Layout::new(&table, &smoothed.field, &smoothed.singular, options.closed != Some(false));
+    let joins = options.umbilics == UmbilicRule::Joined;
     let by_hole = (0..layout.halves.len()).find(|k| *k != layout.outer && layout.halves[*k] % 2 != 0);
-    if let (true, Some(hole)) = (one_grid, by_hole) {
+    if let (true, Some(hole)) = (one_grid || joins && smoothed.singular.is_empty(), by_hole) {
         let at = to_world(table.points[table.ends(table.borders[hole][0])[0]]).to_array();
         return Err(Error::FieldNotOrientable { at, halves: layout.halves[hole] });
+    }
+    if joins && !smoothed.singular.is_empty() {
+        progress(PrincipalStage::Coordinates);
+        let (singular, outer) = (&smoothed.singular, layout.outer);
+        let surface =
+            Surface { table: &table, field: &smoothed.field, singular, outer, jets: &fits, weights: &weights };
+        let mesh = surface.joined(edge).map_err(|NotJoined { vertex, fault }| {
+            let at = to_world(table.points[vertex]).to_array();
+            Error::UmbilicsNotJoined { at, fault }
+        })?;
+        let mesh = mesh.with_points(mesh.points().iter().map(|p| to_world(*p)).collect())?;
+        let grids: Vec<QuadGrid> = mesh.pieces().iter().map(|piece| piece.grid.clone()).collect();
+        report.pieces = grids.iter().map(|grid| pieces::measured(grid, given.areas.iter().sum())).collect();
+        let field = PrincipalField::new(&given, &fits, &smoothed.field);
+        return Ok(PrincipalGrids { grids, joined: Some(mesh), report, field, warnings }.measured());
     }
     let singular: Vec<Point3> = smoothed.singular.iter().map(|s| table.points[s.vertex]).collect();
     let active = far_from(&table, &singular, edge);
@@ -214,7 +248,7 @@ pub fn principal_grids(
     let mut laid_out = match &layout.left {
         None => coordinates(&sheet, &weights, None).ok_or_else(no_solution)?,
         Some(left) => {
-            let both = coordinates(&sheet, &weights, Some(&Seam { left, free: [true; 2] })).ok_or_else(no_solution)?;
+            let both = coordinates(&sheet, &weights, Some((left, [true; 2]))).ok_or_else(no_solution)?;
             // s runs along the lines that come back.
             let [round, shift] = if both.periods[0].abs() >= both.periods[1].abs() {
                 both.periods
@@ -236,7 +270,7 @@ pub fn principal_grids(
             if shift > SPIRAL * edge {
                 warnings.push(Warning::SpiralLines { shift: world, edge: edge_length });
             }
-            coordinates(&sheet, &weights, Some(&Seam { left, free: [true, false] })).ok_or_else(no_solution)?
+            coordinates(&sheet, &weights, Some((left, [true, false]))).ok_or_else(no_solution)?
         }
     };
     laid_out.leave_out_bad(&mut sheet);
@@ -259,27 +293,24 @@ pub fn principal_grids(
         (steps.columns, steps.lengths[0]) = (Some(columns as i64), round / columns);
     }
     let open = sheet.active.clone();
-    let walker = Walker { sheet: &sheet, coordinates: &laid_out, left: layout.left.as_deref(), open: &open };
+    let passages = layout.left.as_deref().map(|left| Passages::over_seam(&sheet, left, &laid_out)).unwrap_or_default();
+    let walker = Walker { sheet: &sheet, coordinates: &laid_out, passages: &passages, open: &open };
     let found = laid(&walker, &fits, &steps, progress)?;
     if found.is_empty() {
         return Err(Error::NoGrid { edge: options.edge_length, least: lattice::LEAST_CELLS });
     }
     let mut grids = Vec::new();
-    for laid in found {
-        let points = laid.grid.points().iter().map(|p| to_world(*p)).collect();
-        grids.push(laid.grid.with_points(points)?);
-        report.pieces.push(GridPiece { edges: laid.piece.edges.map(|x| x * scale), ..laid.piece });
+    for grid in found {
+        let points = grid.points().iter().map(|p| to_world(*p)).collect();
+        grids.push(grid.with_points(points)?);
     }
-    report.coverage = report.pieces.iter().map(|piece| piece.coverage).sum();
+    report.pieces = grids.iter().map(|grid| pieces::measured(grid, given.areas.iter().sum())).collect();
     if grids.len() > 1 || cut {
-        warnings.push(Warning::GridPieces { count: grids.len(), coverage: report.coverage });
-    }
-    let uneven = report.pieces.iter().position(|piece| piece.edges[1] > UNEVEN * piece.edges[0]);
-    if let Some(piece) = uneven {
-        warnings.push(Warning::UnevenEdges { piece, edges: report.pieces[piece].edges, limit: UNEVEN });
+        let coverage = report.pieces.iter().map(|piece| piece.coverage).sum();
+        warnings.push(Warning::GridPieces { count: grids.len(), coverage });
     }
     let field = PrincipalField::new(&given, &fits, &smoothed.field);
-    Ok(PrincipalGrids { grids, report, field, warnings })
+    Ok(PrincipalGrids { grids, joined: None, report, field, warnings }.measured())
 }
 
 /// A system of equations that doubles cannot solve, or memory not hold.

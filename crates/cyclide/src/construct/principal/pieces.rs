@@ -31,13 +31,7 @@ pub(super) struct Steps {
     pub(super) border: GridBorder,
 }
 
-/// A grid in the units of the search, and what it is like.
-pub(super) struct Laid {
-    pub(super) grid: QuadGrid,
-    pub(super) piece: GridPiece,
-}
-
-/// The grids, largest first.
+/// The grids in the units of the search, largest first.
 ///
 /// # Errors
 /// As of `QuadGrid::new`, which cannot be on points of the surface.
@@ -46,9 +40,8 @@ pub(super) fn laid(
     jets: &[VertexJet],
     steps: &Steps,
     progress: &mut dyn FnMut(PrincipalStage),
-) -> Result<Vec<Laid>> {
+) -> Result<Vec<QuadGrid>> {
     let table = base.sheet.table;
-    let area: f64 = table.areas.iter().sum();
     if steps.border == GridBorder::Cover {
         progress(PrincipalStage::Lattice { grids: 0 });
         let lattices = lattices(base, steps, seeds(base, 1));
@@ -57,9 +50,7 @@ pub(super) fn laid(
         let Some(grid) = widest.and_then(|lattice| covering(&lattice, &|place| base.point(place, jets))) else {
             return Ok(Vec::new());
         };
-        let grid = grid?;
-        let piece = GridPiece { coverage: area_of(&grid) / area, edges: extreme_edges(&grid) };
-        return Ok(vec![Laid { grid, piece }]);
+        return Ok(vec![grid?]);
     }
     let mut open = base.open.to_vec();
     let mut grids = Vec::new();
@@ -89,8 +80,7 @@ pub(super) fn laid(
         };
         let Some(grid) = made.transpose()? else { break };
         cover(table, &grid, &mut open, steps.lengths[1].abs());
-        let piece = GridPiece { coverage: area_of(&grid) / area, edges: extreme_edges(&grid) };
-        grids.push(Laid { grid, piece });
+        grids.push(grid);
     }
     Ok(grids)
 }
@@ -107,7 +97,7 @@ fn lattices<'a>(walker: &'a Walker<'a>, steps: &'a Steps, seeds: Vec<usize>) -> 
 
 /// Triangles far from everything that stops a walk, and from each other: of the deepest triangle, then of those that are deep and far
 /// from the ones before.
-fn seeds(walker: &Walker<'_>, count: usize) -> Vec<usize> {
+pub(super) fn seeds(walker: &Walker<'_>, count: usize) -> Vec<usize> {
     let table = walker.sheet.table;
     let faces = table.triangles.len();
     let spread = |from: &mut dyn Iterator<Item = usize>| {
@@ -145,6 +135,11 @@ fn cover(table: &MeshTable, grid: &QuadGrid, open: &mut [bool], edge: f64) {
     for (f, open) in open.iter_mut().enumerate().filter(|(_, open)| **open) {
         *open = !near.is_near(table.centroid(f), MARGIN * edge);
     }
+}
+
+/// What a grid on a surface of this area is like.
+pub(super) fn measured(grid: &QuadGrid, area: f64) -> GridPiece {
+    GridPiece { coverage: area_of(grid) / area, edges: extreme_edges(grid) }
 }
 
 /// The quads that have patches.

@@ -36,6 +36,14 @@ impl<'a> Sheet<'a> {
         }
     }
 
+    /// Opens the way over edges that were cut.
+    pub(super) fn glue(&mut self, cuts: &[usize]) {
+        for half in cuts {
+            self.cut[*half] = false;
+            self.cut[self.table.twin(*half)] = false;
+        }
+    }
+
     /// The half edge on the other side, if there is a way over.
     pub(super) fn across(&self, half: usize) -> Option<usize> {
         let twin = self.table.twin(half);

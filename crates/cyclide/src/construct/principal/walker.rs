@@ -2,6 +2,7 @@
 
 use super::coordinates::Coordinates;
 use super::jets::VertexJet;
+use super::passages::Passages;
 use super::sheet::Sheet;
 use crate::base::vector::{Point3, Vec3};
 
@@ -18,8 +19,7 @@ pub(super) struct Place {
 pub(super) struct Walker<'a> {
     pub(super) sheet: &'a Sheet<'a>,
     pub(super) coordinates: &'a Coordinates,
-    /// The corners on the left of the seam, if there is one.
-    pub(super) left: Option<&'a [bool]>,
+    pub(super) passages: &'a Passages,
     /// Triangles that may be walked on.
     pub(super) open: &'a [bool],
 }
@@ -43,14 +43,20 @@ impl Walker<'_> {
 
     /// Where a straight walk ends that goes by a step; `None` if it comes to a border, a cut or a triangle that is left out.
     pub(super) fn walk(&self, from: Place, step: [f64; 2]) -> Option<Place> {
+        self.walk_turning(from, step).map(|(place, _)| place)
+    }
+
+    /// The same, and whether the coordinates at the end are turned by half a turn against those at the start.
+    pub(super) fn walk_turning(&self, from: Place, step: [f64; 2]) -> Option<(Place, bool)> {
         let mut start = from.at;
         let mut goal = [from.at[0] + step[0], from.at[1] + step[1]];
         let mut face = from.face;
         let mut entered: Option<usize> = None;
+        let mut turned = false;
         for _ in 0..=self.open.len() {
             let (p, q) = (self.barycentric(face, start), self.barycentric(face, goal));
             if q.iter().all(|x| *x >= -ON_EDGE) {
-                return Some(Place { face, at: goal });
+                return Some((Place { face, at: goal }, turned));
             }
             // The corner opposite to the edge that is passed first, not that by which the walk came in.
             let time = |k: usize| p[k].max(0.0) / (p[k].max(0.0) - q[k]);
@@ -61,14 +67,9 @@ impl Walker<'_> {
             if !self.open[other / 3] {
                 return None;
             }
-            if let Some(left) = self.left {
-                // Both sides name the place where the half edge starts.
-                let (here, there) = (left[half], left[3 * (other / 3) + (other + 1) % 3]);
-                let turns = f64::from(i8::from(there) - i8::from(here));
-                for d in 0..2 {
-                    start[d] += turns * self.coordinates.periods[d];
-                    goal[d] += turns * self.coordinates.periods[d];
-                }
+            if let Some(passage) = self.passages.over(half) {
+                (start, goal) = (passage.place(start), passage.place(goal));
+                turned ^= passage.turned;
             }
             face = other / 3;
             entered = Some((other + 2) % 3);

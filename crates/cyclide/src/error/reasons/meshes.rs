@@ -221,6 +221,21 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `umbilics-not-joined`
+//! One mesh of quads shall go on through umbilics, which the surface, or its mesh, is not made for: here it has a hole beside one.
+//! ```
+//! # #[cfg(feature = "circular-mesh")] {
+//! use cyclide::{Point3, PrincipalGridOptions, UmbilicRule, principal_grids};
+//! let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
+//! let monkey = |(x, y): (f64, f64)| Point3::new(x, y, 0.05 * (x * x * x - 3.0 * x * y * y));
+//! let points: Vec<Point3> = (0..289).map(at).map(monkey).collect();
+//! let quads = (0..16).flat_map(|j| (0..16).map(move |i| 17 * j + i)).filter(|a| *a != 3 * 17 + 3);
+//! let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 18], [a, a + 18, a + 17]]).collect();
+//! let options = PrincipalGridOptions { umbilics: UmbilicRule::Joined, ..PrincipalGridOptions::new(0.4) };
+//! let error = principal_grids(&points, &triangles, &options, &mut |_| ()).unwrap_err();
+//! assert_eq!(error.reason(), "umbilics-not-joined");
+//! # }
+//! ```
 //! # `field-not-orientable`
 //! One grid is asked for round a hole in which the lines of curvature make half a turn: those of a monkey saddle do so round its middle.
 //! ```

@@ -1,0 +1,38 @@
+//! Why umbilics are no vertices of one mesh of quads.
+
+/// What stands against one mesh of quads along the lines of curvature round umbilics.
+///
+/// ```
+/// use cyclide::{Error, JoinFault};
+/// let error = Error::UmbilicsNotJoined { at: [1.0, 2.0, 0.5], fault: JoinFault::Crowded };
+/// assert!(error.to_string().contains("1, 2, 0.5"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum JoinFault {
+    /// Lines of curvature make more than half a turn round it.
+    Turns,
+    /// The surface has a hole, or is a tube.
+    Holes,
+    /// No way along edges of the surface's mesh leads from it to the border past the ways from the others.
+    Coarse,
+    /// It is nearer than some edges to another one, or to the border.
+    Crowded,
+    /// Coordinates along the lines of curvature are folded over each other.
+    Folded,
+}
+
+impl JoinFault {
+    /// The fault in words, with what helps.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::Turns => "lines of curvature make more than half a turn round it",
+            Self::Holes => "the surface has holes, or is a tube: fill them, or cut the tube open",
+            Self::Coarse => "the mesh has no way of its own from there to the border: refine it",
+            Self::Crowded => "it is within some edges of another one, or of the border: take a shorter edge length",
+            Self::Folded => {
+                "the coordinates along the lines of curvature are folded: the mesh is rough there, or the surface nearly flat or spherical"
+            }
+        }
+    }
+}
