@@ -66,3 +66,47 @@ def test_the_shell_of_the_example_is_a_solid(program, tmp_path):
     # The reader has millimetres.
     assert_area(step, 1e6 * shell["total_area"])
     assert_volume(step, 1e9 * shell["volume"])
+
+
+# The example of two umbilics: six quads stay open at each.
+UMBILICS = ROOT / "examples/two_umbilics.json"
+
+
+def test_one_mesh_round_umbilics_is_one_smooth_skin(program, tmp_path):
+    """Grids that share their borders: one shell with two holes, smooth all over, near the B-spline surface it was laid on."""
+    document = json.loads(UMBILICS.read_text())
+    document["objects"]["skin"]["construction"] = False
+    del document["objects"]["glass"]
+    path = tmp_path / "umbilics.json"
+    path.write_text(json.dumps(document))
+    program("build", path, "-o", tmp_path / "skin.step")
+    step = StepFaces(tmp_path / "skin.step")
+    size, users = structure(step, closed=False)
+    assert len(step.shells) == 1
+    # A disc with two holes.
+    assert len(step.vertices) - len(step.edges) + len(step.faces) == -1
+    assert normals_across_joints(users) <= NORMAL_LIMIT
+    assert_quaternion_form(step, size)
+    report = json.loads(program("report", path, "--json"))["objects"]
+    assert report["lattice"]["principal"]["joined_round"] == 2
+    pieces = report["lattice"]["principal"]["pieces"]
+    quads = sum(piece["coverage"] for piece in pieces)
+    assert 0.85 < quads < 1.0 and len(pieces) == 13
+    # The Bezier surface by its own polynomials, metres; the reader has millimetres.
+    heights = np.array([[p[2] for p in row] for row in document["objects"]["lattice"]["nurbs"]["control_points"]])
+    def bernstein(t):
+        return np.array([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3])
+    found = np.array([vector(BRep_Tool.Pnt_s(TopoDS.Vertex(vertex))) for vertex in step.vertices]) / 1000
+    off = [z - bernstein((y + 10) / 20) @ heights @ bernstein((x + 10) / 20) for x, y, z in found]
+    moved = report["skin"]["circular"]["move_max"]
+    # Vertices slide along the surface, and leave it by little: a hundredth of an edge.
+    assert np.abs(off).max() < 0.02 * 0.8 and moved < 0.3 * 0.8
+
+
+def test_glass_over_two_umbilics_is_a_solid(program, tmp_path):
+    program("build", UMBILICS, "-o", tmp_path / "glass.step")
+    step = StepFaces(tmp_path / "glass.step")
+    structure(step, closed=True)
+    assert (len(step.solids), len(step.shells)) == (1, 1)
+    glass = json.loads(program("report", UMBILICS, "--json"))["objects"]["glass"]
+    assert_volume(step, 1e9 * glass["volume"])

@@ -48,6 +48,9 @@ pub struct PrincipalReport {
     pub return_shift: Option<f64>,
     /// Borders of the surface besides the outer one.
     pub holes: usize,
+    /// Of grids that share their borders: the umbilics that they join round.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joined_round: Option<usize>,
 }
 
 /// One grid.
@@ -123,6 +126,7 @@ impl PrincipalReport {
             umbilics: found.umbilics.iter().map(umbilic).collect(),
             return_shift: found.return_shift,
             holes: found.holes,
+            joined_round: built.joined.as_ref().map(|mesh| mesh.round().len()),
         }))
     }
 
@@ -139,6 +143,9 @@ impl PrincipalReport {
             let [min, max, part] = [piece.edges.min, piece.edges.max, 100.0 * piece.coverage].map(short);
             let size = format!("{} by {} points{closed}", piece.columns, piece.rows);
             line(&format!("grid {index}"), format!("{size}, edges {min} to {max} {units}, {part} % of the surface"))?;
+        }
+        if let Some(round) = self.joined_round {
+            line("joined", format!("the grids share their borders, round {}", plural(round, "umbilic")))?;
         }
         let smoothing = short(self.smoothing);
         let mut text = format!("smoothed by {smoothing}, which turned them by {} rad in the mean", short(self.turn));

@@ -160,3 +160,79 @@ fn layers_of_a_dome() {
     let message = with("[2, 3, 1]").unwrap_err();
     assert!(message.contains("[cells-unfit]") && message.contains("objects.l.cells"), "{message}");
 }
+
+/// A roof round an umbilic of index -1/2, as a mesh in a file.
+fn monkey() -> String {
+    let n = 41_usize;
+    let place = |k: usize| [0.3 * (k % n) as f64 - 6.0, 0.3 * (k / n) as f64 - 6.0];
+    let height = |x: f64, y: f64| 0.01 * (x * x * x - 3.0 * x * y * y) + 0.02 * (x * x + y * y);
+    let points: String = (0..n * n).map(place).map(|[x, y]| format!("v {x} {y} {}\n", height(x, y))).collect();
+    let quads = (0..n - 1).flat_map(|j| (0..n - 1).map(move |i| i + j * n + 1));
+    points + &quads.map(|a| format!("f {a} {} {} {}\n", a + 1, a + n + 1, a + n)).collect::<String>()
+}
+
+fn lattice(fields: &str) -> String {
+    format!(
+        r#""g": {{"type": "principal-grid", "mesh": {{"obj": "m.obj"}}, "edge_length": 0.6, "umbilics": "joined"{fields}}}"#
+    )
+}
+
+#[test]
+fn one_mesh_round_an_umbilic() {
+    let of_all = format!(r#"{}, "n": {{"type": "cyclidic-net", "grid": {{"of": "g"}}{CIRCULAR}}}"#, lattice(""));
+    let built = build(&of_all, &monkey()).unwrap();
+    let GeometryReport::Surface(report) = ObjectReport::new(&built, None).geometry else { panic!("it is a surface") };
+    assert_eq!((report.bodies, report.joints.creases, report.singular.len()), (1, 0, 0));
+    assert_eq!(report.circular.unwrap().round.unwrap().vertices, 1);
+    let remark = built.remarks.iter().find(|remark| remark.reason == "extraordinary-vertices").unwrap();
+    assert!(remark.message.contains("the point of `g` at") && remark.message.contains("6 quads"), "{}", remark.message);
+    // One of its grids alone.
+    let of_one = format!(r#"{}, "n": {{"type": "cyclidic-net", "grid": {{"of": "g", "piece": 2}}}}"#, lattice(""));
+    let of_one = of_one.replace(r#""piece": 2}"#, &format!(r#""piece": 2}}{CIRCULAR}"#));
+    let one = build(&of_one, &monkey()).unwrap();
+    assert!(one.bodies[0].outer.faces().len() < report.patches / 2);
+}
+
+/// The lines of the grids are drawn once each, also on the borders that they share.
+#[test]
+fn lines_of_joined_grids_are_drawn_once() {
+    let built = build(&lattice(""), &monkey()).unwrap();
+    let mut edges = std::collections::BTreeSet::new();
+    for curve in built.item.curves() {
+        let curve = curve.as_curve();
+        for piece in 0..curve.piece_count() {
+            let ends = [0.0, 1.0].map(|s| curve.piece_point(piece, s).to_array().map(|x| (x * 1e6).round() as i64));
+            let [a, b] = ends;
+            assert!(edges.insert((a.min(b), a.max(b))), "{ends:?} is drawn twice");
+        }
+    }
+    assert_eq!(edges.len(), count_of_edges(&built));
+}
+
+/// The edges of the grids of an object, each once.
+fn count_of_edges(built: &BuiltObject) -> usize {
+    let mesh = built.joined.as_ref().unwrap();
+    let sides = |[a, b, c, d]: [usize; 4]| [[a, b], [c, d], [a, c], [b, d]];
+    let edges: std::collections::BTreeSet<[usize; 2]> =
+        mesh.quads().into_iter().flat_map(sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.len()
+}
+
+#[test]
+fn what_goes_with_joined_grids() {
+    let built = build(&lattice(r#", "most_pieces": 2"#), &monkey()).unwrap();
+    assert!(built.remarks.iter().any(|remark| remark.reason == "no-effect"));
+    let net =
+        |fields: &str| format!(r#"{}, "n": {{"type": "cyclidic-net", "grid": {{"of": "g"}}{fields}}}"#, lattice(""));
+    for (fields, words) in [
+        (r#", "closed": [true, false]"#, "`closed` goes with a grid inline"),
+        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "leave `frame` out"),
+        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of one grid"),
+        ("", "not-concircular"),
+    ] {
+        let error = build(&net(fields), &monkey()).unwrap_err();
+        assert!(error.contains(words), "{fields}: {error}");
+    }
+    let cover = build(&lattice(r#", "border": "cover""#), &monkey()).unwrap_err();
+    assert!(cover.contains("umbilics-remain") && cover.contains("joined"), "{cover}");
+}

@@ -12,6 +12,8 @@
 pub enum JoinFault {
     /// Lines of curvature make more than half a turn round it.
     Turns,
+    /// There are more than sixty-four umbilics.
+    Many,
     /// The surface has a hole, or is a tube.
     Holes,
     /// No way along edges of the surface's mesh leads from it to the border past the ways from the others.
@@ -27,6 +29,7 @@ impl JoinFault {
     pub(super) fn words(self) -> &'static str {
         match self {
             Self::Turns => "lines of curvature make more than half a turn round it",
+            Self::Many => "it is one of more than 64: the surface is rough, or flat in parts",
             Self::Holes => "the surface has holes, or is a tube: fill them, or cut the tube open",
             Self::Coarse => "the mesh has no way of its own from there to the border: refine it",
             Self::Crowded => "it is within some edges of another one, or of the border: take a shorter edge length",

@@ -803,7 +803,7 @@ impl std::fmt::Display for Error {
             ),
             Self::UmbilicsRemain { count, at, halves, smoothing } => write!(
                 f,
-                "{count} umbilic(s) are left after smoothing by {}, the first at {} (index {}): take \"umbilics\": \"pieces\", or cut a hole round them",
+                "{count} umbilic(s) are left after smoothing by {}, the first at {} (index {}): one grid has no room for them: take \"umbilics\": \"pieces\" or \"joined\" with \"border\": \"inside\" or \"staircase\", or cut a hole round them",
                 ShortNumber(*smoothing),
                 place(*at),
                 index_of_halves(*halves)

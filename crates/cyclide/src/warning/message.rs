@@ -280,7 +280,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::GridPieces { count, coverage } => write!(
                 f,
-                "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
+                "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders (with \"umbilics\": \"joined\" they do)",
                 ShortNumber((1000.0 * coverage).round() / 10.0)
             ),
             Self::SpiralLines { shift, edge } => write!(

@@ -102,6 +102,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "two_umbilics",
+        title: "A free form with two umbilics",
+        text: "Lines of curvature part at two places of this B-spline surface. Six quads of one mesh meet at each and stay open; thirteen grids round them share their borders, without a crease: one roof of 563 panels, 10 cm thick.",
+        document: example!("two_umbilics.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "35,50",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "lines_of_curvature",
         title: "Lines of curvature of an ellipsoid",
         text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",

@@ -42,18 +42,17 @@ impl<'a> Builder<'a> {
         for warning in made.warnings() {
             let mut remark = Remark::from(warning.clone());
             if let Some(vertex) = warning.index() {
-                remark.message += &format!(" (point {} of {})", vertex + 1, self.mesh_name());
+                remark.message += &format!(" ({})", self.named_points(layout, &[vertex]));
             }
             self.remarks.push(remark);
         }
         if let [first, ..] = made.report.rejected_quads[..] {
             let (quads, steps, moved) = (&made.report.rejected_quads, made.report.steps, made.report.moves.max);
-            let corners = layout.corners(first).map(|corners| corners.map(|v| (v + 1).to_string()).join(", "));
+            let corners = layout.corners(first).unwrap_or_default();
             let words = format!(
-                "{} (the first has the points {} of {})",
+                "{} (the first has the {})",
                 rejected_quads(quads, steps, moved),
-                corners.unwrap_or_default(),
-                self.mesh_name()
+                self.named_points(layout, &corners).trim_start_matches("the ")
             );
             return Err(self.refused_in_words([Step::from("grid")], CROSSING_QUAD, words));
         }

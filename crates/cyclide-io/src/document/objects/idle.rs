@@ -157,12 +157,13 @@ pub(super) fn idle_in_tube(spec: &TubeSpec, tubes: &[Tube]) -> Vec<Idle> {
 
 /// What the grids of a surface do not look at; `closed` if one of them is.
 #[cfg(feature = "circular-mesh")]
-pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool) -> Vec<Idle> {
+pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joined: bool) -> Vec<Idle> {
     let several = spec.most_pieces.is_some_and(|most| most > 1);
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
         ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
         ("most_pieces", several && spec.border == GridBorder::Cover, "one grid covers the surface"),
+        ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all laid"),
     ])
 }
 

@@ -43,8 +43,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cyclide::{
-    BallCenters, Body, CurveObject, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, Seam, SurfaceObject,
-    TeeBlendFacts,
+    BallCenters, Body, CurveObject, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, QuadLayout, Seam,
+    SurfaceObject, TeeBlendFacts,
 };
 #[cfg(feature = "circular-mesh")]
 use cyclide::{CircularMeshReport, PrincipalGridReport};
@@ -93,6 +93,8 @@ pub struct BuiltObject {
     pub circular: Option<CircularMeshReport>,
     /// Grids along lines of curvature, for nets.
     pub grids: Vec<QuadGrid>,
+    /// The mesh of quads that these are the grids of, if they join round umbilics.
+    pub joined: Option<QuadLayout>,
     /// What was found where they were laid.
     #[cfg(feature = "circular-mesh")]
     pub principal: Option<Box<PrincipalGridReport>>,
@@ -197,9 +199,11 @@ impl<'a> ModelBuilder<'a> {
                     progress,
                     mesh: None,
                     mesh_name: None,
+                    laid_of: None,
                     #[cfg(feature = "circular-mesh")]
                     circular: None,
                     grids: Vec::new(),
+                    joined: None,
                     given: None,
                     field: None,
                     #[cfg(feature = "circular-mesh")]
@@ -282,11 +286,15 @@ struct Builder<'a> {
     mesh: Option<MeshNames>,
     /// The name of the file of a mesh of quads.
     mesh_name: Option<String>,
+    /// The object that laid a mesh of quads.
+    laid_of: Option<String>,
     /// What it took to make the net of the object circular.
     #[cfg(feature = "circular-mesh")]
     circular: Option<CircularMeshReport>,
     /// The grids that it lays along lines of curvature.
     grids: Vec<QuadGrid>,
+    /// The mesh that these are of.
+    joined: Option<QuadLayout>,
     /// The surface that it follows.
     given: Option<GivenSurface>,
     /// The lines of curvature that were found.
@@ -363,6 +371,7 @@ impl Builder<'_> {
         let Self {
             data,
             grids,
+            joined,
             given,
             field,
             seams,
@@ -389,6 +398,7 @@ impl Builder<'_> {
             #[cfg(feature = "circular-mesh")]
             circular: self.circular,
             grids,
+            joined,
             #[cfg(feature = "circular-mesh")]
             principal: self.principal,
             seams,

@@ -13,6 +13,8 @@ use crate::export::given_surface::GivenSurface;
 const MOST_TILT: f64 = 0.35;
 /// From here on it is told: flat faces of slopes from 0.2 on, and meshes of five quads a sector or fewer.
 const TOLD_TILT: f64 = 0.07;
+/// From here on it is no bulge any more.
+const FOLDED: f64 = 1.2;
 /// Vertices that a message names, at most.
 const MOST_NAMED: usize = 6;
 
@@ -39,13 +41,17 @@ impl Builder<'_> {
             Some(options) => self.circular_layout(&options, &given)?,
             None => given.clone(),
         };
-        self.given = spec.make_circular.options().map(|_| GivenSurface::from_layout(&given));
+        self.given = match self.followed(spec) {
+            Some(surface) => Some(surface),
+            None => spec.make_circular.options().map(|_| GivenSurface::from_layout(&given)),
+        };
         let net = NetLayout::new(layout).map_err(|e| self.refused_in_layout(spec, &given, &e))?;
         let allowed = spec.make_circular.options().is_some_and(|options| options.allow_shape_change);
         let tilt = net.tilt();
         if !(tilt <= MOST_TILT || allowed) {
+            let bulges = if tilt > FOLDED { "is folded" } else { "bulges" };
             let words = format!(
-                "the net bulges: its normals are {:.0} degrees (rms) off those of the mesh (at most {:.0}); round an extraordinary vertex the mesh must be smooth, so \
+                "the net {bulges}: its normals are {:.0} degrees (rms) off those of the mesh (at most {:.0}); round an extraordinary vertex the mesh must be smooth, so \
                  round the edges of a box first, or give each side a net of its own; `\"allow_shape_change\": true` in `make_circular` takes the net as it is",
                 tilt.to_degrees(),
                 MOST_TILT.to_degrees()
@@ -67,13 +73,14 @@ impl Builder<'_> {
     /// Says that quads of the mesh have no patch.
     fn remark_openings(&mut self, layout: &QuadLayout) {
         let round = layout.round();
-        let named: Vec<String> = round.iter().take(MOST_NAMED).map(|at| (at.vertex + 1).to_string()).collect();
-        let more = if round.len() > MOST_NAMED { ", …" } else { "" };
+        let vertices: Vec<usize> = round.iter().take(MOST_NAMED).map(|at| at.vertex).collect();
         let quads: usize = round.iter().map(|at| at.quads.len()).sum();
-        let vertices = match round.len() {
-            1 => format!("point {} of {} is an extraordinary vertex: its", named.join(", "), self.mesh_name()),
-            count => {
-                let named = named.join(", ");
+        let vertices = match (round.len(), &self.laid_of) {
+            (1, _) => format!("{} is an extraordinary vertex: its", self.named_points(layout, &vertices)),
+            (count, Some(of)) => format!("{count} umbilics are extraordinary vertices of `{of}`: their"),
+            (count, None) => {
+                let named: Vec<String> = vertices.iter().map(|v| (v + 1).to_string()).collect();
+                let (named, more) = (named.join(", "), if count > MOST_NAMED { ", …" } else { "" });
                 format!("{count} points of {} are extraordinary vertices ({named}{more}): their", self.mesh_name())
             }
         };
@@ -87,10 +94,7 @@ impl Builder<'_> {
     /// What the kernel said of a mesh, or of what became of it.
     pub(super) fn refused_in_layout(&self, spec: &CyclidicNetSpec, given: &QuadLayout, error: &KernelError) -> Error {
         let moves = spec.make_circular.options().is_some();
-        let points = |vertices: &[usize]| -> String {
-            let numbers: Vec<String> = vertices.iter().map(|v| (v + 1).to_string()).collect();
-            format!(" (points {} of {})", numbers.join(", "), self.mesh_name())
-        };
+        let points = |vertices: &[usize]| format!(" ({})", self.named_points(given, vertices));
         let words = match error {
             KernelError::CoincidentPoints { first, second, .. } => format!("{error}{}", points(&[*first, *second])),
             KernelError::InQuad { quad, cause } => {
@@ -109,7 +113,7 @@ impl Builder<'_> {
                 } else {
                     "; `make_circular` moves the vertices of a smooth mesh until it closes"
                 };
-                format!("{error}{hint} (point {} of {})", vertex + 1, self.mesh_name())
+                format!("{error}{hint}{}", points(&[*vertex]))
             }
             // What concerns the whole, as of a single grid.
             _ => return self.refused_in_grid(&given.pieces()[0].grid, error),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use cyclide::{
     Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, GridCell, GridCellFault, NetFrame,
-    NetLayout, Point3, QuadGrid, QuadLayout, SurfaceObject, Vec3, Warning,
+    NetLayout, Point3, QuadGrid, QuadLayout, ShortNumber, SurfaceObject, Vec3, Warning,
 };
 
 use super::net_hints::{hint, seam_words};
@@ -61,6 +61,9 @@ fn first_singular(layout: &NetLayout) -> Option<usize> {
     quads.min()
 }
 
+/// What is said where such a grid is told whether it is closed.
+const CLOSED_OF_ITSELF: &str = "`closed` goes with a grid inline: a `principal-grid` says itself what is closed";
+
 impl<'a> Builder<'a> {
     /// A whole cyclide as one closed net, or as several that touch in the nodes.
     pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
@@ -83,19 +86,17 @@ impl<'a> Builder<'a> {
                 return self.net_layout(spec, layout);
             }
         }
+        if let Some(layout) = self.joined_grids(spec)? {
+            return self.net_layout(spec, layout);
+        }
         let given = self.grid(spec)?;
         self.seams = given.seams();
         let grid = match spec.make_circular.options() {
             Some(options) => self.circular(spec, &options, &given)?,
             None => given.clone(),
         };
-        // A grid that was laid follows a mesh; one that stays as it is, nothing but itself.
-        let followed = match &spec.grid {
-            GridSource::Laid(_) => self.sources.last().and_then(|source| source.provenance.field.as_ref()),
-            GridSource::Rows(_) | GridSource::File(_) => None,
-        };
-        self.given = match followed {
-            Some(field) => Some(field.surface.clone()),
+        self.given = match self.followed(spec) {
+            Some(surface) => Some(surface),
             None => spec.make_circular.options().map(|_| GivenSurface::from_grid(&given)),
         };
         let frame = match spec.frame {
@@ -138,9 +139,7 @@ impl<'a> Builder<'a> {
             }
             GridSource::Laid(laid) => {
                 if spec.closed.is_some() {
-                    return Err(
-                        self.unfit("`closed` goes with a grid inline: a `principal-grid` says itself what is closed")
-                    );
+                    return Err(self.unfit(CLOSED_OF_ITSELF));
                 }
                 return self.laid_grid(laid);
             }
@@ -167,16 +166,34 @@ impl<'a> Builder<'a> {
         made.map_err(|e| self.refused_at([Step::from("grid")], &e))
     }
 
+    /// The surface that the grid follows: one that was laid follows a mesh; one that stays as it is, nothing but itself.
+    pub(super) fn followed(&self, spec: &CyclidicNetSpec) -> Option<GivenSurface> {
+        let GridSource::Laid(_) = &spec.grid else { return None };
+        let field = self.sources.last()?.provenance.field.as_ref()?;
+        Some(field.surface.clone())
+    }
+
+    /// All grids of another object, if they are joined and none of them is named.
+    fn joined_grids(&mut self, spec: &CyclidicNetSpec) -> Result<Option<QuadLayout>> {
+        let GridSource::Laid(LaidGrid { of, piece: None }) = &spec.grid else { return Ok(None) };
+        let Some(layout) = self.sources.last().and_then(|source| source.joined.clone()) else { return Ok(None) };
+        if spec.closed.is_some() {
+            return Err(self.unfit(CLOSED_OF_ITSELF));
+        }
+        self.laid_of = Some(of.clone());
+        Ok(Some(layout))
+    }
+
     /// One of the grids of another object.
     fn laid_grid(&self, laid: &LaidGrid) -> Result<QuadGrid> {
         let Some(source) = self.sources.last() else { return Err(self.unfit("`grid` names no object")) };
-        let LaidGrid { of, piece } = laid;
+        let (of, piece) = (&laid.of, laid.piece.unwrap_or_default());
         if source.grids.is_empty() {
             let kind = source.provenance.kind;
             let message = format!("`{of}` is of type `{kind}`: a grid is laid by a `principal-grid`");
             return Err(Error::Input(self.diagnostic(["grid".into(), "of".into()], &message)));
         }
-        source.grids.get(*piece as usize).cloned().ok_or_else(|| {
+        source.grids.get(piece as usize).cloned().ok_or_else(|| {
             let count = source.grids.len();
             let message = format!("`{of}` has {count} grid(s), counted from 0: there is no grid {piece}");
             Error::Input(self.diagnostic(["grid".into(), "piece".into()], &message))
@@ -208,6 +225,17 @@ impl<'a> Builder<'a> {
                 Ok(None)
             }
         }
+    }
+
+    /// Vertices of a mesh of quads: by their numbers in its file, or by the place of the first where it was laid.
+    pub(super) fn named_points(&self, layout: &QuadLayout, vertices: &[usize]) -> String {
+        if let (Some(of), Some(first)) = (&self.laid_of, vertices.first()) {
+            let [x, y, z] = layout.points()[*first].to_array().map(ShortNumber);
+            return format!("the point of `{of}` at {x}, {y}, {z}");
+        }
+        let numbers: Vec<String> = vertices.iter().map(|v| (v + 1).to_string()).collect();
+        let plural = if numbers.len() == 1 { "" } else { "s" };
+        format!("point{plural} {} of {}", numbers.join(", "), self.mesh_name())
     }
 
     /// The file of the mesh.
@@ -319,7 +347,11 @@ impl<'a> Builder<'a> {
         let columns = grid.size()[0];
         let [row, column] = [vertices[0] / columns, vertices[0] % columns];
         if let ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(laid), .. }) = self.spec {
-            let words = format!("{words} (at row {row}, column {column} of grid {} of `{}`)", laid.piece, laid.of);
+            let words = format!(
+                "{words} (at row {row}, column {column} of grid {} of `{}`)",
+                laid.piece.unwrap_or_default(),
+                laid.of
+            );
             return self.refused_in_words([Step::from("grid")], reason, words);
         }
         self.refused_in_words(["grid".into(), row.into(), column.into()], reason, words)

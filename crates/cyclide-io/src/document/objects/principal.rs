@@ -1,8 +1,10 @@
 //! Grids along the lines of curvature of surfaces.
 
+use std::collections::HashSet;
+
 use cyclide::{
     ArcPath, CurveObject, Error as KernelError, ErrorItem, Point3, PrincipalField, PrincipalGridOptions,
-    PrincipalGrids, PrincipalStage, QuadGrid, ShortNumber, principal_grids,
+    PrincipalGrids, PrincipalStage, ShortNumber, principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;
@@ -40,13 +42,13 @@ impl Builder<'_> {
         let laid = laid.map_err(|e| self.refused_grid(spec, &given, &mesh, e))?;
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
         let closed = laid.grids.iter().any(|grid| grid.closed()[0]);
-        self.remark_on_idle(idle_in_principal_grid(spec, closed));
-        let lines = laid.grids.iter().map(lines).collect::<cyclide::Result<Vec<_>>>();
-        let lines = lines.map_err(|e| self.refused(&e, None))?;
+        self.remark_on_idle(idle_in_principal_grid(spec, closed, laid.joined.is_some()));
+        let lines = lines(&laid).map_err(|e| self.refused(&e, None))?;
         self.field = Some(field(&laid));
         self.grids = laid.grids;
+        self.joined = laid.joined;
         self.principal = Some(Box::new(laid.report));
-        Ok(lines.into_iter().flatten().collect())
+        Ok(lines)
     }
 
     fn mesh_to_lay_on(&mut self, spec: &PrincipalGridSpec) -> Result<Given> {
@@ -123,11 +125,42 @@ fn words(stage: PrincipalStage) -> String {
     }
 }
 
-/// The lines of a grid, those along s first.
-fn lines(grid: &QuadGrid) -> cyclide::Result<Vec<CurveObject>> {
-    let path = |(vertices, closed): (Vec<usize>, bool)| {
-        let points: Vec<Point3> = vertices.into_iter().map(|v| grid.points()[v]).collect();
-        ArcPath::rounded_polyline(&points, closed, &vec![0.0; points.len()]).map(CurveObject::ArcPath)
-    };
-    grid.lines().into_iter().map(path).collect()
+/// The lines of the grids, those along s first; of joined grids what several share is drawn once.
+fn lines(laid: &PrincipalGrids) -> cyclide::Result<Vec<CurveObject>> {
+    let mut drawn = HashSet::new();
+    let mut curves = Vec::new();
+    for (k, grid) in laid.grids.iter().enumerate() {
+        let numbers = laid.joined.as_ref().map(|mesh| &mesh.pieces()[k].vertices);
+        for (vertices, closed) in grid.lines() {
+            let is_new = |a: usize, b: usize| match numbers.map(|numbers| [numbers[a], numbers[b]]) {
+                Some([a, b]) => drawn.insert([a.min(b), a.max(b)]),
+                None => true,
+            };
+            for part in parts(&vertices, closed, is_new) {
+                let points: Vec<Point3> = part.iter().map(|v| grid.points()[*v]).collect();
+                let path = ArcPath::rounded_polyline(&points, closed, &vec![0.0; points.len()])?;
+                curves.push(CurveObject::ArcPath(path));
+            }
+        }
+    }
+    Ok(curves)
+}
+
+/// The parts of a line between edges that are not wanted; a closed line is one.
+fn parts(line: &[usize], closed: bool, mut wanted: impl FnMut(usize, usize) -> bool) -> Vec<Vec<usize>> {
+    if closed {
+        return vec![line.to_vec()];
+    }
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    let mut goes_on = false;
+    for pair in line.windows(2) {
+        let is_wanted = wanted(pair[0], pair[1]);
+        match parts.last_mut() {
+            Some(part) if is_wanted && goes_on => part.push(pair[1]),
+            _ if is_wanted => parts.push(pair.to_vec()),
+            _ => {}
+        }
+        goes_on = is_wanted;
+    }
+    parts
 }

@@ -125,7 +125,7 @@ pub enum GridSource {
 /// let text = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": {"of": "lattice", "piece": 1}}}}"#;
 /// let document = Document::parse("n.json", text.as_bytes())?;
 /// let ObjectSpec::CyclidicNet(net) = &document.objects[0].1 else { unreachable!("the type says so") };
-/// assert_eq!(net.grid, GridSource::Laid(LaidGrid { of: "lattice".to_owned(), piece: 1 }));
+/// assert_eq!(net.grid, GridSource::Laid(LaidGrid { of: "lattice".to_owned(), piece: Some(1) }));
 /// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
@@ -133,10 +133,8 @@ pub enum GridSource {
 pub struct LaidGrid {
     /// The name of a `principal-grid`.
     pub of: String,
-    /// Which of its grids, from 0, the largest. Default 0.
-    #[serde(default)]
-    #[schemars(range(max = 3))]
-    pub piece: u32,
+    /// Which of its grids, from 0. Default: the first one, the largest; of grids that are `joined` round umbilics all together.
+    pub piece: Option<u32>,
 }
 
 /// A mesh of quads in a file of its own.
@@ -183,9 +181,7 @@ impl<'de> Deserialize<'de> for GridSource {
                 let fields = GridFields::deserialize(serde::de::value::MapAccessDeserializer::new(map))?;
                 match fields {
                     GridFields { obj: Some(obj), of: None, piece: None } => Ok(GridSource::File(MeshFile { obj })),
-                    GridFields { obj: None, of: Some(of), piece } => {
-                        Ok(GridSource::Laid(LaidGrid { of, piece: piece.unwrap_or_default() }))
-                    }
+                    GridFields { obj: None, of: Some(of), piece } => Ok(GridSource::Laid(LaidGrid { of, piece })),
                     _ => Err(serde::de::Error::custom(
                         "a grid is `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`, the latter with `piece` or without",
                     )),

@@ -62,7 +62,7 @@ pub struct PrincipalGridSpec {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub edge_length: f64,
     /// What becomes of umbilics, where the surface bends alike in all directions: `pieces` cuts the surface from each of them to the
-    /// border and lays several grids, `smooth` smooths the directions until none is left.
+    /// border and lays several grids, `joined` lays one mesh of quads through them, whose grids share their borders, `smooth` smooths the directions until none is left.
     #[serde(default)]
     pub umbilics: UmbilicRule,
     /// `inside`: the largest rectangle of whole cells; `staircase`: all whole cells that hang together, with a border in steps and

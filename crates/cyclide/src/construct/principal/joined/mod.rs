@@ -23,6 +23,8 @@ use umbilic_quads::QuadMesh;
 
 /// How much spreading weighs at least, against where the principal curvatures differ as usual: the first is best where it will do.
 const EVENNESS: [f64; 3] = [0.3, 1.0, 4.0];
+/// Umbilics at most: each has its slit, and its rounding.
+const MOST_UMBILICS: usize = 64;
 /// Triangles from which walks start.
 const SEEDS: usize = 4;
 /// Points at most.
@@ -52,6 +54,9 @@ impl Surface<'_> {
         let refused = |vertex, fault| Err(NotJoined { vertex, fault });
         if let Some(other) = self.singular.iter().find(|s| s.halves.abs() != 1) {
             return refused(other.vertex, JoinFault::Turns);
+        }
+        if self.singular.len() > MOST_UMBILICS {
+            return refused(self.singular[0].vertex, JoinFault::Many);
         }
         if self.table.borders.len() > 1 {
             return refused(self.singular[0].vertex, JoinFault::Holes);

@@ -7,8 +7,11 @@ use super::super::sheet::Sheet;
 use super::super::unknowns::Unknowns;
 use super::slits::Slit;
 
-/// Differences nearer than this to a whole number of steps are rounded together.
+/// Differences nearer than this to a whole number of steps are rounded together, and so is this part of all at least.
 const NEAR: f64 = 0.1;
+const AT_ONCE: f64 = 0.25;
+/// Coordinates that run more slowly than this against arc length, in the mean, have failed.
+const SLOWEST: f64 = 0.05;
 /// How often folded triangles are spread, and how much more each time: what spreads more is aligned less.
 const UNFOLDED: usize = 2;
 const STIFFER: f64 = 2.0;
@@ -69,6 +72,9 @@ fn unfold(sheet: &Sheet<'_>, weights: &mut Weights, unknowns: &Unknowns, coordin
         for v in folded.flat_map(|f| sheet.table.triangles[f]) {
             sheet.table.fan(v).for_each(|half| near[half / 3] = true);
         }
+        if !near.contains(&true) {
+            break;
+        }
         let spreading = weights.spreading.iter_mut().zip(near);
         spreading.filter(|(_, near)| *near).for_each(|(weight, _)| *weight = (STIFFER * *weight).min(1.0));
     }
@@ -87,19 +93,22 @@ pub(super) fn rounded(sheet: &Sheet<'_>, weights: &[f64], slits: &[Slit], edge: 
         let mut values = solved(sheet, &weights, &unknowns, d, &[])?;
         coordinates.set(sheet, &unknowns, d, &values);
         // A coordinate runs more slowly than arc length where its lines spread.
-        steps[d] = edge * coordinates.mean_speed(sheet, d);
+        let speed = coordinates.mean_speed(sheet, d);
+        if !(speed > SLOWEST) {
+            return None;
+        }
+        steps[d] = edge * speed;
         let mut ties: Vec<Tie> = Vec::new();
         let mut open: Vec<usize> = at.iter().skip(1).copied().collect();
         while !open.is_empty() {
             let apart = |unknown: usize| (values[unknown] - values[at[0]]) / steps[d];
             let off = |unknown: usize| (apart(unknown) - apart(unknown).round()).abs();
-            let least = open.iter().map(|unknown| off(*unknown)).fold(f64::INFINITY, f64::min);
-            let near = |unknown: &usize| off(*unknown) <= least.max(NEAR);
-            let tie =
-                |unknown: &usize| Tie { unknown: *unknown, to: at[0], offset: apart(*unknown).round() * steps[d] };
-            ties.extend(open.iter().filter(|unknown| near(unknown)).map(tie));
-            let later = open.iter().copied().filter(|unknown| !near(unknown)).collect();
-            open = later;
+            // Those nearest to a whole number first.
+            open.sort_by(|a, b| off(*a).total_cmp(&off(*b)));
+            let near = open.iter().take_while(|unknown| off(**unknown) <= NEAR).count();
+            let count = near.max((AT_ONCE * open.len() as f64).ceil() as usize);
+            let tie = |unknown: usize| Tie { unknown, to: at[0], offset: apart(unknown).round() * steps[d] };
+            ties.extend(open.drain(..count).map(tie));
             values = solved(sheet, &weights, &unknowns, d, &ties)?;
         }
         coordinates.set(sheet, &unknowns, d, &values);
