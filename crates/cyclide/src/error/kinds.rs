@@ -1147,6 +1147,8 @@ pub enum Error {
         difference: f64,
         /// Least difference that shows directions.
         limit: f64,
+        /// The distance of the vertices from a smooth surface, where noise alone makes that difference.
+        noise: Option<f64>,
     },
     /// However much the directions are smoothed, umbilics are left.
     UmbilicsRemain {

@@ -794,7 +794,15 @@ impl std::fmt::Display for Error {
             Self::NotASurface { fault, index } => {
                 write!(f, "the mesh is not one piece of a surface with a border: {}", fault.words(*index))
             }
-            Self::FlatSurface { difference, limit } => write!(
+            Self::FlatSurface { difference, limit, noise: Some(noise) } => write!(
+                f,
+                "the surface is flat, or a sphere, but for noise of {}: its principal curvatures differ by {} (median), and more than {} is \
+                 needed to tell lines of curvature from noise; smooth the mesh first, or take one with longer edges",
+                ShortNumber(*noise),
+                ShortNumber(*difference),
+                ShortNumber(*limit)
+            ),
+            Self::FlatSurface { difference, limit, noise: None } => write!(
                 f,
                 "the surface is flat, or a sphere: its principal curvatures differ by {} (median), and more than {} is needed to tell \
                  lines of curvature; any grid of a plane or a sphere has circles as it is",
