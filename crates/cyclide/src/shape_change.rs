@@ -48,6 +48,8 @@ pub struct ShapeChange {
     /// What bends in the input is noise, over the strides that [`bending`](Self::bending) is measured over too: a plane,
     /// which has no curvature lines.
     pub noise: bool,
+    /// The grid is closed in a direction: its vertices moved until the frame came back, too.
+    pub closed: bool,
 }
 
 /// The values that a number may have.
@@ -64,8 +66,15 @@ struct Limits {
 /// most, lost ones on 0.13 or more. Upper limits (own): ripples of three quads swell to 1.9 of the thickness, honest
 /// grids stay below 1.05.
 const LOST: Limits = Limits { bending: [0.5, 1.5], thickness: [0.5, 1.5], normal_turn: 0.35, lost_relief: 0.12 };
-/// What may help a grid that is along the curvature lines already.
-const ALONG: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";
+/// Grid lines nearer to the curvature lines than this are along them: another mesh would not be nearer.
+const ALONG: f64 = 5.0 * DEGREE;
+/// What may help grids between the two, whose border slides along a steep surface: fewer quads slide less.
+const NEARER: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";
+/// What may help grids that are along them.
+const OPEN: &str = "which is near enough: the border slid along a steep surface, or edges are too uneven or too long for it; take \
+                    fewer quads or more even ones, or let the border slide on curves";
+const CLOSED: &str = "which is near enough: the vertices moved until the net closed; where the curvature lines are spirals cut it open, \
+                      else take more quads round it";
 /// Outside these a person should look.
 const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: [0.8, 1.2], normal_turn: 0.12, lost_relief: 0.02 };
 
@@ -145,9 +154,11 @@ impl ShapeChange {
             return "mesh the surface along its curvature lines first".to_owned();
         };
         let off = format!("the lines of the grid run {} degrees off the curvature lines", degrees(angle));
-        // Grids along the lines are lost where the border slides along a steep surface: fewer quads slide less.
-        let remedy = if angle > ACROSS { "mesh the surface along its curvature lines first" } else { ALONG };
-        format!("{off}: {remedy}")
+        match angle {
+            _ if angle > ACROSS => format!("{off}: mesh the surface along its curvature lines first"),
+            _ if angle > ALONG => format!("{off}: {NEARER}"),
+            _ => format!("{off}, {}", if self.closed { CLOSED } else { OPEN }),
+        }
     }
 }
 
@@ -186,6 +197,7 @@ mod tests {
         across: Some(0.5),
         clear_lines: true,
         noise: false,
+        closed: false,
     };
 
     #[test]
@@ -222,7 +234,12 @@ mod tests {
         assert_eq!(lost.lost(), words);
         // The angle is said whatever it is, and noise has none.
         let along = ShapeChange { across: Some(0.0005), ..lost };
-        assert!(along.lost().contains("run 0.03 degrees off the curvature lines: "), "{}", along.lost());
+        let off = "run 0.03 degrees off the curvature lines, which is near enough: ";
+        assert!(along.lost().contains(&format!("{off}the border slid")), "{}", along.lost());
+        let closed = ShapeChange { closed: true, ..along };
+        assert!(closed.lost().contains(&format!("{off}the vertices moved until the net closed")), "{}", closed.lost());
+        let nearly = ShapeChange { across: Some(0.15), ..lost };
+        assert!(nearly.lost().contains("run 8.6 degrees off the curvature lines: mesh"), "{}", nearly.lost());
         let flat = ShapeChange { noise: true, ..lost };
         assert!(flat.lost().contains("is noise") && !flat.lost().contains("curvature lines"), "{}", flat.lost());
     }

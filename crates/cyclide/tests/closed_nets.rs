@@ -315,7 +315,11 @@ fn pinned_rows_close_if_they_can() {
             let mut steps = 0;
             let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
             let error = make_circular(&before, &options, &mut |_| steps += 1).unwrap_err();
-            assert!(matches!(error, Error::NetDoesNotClose { direction: 0, angle, .. } if angle > 1e-3), "{error}");
+            // The row that is to blame is named: the first one that turns them.
+            let row = if first > 0.0 { 0 } else { 7 };
+            let named = |line, angle| line == Some(row) && angle > 1e-3;
+            let told = matches!(error, Error::NetDoesNotClose { direction: 0, line, angle, .. } if named(line, angle));
+            assert!(told && error.to_string().contains(&format!("along pinned row {row} ")), "{error}");
             assert_eq!(steps, 0);
         }
     }

@@ -133,9 +133,9 @@ fn cut(points: &[Point3]) -> Option<Vec<[usize; 3]>> {
     if points.len() > MOST_CORNERS {
         return None;
     }
-    // Twice the vector area, of directions of any length: the sense of the whole.
+    // The direction of the vector area: the sense of the whole. Of length 1, or products of areas would be nothing in tiny units.
     let from = |k: usize| points[k] - points[0];
-    let area = (1..points.len() - 1).fold(Vec3::ZERO, |sum, k| sum + from(k).cross(from(k + 1)));
+    let area = (1..points.len() - 1).fold(Vec3::ZERO, |sum, k| sum + from(k).cross(from(k + 1))).unit()?;
     let mut rest: Vec<usize> = (0..points.len()).collect();
     let mut ears = Vec::with_capacity(points.len() - 2);
     while rest.len() > 3 {
@@ -191,6 +191,11 @@ mod tests {
             assert!((single.sum::<f64>() - whole).abs() < 1e-12);
         }
         assert_eq!(cut(&plane(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]])), None, "crossing itself");
+        // The unit changes nothing, however tiny or huge.
+        let quad = [[0.0, 0.0], [4.0, -1.0], [5.0, 0.0], [1.0, 1.0]];
+        for unit in [1e-150, 1e150] {
+            assert_eq!(cut(&quad.map(|[x, y]| Point3::new(x * unit, y * unit, 0.0))), cut(&plane(&quad)), "{unit}");
+        }
     }
 
     #[test]

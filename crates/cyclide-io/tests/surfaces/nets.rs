@@ -173,8 +173,9 @@ fn a_frame_that_folds_its_net_is_warned_of() {
 
 #[test]
 fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
-    let message =
-        |stretch| cyclide::Error::NetDoesNotClose { direction: 0, angle: 0.25, stretch, limit: 1e-9 }.to_string();
+    let message = |stretch| {
+        cyclide::Error::NetDoesNotClose { direction: 0, line: None, angle: 0.25, stretch, limit: 1e-9 }.to_string()
+    };
     assert!(message(0.0).ends_with("the frame is off by 0.25 radians, limit 1e-9"), "{}", message(0.0));
     let slower = message(-1.91e-6);
     assert!(slower.ends_with("of the lines across by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");

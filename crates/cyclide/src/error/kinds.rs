@@ -426,6 +426,8 @@ pub enum Error {
     NetDoesNotClose {
         /// The closed direction: 0 for s, 1 for t.
         direction: usize,
+        /// The row or column along it that is to blame, from 0, where it is one: it is pinned.
+        line: Option<usize>,
         /// Angle of the rotation from the frame that left to the frame that came back, radians.
         angle: f64,
         /// Ratio of the parameter speeds on both sides of the seam, minus 1.
@@ -1147,6 +1149,8 @@ pub enum Error {
         difference: f64,
         /// Least difference that shows directions.
         limit: f64,
+        /// The distance of the vertices from a smooth surface, where noise alone makes that difference.
+        noise: Option<f64>,
     },
     /// However much the directions are smoothed, umbilics are left.
     UmbilicsRemain {

@@ -3,8 +3,8 @@
 use super::motion_message::of_motion;
 use super::volume_message::of_volume;
 use super::words::{
-    at_infinity, at_least, clockwise, count_differs, index_of_halves, nearer, numbered, opposed, outside, place,
-    points_in_words, size_in_place, speed_ratio, through_infinity, turn, zero_axis,
+    along_pinned, at_infinity, at_least, clockwise, count_differs, index_of_halves, nearer, numbered, opposed, outside,
+    place, points_in_words, size_in_place, speed_ratio, through_infinity, turn, zero_axis,
 };
 use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
@@ -665,10 +665,11 @@ impl std::fmt::Display for Error {
             Self::PatchThroughInfinity { s, t } => {
                 write!(f, "the patch passes through infinity near s = {}, t = {}", ShortNumber(*s), ShortNumber(*t))
             }
-            Self::NetDoesNotClose { direction, angle, stretch, limit } => write!(
+            Self::NetDoesNotClose { direction, line, angle, stretch, limit } => write!(
                 f,
-                "the net does not close along {}: after one turn the frame is off by {} radians{}, limit {}",
+                "the net does not close along {}: after one turn{} the frame is off by {} radians{}, limit {}",
                 if *direction == 0 { 's' } else { 't' },
+                along_pinned(*direction, *line),
                 ShortNumber(*angle),
                 speed_ratio(*stretch, *limit),
                 ShortNumber(*limit)
@@ -794,7 +795,15 @@ impl std::fmt::Display for Error {
             Self::NotASurface { fault, index } => {
                 write!(f, "the mesh is not one piece of a surface with a border: {}", fault.words(*index))
             }
-            Self::FlatSurface { difference, limit } => write!(
+            Self::FlatSurface { difference, limit, noise: Some(noise) } => write!(
+                f,
+                "the surface is flat, or a sphere, but for noise of {}: its principal curvatures differ by {} (median), and more than {} is \
+                 needed to tell lines of curvature from noise; smooth the mesh first, or take one with longer edges",
+                ShortNumber(*noise),
+                ShortNumber(*difference),
+                ShortNumber(*limit)
+            ),
+            Self::FlatSurface { difference, limit, noise: None } => write!(
                 f,
                 "the surface is flat, or a sphere: its principal curvatures differ by {} (median), and more than {} is needed to tell \
                  lines of curvature; any grid of a plane or a sphere has circles as it is",

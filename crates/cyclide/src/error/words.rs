@@ -63,6 +63,12 @@ pub(super) fn points_in_words(points: &[usize]) -> String {
     format!("point(s) {}{and}", shown.join(", "))
 }
 
+/// The line of a net that is to blame: rows run along s, columns along t.
+pub(super) fn along_pinned(direction: usize, line: Option<usize>) -> String {
+    let name = if direction == 0 { "row" } else { "column" };
+    line.map_or(String::new(), |line| format!(" along pinned {name} {line}"))
+}
+
 /// The ratio of speeds `1 + stretch` in words, where it is worth any.
 pub(super) fn speed_ratio(stretch: f64, limit: f64) -> String {
     if stretch.abs() <= limit {

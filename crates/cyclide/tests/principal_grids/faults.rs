@@ -23,6 +23,12 @@ fn meshes_that_are_no_surface_with_a_border() {
     assert_eq!(fault(&|m| m.triangles[5].swap(0, 1)), SurfaceFault::TurnedOver);
     assert_eq!(fault(&|m| m.triangles[5][1] = m.triangles[5][0]), SurfaceFault::NoArea);
     assert_eq!(fault(&|m| m.points[40] = m.points[41]), SurfaceFault::NoArea);
+    // On a line, but for rounding.
+    let line = |m: &mut Mesh| {
+        m.points.truncate(3);
+        m.triangles = vec![[0, 1, 2]];
+    };
+    assert_eq!(fault(&line), SurfaceFault::NoArea);
     let fin = |m: &mut Mesh| {
         m.points.push(Point3::new(0.0, 0.0, 9.0));
         let [a, b, _] = m.triangles[60];
@@ -61,11 +67,23 @@ fn meshes_that_are_no_surface_with_a_border() {
     assert_eq!(fault(&ring), SurfaceFault::Handles);
 }
 
+fn is_noise(error: &Error) -> bool {
+    matches!(error, Error::FlatSurface { noise: Some(_), .. }) && error.to_string().contains("smooth the mesh first")
+}
+
 #[test]
 fn surfaces_without_lines_of_curvature() {
     let plane = Mesh::roof([0.0, 4.0], [0.0, 4.0], [12; 2], |x, y| 0.2 * x - 0.1 * y + 7.0);
     // Rounding is no curvature, however far from the origin.
     assert_eq!(refused(&plane, &edge(0.5)).reason(), "flat-surface");
+    // What bends is noise, smoothed away or not; of a hypar it is as much from 0.1 on, with triangles that fold.
+    for amplitude in [1e-4, 2e-3, 2e-2] {
+        let plane = Mesh::roof([-6.0, 6.0], [-6.0, 6.0], [48; 2], |_, _| 0.0).noisy(amplitude);
+        assert!(is_noise(&refused(&plane, &edge(0.5))), "{amplitude}");
+    }
+    for amplitude in [0.15, 0.2, 0.3] {
+        assert!(is_noise(&refused(&surfaces::hypar(48).noisy(amplitude), &edge(0.5))), "{amplitude}");
+    }
     let sphere = Mesh::roof([-1.0, 1.0], [-1.0, 1.0], [24; 2], |x, y| (25.0 - x * x - y * y).sqrt());
     assert_eq!(refused(&sphere, &edge(0.2)).reason(), "flat-surface");
 }

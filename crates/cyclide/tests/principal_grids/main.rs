@@ -116,6 +116,45 @@ fn noise_is_smoothed_away() {
     assert!(!laid(&given.noisy(1e-2), &kept).unwrap().report.denoised);
 }
 
+/// What a cubic misses of a tube whose mesh has edges as long as the grid's is no noise: points stay on the surface, and the return
+/// shift stays. Noise that is there is still found on a finer mesh.
+#[test]
+fn coarse_meshes_are_not_noisy() {
+    let hyperboloid = laid(&surfaces::hyperboloid([24, 16]), &edge(0.58)).unwrap();
+    let off = |p: &Point3| {
+        let z = p.z / 4.0;
+        let waist = (1.0 + z * z).sqrt();
+        // Distance to first order.
+        let f = (p.x / 3.0).powi(2) + (p.y / 2.0).powi(2) - waist * waist;
+        f.abs() / (2.0 * Vec3::new(p.x / 9.0, p.y / 4.0, -z / 4.0).length())
+    };
+    let most = |grids: &PrincipalGrids| grids.grids[0].points().iter().map(off).fold(0.0, f64::max);
+    // The fits miss it by a hundredth of an edge or so, smoothing did by a third.
+    assert!(!hyperboloid.report.denoised && most(&hyperboloid) < 0.03 * 0.58, "{}", most(&hyperboloid));
+    let noisy = laid(&surfaces::hyperboloid([96, 64]).noisy(2e-3), &edge(0.58)).unwrap();
+    assert!(noisy.report.denoised && most(&noisy) < 0.01 * 0.58, "{}", most(&noisy));
+
+    let tower = laid(&surfaces::tower(60.0, 40.0, PI / 3.0, 200.0, [24, 30]), &edge(7.0)).unwrap();
+    let shift = tower.report.return_shift.unwrap();
+    assert!(!tower.report.denoised && shift > 0.7 && reasons(&tower).contains(&"spiral-lines"), "{shift}");
+    let bump = laid(&surfaces::bump_cylinder([24, 16]), &edge(0.48)).unwrap();
+    assert!(!bump.report.denoised && bump.report.noise > 1e-3, "{}", bump.report.noise);
+}
+
+/// Three rows of vertices among the nearest say little of slopes across them: no umbilics come of that.
+#[test]
+fn long_triangles_keep_directions() {
+    let band = Mesh::of_grid([120, 40], true, |u, v| {
+        let ((sine, cosine), angle) = ((2.0 * PI * u).sin_cos(), 2.6 * v - 1.3);
+        let r = 5.0 + 2.0 * angle.cos();
+        Point3::new(r * cosine, r * sine, 2.0 * angle.sin())
+    });
+    let grids = laid(&band, &edge(0.4)).unwrap();
+    assert!(grids.report.umbilics_found == 0 && grids.warnings().is_empty(), "{:?}", grids.warnings());
+    // Smoothing turns exact directions by as little on a mesh of twice the fineness.
+    assert!(grids.report.turn < 5e-3 && grids.report.return_shift.unwrap() < 4e-3, "{:?}", grids.report);
+}
+
 /// Places and indices of umbilics; pieces beside them keep the shape.
 #[test]
 fn umbilics_are_cut_or_smoothed() {
@@ -189,7 +228,7 @@ fn spirals_are_told_and_refused() {
     let shift = grids.report.return_shift.unwrap();
     assert!((3.0..4.6).contains(&shift), "{shift}");
     // Finer than the mesh: what cubics miss of it is no noise.
-    let fine = PrincipalGridOptions { denoise: Some(false), ..edge(2.8) };
+    let fine = edge(2.8);
     assert_eq!(laid(&tower, &fine).unwrap_err().reason(), "spiral-lines");
     let closed = PrincipalGridOptions { closed: Some(true), ..fine };
     assert!(laid(&tower, &closed).unwrap().grids[0].closed()[0]);

@@ -120,7 +120,7 @@ impl Closing {
             if let Some(GridClosing { angle, stretch }) = grid.closing(direction)?
                 && !(angle.max(stretch) <= limit)
             {
-                return Err(Error::NetDoesNotClose { direction, angle, stretch, limit });
+                return Err(Error::NetDoesNotClose { direction, line: None, angle, stretch, limit });
             }
         }
         Ok(())
@@ -162,7 +162,7 @@ pub(super) fn check_pinned(grid: &QuadGrid, border: Border<'_>) -> Result<()> {
             let points: Vec<Point3> = grid.line(direction, line).into_iter().map(|v| grid.points()[v]).collect();
             let angle = RingClosing::new(&points)?.angle();
             if !(angle <= limit) {
-                return Err(Error::NetDoesNotClose { direction, angle, stretch: 0.0, limit });
+                return Err(Error::NetDoesNotClose { direction, line: Some(line), angle, stretch: 0.0, limit });
             }
         }
     }

@@ -7,8 +7,10 @@ use crate::base::vector::{Point3, Vec3};
 /// Terms of a cubic and of a quadratic in two variables, in the order 1, x, y, xx, xy, yy, xxx, xxy, xyy, yyy.
 pub(super) const CUBIC: usize = 10;
 pub(super) const QUADRATIC: usize = 6;
-/// Added to the normal equations relative to their diagonal: what the vertices do not tell stays small.
+/// Added to the normal equations relative to their diagonal: what the vertices do not tell stays small. More at the cubic terms: where
+/// long triangles leave three rows of vertices, slopes and cubes across them cannot be told apart, and slopes are small.
 const RIDGE: f64 = 1e-10;
+const CUBIC_RIDGE: f64 = 1e-4;
 
 /// A graph `z(x, y)` over a plane through a vertex.
 #[derive(Debug, Clone, Copy)]
@@ -85,8 +87,9 @@ fn fit(origin: Point3, normal: Vec3, points: &[Point3], degree: usize) -> Vertex
     let x_axis = x_axis.unit().unwrap_or(x_axis);
     let frame = [x_axis, normal.cross(x_axis), normal];
     let reach = points.iter().map(|p| p.distance(origin)).fold(0.0, f64::max);
-    let mut jet =
-        VertexJet { origin, frame, coefficients: [0.0; CUBIC], reach: reach.max(f64::MIN_POSITIVE), residual: 0.0 };
+    // Alone on its side of a folded mesh a vertex has a plane, of any reach.
+    let of_plane = if reach > 0.0 { reach } else { 1.0 };
+    let mut jet = VertexJet { origin, frame, coefficients: [0.0; CUBIC], reach: of_plane, residual: 0.0 };
     let degree = if points.len() > degree { degree } else { QUADRATIC };
     if points.len() < QUADRATIC || !(reach > 0.0) {
         return jet;
@@ -125,7 +128,7 @@ fn solve(a: &mut [[f64; CUBIC]; CUBIC], b: &mut [f64; CUBIC], size: usize) -> bo
         for j in 0..=i {
             let mut sum = a[i][j];
             if i == j {
-                sum += RIDGE * sum.abs();
+                sum += sum.abs() * if i < QUADRATIC { RIDGE } else { CUBIC_RIDGE };
             }
             sum -= (0..j).map(|k| a[i][k] * a[j][k]).sum::<f64>();
             if i == j {

@@ -34,7 +34,7 @@ use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, SurfaceFault};
 use crate::surface::{QuadGrid, QuadLayout};
 use crate::warning::Warning;
 use arc_length::by_arc_length;
@@ -57,6 +57,8 @@ const FIT_IN_NOISE: usize = 40;
 /// spheres.
 const FLAT: f64 = 1e-3;
 const FLAT_IN_SIZE: f64 = 1e-6;
+/// The area over the square of the box's diagonal up to which a surface has none.
+const NO_AREA: f64 = 1e-14;
 /// Lines of curvature that come back higher by this part of an edge are spirals worth a word, and by this much no closed lines.
 const SPIRAL: f64 = 0.1;
 const OPEN_SPIRAL: f64 = 1.0;
@@ -167,9 +169,14 @@ pub fn principal_grids(
         range::check_point(index, p.to_vec())?;
     }
     let given = MeshTable::new(points, triangles)?;
-    options.check(given.areas.iter().sum())?;
-    // The search works about the middle of the surface in units near an edge: powers of two, which round nothing.
     let bounds = Aabb::of_points(given.points.iter().copied());
+    let area: f64 = given.areas.iter().sum();
+    // Points on a line, but for rounding.
+    if !(area > NO_AREA * bounds.map_or(0.0, Aabb::diagonal).powi(2)) {
+        return Err(Error::NotASurface { fault: SurfaceFault::NoArea, index: 0 });
+    }
+    options.check(area)?;
+    // The search works about the middle of the surface in units near an edge: powers of two, which round nothing.
     let origin = bounds.map_or(Point3::ORIGIN, |b| b.min.midpoint(b.max));
     let scale = options.edge_length.log2().round().exp2();
     let moved: Vec<Point3> = given.points.iter().map(|p| Point3::ORIGIN + (*p - origin) / scale).collect();
@@ -180,18 +187,23 @@ pub fn principal_grids(
     let mut table = given.moved(&moved)?;
     let mut fits = jets(&table, FIT, CUBIC);
     let noise = denoise::noise(&fits);
-    // On a mesh coarser than the grid what a cubic misses is the surface's, not noise.
-    let spacing = (table.areas.iter().sum::<f64>() / table.points.len() as f64).sqrt();
-    let noisy = options.denoise.unwrap_or(noise > denoise::NOISE_LIMIT * edge.max(spacing));
-    if noisy {
-        table = denoise::denoised(&table)?;
+    let denoised = denoise::denoised(&table, noise, edge, options.denoise)?;
+    let noisy = denoised.is_some();
+    if let Some(smooth) = denoised {
+        table = smooth;
         fits = jets(&table, FIT_IN_NOISE, CUBIC);
     }
     let tensors = ShapeTensors::new(&fits);
     let size = bounds.map_or(0.0, Aabb::diagonal) / scale;
     let limit = (FLAT * tensors.median_curvature).max(FLAT_IN_SIZE / size);
-    if !(tensors.median_difference > limit) {
-        return Err(Error::FlatSurface { difference: tensors.median_difference / scale, limit: limit / scale });
+    let difference = tensors.median_difference;
+    if !(difference > limit) {
+        return Err(Error::FlatSurface { difference: difference / scale, limit: limit / scale, noise: None });
+    }
+    let by_noise = denoise::difference(&table, noise, noisy);
+    if difference <= by_noise && (noisy || denoise::is_noise(&table, noise)) {
+        let (difference, limit) = (difference / scale, by_noise / scale);
+        return Err(Error::FlatSurface { difference, limit, noise: Some(noise * scale) });
     }
     let smoothed = ladder::smoothed(&table, &tensors, options.umbilics, noisy, progress)?;
     let weights = weights_of_faces(&table.triangles, &tensors.weights);

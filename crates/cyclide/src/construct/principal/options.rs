@@ -27,7 +27,8 @@ pub struct PrincipalGridOptions {
     pub columns: Option<usize>,
     /// Grids laid at most, the largest first, 1 to 4; `None` for one, or four where the surface is cut.
     pub most_pieces: Option<usize>,
-    /// Whether noise is smoothed away first: where there is more than a thousandth of an edge if `None`.
+    /// Whether noise is smoothed away first: where there is more than a thousandth of an edge, and the mesh is fine enough to tell it
+    /// from shape, if `None`.
     pub denoise: Option<bool>,
 }
 

@@ -51,6 +51,7 @@ pub struct PrincipalGridReport {
     /// The part of the surface's area that all grids cover.
     pub coverage: f64,
     /// The distance of the vertices from a smooth surface: the median of the rms distances from fits to neighbours, as given.
+    /// Of a coarse mesh of a curved surface that is mostly what the fits miss of its shape.
     pub noise: f64,
     /// Whether that was smoothed away.
     pub denoised: bool,

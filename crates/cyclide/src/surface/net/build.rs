@@ -212,5 +212,5 @@ fn lengths(grid: &QuadGrid, kappa: &[f64], limit: f64) -> Result<Vec<f64>> {
 }
 
 fn does_not_close(d: usize, angle: f64, stretch: f64, limit: f64) -> Error {
-    Error::NetDoesNotClose { direction: d, angle, stretch, limit }
+    Error::NetDoesNotClose { direction: d, line: None, angle, stretch, limit }
 }

@@ -2,6 +2,7 @@
 //! and the grids that were laid.
 
 use super::camera::Camera;
+use super::crosses::{crosses, middle};
 use super::facets::{Facets, Paint};
 use super::ground::Ground;
 use super::light::Lights;
@@ -18,7 +19,6 @@ use crate::formats::png::legend::Legend;
 use crate::formats::png::sheet::{Caption, Names, Sheet};
 use crate::formats::png::{Polyline, picture, view};
 use cyclide::{Aabb, Point3, QuadGrid};
-use std::collections::HashSet;
 
 /// The surface; lines along s and across; umbilics.
 const SURFACE: u32 = 0xE4E6E3;
@@ -28,7 +28,7 @@ const UMBILIC: u32 = 0xC62A6B;
 const LINE: f64 = 1.15;
 const STROKE: f64 = 0.75;
 const ARM: f64 = 9.5;
-const APART: f64 = 2.6;
+const APART: f64 = 3.0;
 /// Radius of an umbilic and of the ring round it.
 const MARK: f64 = 6.0;
 const RING: f64 = 9.0;
@@ -114,17 +114,17 @@ pub(in crate::formats::png) fn write(
 impl Facets {
     fn add_field(&mut self, object: usize, field: &LaidField, camera: &Camera, scale: f64) {
         let (surface, tint) = (&field.surface, to_linear(SURFACE));
-        let corners: Vec<[Point3; 3]> = surface.triangles.iter().map(|t| t.map(|v| surface.points[v])).collect();
-        for (triangle, corners) in surface.triangles.iter().zip(&corners) {
-            self.corners.push(corners.map(|p| camera.project(p)));
+        for triangle in &surface.triangles {
+            self.corners.push(triangle.map(|v| camera.project(surface.points[v])));
             let normals = triangle.map(|v| surface.normals.get(v).copied().unwrap_or_default());
             self.paints.push(Paint::Smooth { object, normals, tint });
         }
         let lights = LINES.map(to_linear);
         let lines = lines_along_s(&field.grids);
-        for (triangle, corners) in crosses(&corners, camera, APART * ARM * scale) {
-            let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
-            let Some(normal) = (corners[1] - corners[0]).cross(corners[2] - corners[0]).unit() else { continue };
+        for triangle in crosses(surface, camera, ARM * scale, APART) {
+            let middle = middle(surface, triangle);
+            let [a, b, c] = surface.triangles[triangle].map(|v| surface.points[v]);
+            let Some(normal) = (b - a).cross(c - a).unit() else { continue };
             let Some(along) = field.along.get(triangle).and_then(|d| d.unit()) else { continue };
             let across = normal.cross(along);
             // In the colour of the lines that it goes with.
@@ -169,27 +169,4 @@ fn lines_along_s(grids: &[QuadGrid]) -> Vec<(Point3, cyclide::Vec3)> {
         edges.filter_map(edge).collect::<Vec<_>>()
     };
     grids.iter().flat_map(of_grid).collect()
-}
-
-/// Triangles that are so many pixels apart, about: one in each cell of the picture, the one nearest to its middle. Triangles that are
-/// seen from behind count too, and are hidden if they are.
-fn crosses<'a>(corners: &'a [[Point3; 3]], camera: &Camera, apart: f64) -> Vec<(usize, &'a [Point3; 3])> {
-    let cell = |p: Point3| {
-        let at = camera.project(p);
-        let depth = (p - camera.eye()).dot(camera.axes()[2]) / (camera.unit_at(p) * apart);
-        [at.x / apart, at.y / apart, depth].map(|v| v.floor() as i64)
-    };
-    let mut taken: HashSet<[i64; 3]> = HashSet::new();
-    let mut chosen = Vec::new();
-    for (index, triangle) in corners.iter().enumerate() {
-        let [a, b, c] = *triangle;
-        let own = cell(a + ((b - a) + (c - a)) / 3.0);
-        let around = (0..27).map(|k| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]);
-        let clear = around.filter(|d| d.iter().filter(|v| **v != 0).count() <= 1);
-        if clear.map(|d: [i64; 3]| [own[0] + d[0], own[1] + d[1], own[2] + d[2]]).all(|near| !taken.contains(&near)) {
-            taken.insert(own);
-            chosen.push((index, triangle));
-        }
-    }
-    chosen
 }

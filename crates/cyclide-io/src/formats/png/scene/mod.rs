@@ -7,6 +7,7 @@
 
 mod blocks;
 mod camera;
+mod crosses;
 mod facets;
 pub(super) mod field;
 mod ground;

@@ -76,6 +76,7 @@ impl Guard<'_> {
             across: lines.map(|lines| lines.across),
             clear_lines: lines.is_some_and(|lines| lines.clear),
             noise,
+            closed: grid.closed() != [false; 2],
         })
     }
 
@@ -118,6 +119,7 @@ pub(super) fn whole_change(points: [&[Point3]; 2], normals: [&[Option<Vec3>]; 2]
         across: None,
         clear_lines: false,
         noise: false,
+        closed: false,
     })
 }
 
