@@ -54,6 +54,44 @@ for (const name of names) {
 }
 assert.equal(await page.locator("canvas").count(), 1);
 
+// A model turns about its middle and stays in the middle of the picture: margins on the left and right are equal but for perspective, a
+// fortieth of the width here.
+const margins = async (name) => {
+  await page.waitForTimeout(120);
+  const buttons = await page.addStyleTag({ content: ".stage > :not(canvas) { visibility: hidden !important; }" });
+  const picture = (await stage(name).locator("canvas").screenshot()).toString("base64");
+  await buttons.evaluate((style) => style.remove());
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const { width, height } = image;
+    const drawing = new OffscreenCanvas(width, height).getContext("2d");
+    drawing.drawImage(image, 0, 0);
+    const { data } = drawing.getImageData(0, 0, width, height);
+    // The corners of the card are round.
+    const edge = 10;
+    const at = (x, y) => [0, 1, 2].map((k) => data[4 * (y * width + x) + k]);
+    const ground = at(edge, edge);
+    const differs = (x, y) => at(x, y).reduce((sum, value, k) => sum + Math.abs(value - ground[k]), 0) > 40;
+    const filled = (x) => Array.from({ length: height - 2 * edge }, (_, y) => y + edge).some((y) => differs(x, y));
+    const columns = Array.from({ length: width - 2 * edge }, (_, x) => x + edge).filter(filled);
+    return [columns[0] / width, 1 - (columns.at(-1) + 1) / width];
+  }, picture);
+};
+for (const name of ["torus_circles", "ring", "vase"]) {
+  await turn(name);
+  const card = await stage(name).boundingBox();
+  const [x, y] = [card.x + card.width / 2, card.y + card.height / 2];
+  for (const reach of [0, 60, 120]) {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + reach, y + reach / 3, { steps: 4 });
+    await page.mouse.up();
+    const [left, right] = await margins(name);
+    assert(Math.abs(left - right) < 0.05, `${name}, dragged by ${reach}: margins ${left} and ${right}`);
+  }
+}
+
 await turn("tee");
 const box = await stage("tee").boundingBox();
 const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

@@ -172,6 +172,10 @@ fn usage_that_makes_no_sense_is_refused() {
         ("curve p.csv -o a.step --smooth 1 --polyline 101", "101 is not in 0..=100"),
         ("curve p.csv -o a.step --units yd", "possible values: mm, cm, m, in, ft"),
         ("sample c.json --count 1", "1 is not in 2..="),
+        // Negative numbers are numbers, however they are written.
+        ("sample c.json --count -1", "-1 is not in 2..="),
+        ("sample c.json --step -.5", "it must be positive and finite"),
+        ("curve p.csv -o a.step --smooth 1 --centre -.5e1", "it must not be negative"),
     ] {
         let error = folder.fails(2, command);
         assert!(error.contains(message), "{command}\n{error}");

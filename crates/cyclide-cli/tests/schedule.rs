@@ -40,9 +40,9 @@ fn a_folder_of_lists_and_drawings() {
     let (ours, theirs) = (area(&lists["totals"]["area"]), area(&report["objects"]["skin"]["total_area"]));
     assert!((ours / theirs - 1.0).abs() < 1e-12, "{ours} {theirs}");
     assert_eq!(lists["format"], "cyclide-schedule/1");
-    // Equal runs write equal bytes.
+    // Equal runs write equal bytes, and -.25 is -0.25.
     let before: Vec<Vec<u8>> = FILES.iter().map(|name| folder.read(&format!("workshop/{name}"))).collect();
-    folder.ok("schedule canopy.json -o workshop --beam-depth -0.25");
+    folder.ok("schedule canopy.json -o workshop --beam-depth -.25");
     let after: Vec<Vec<u8>> = FILES.iter().map(|name| folder.read(&format!("workshop/{name}"))).collect();
     assert!(before == after, "the same input gives the same files");
 }
@@ -56,9 +56,12 @@ fn what_is_refused_writes_nothing() {
     let unknown = folder.fails(2, "schedule canopy.json -o out --object skim");
     assert!(unknown.contains("no object 'skim'") && unknown.contains("skin"), "{unknown}");
     assert!(folder.fails(2, "schedule canopy.json -o out.csv").contains("the name of a folder is needed"));
+    assert!(folder.fails(2, "schedule canopy.json -o -").contains("the name of a folder is needed"));
     assert!(folder.fails(2, "schedule canopy.json -o out --thickness 0").contains("not 0"));
+    assert!(folder.fails(2, "schedule canopy.json -o out --thickness -.1x").contains("it is not a number"));
     assert!(folder.fails(3, "schedule canopy.json -o plain").contains("plain"));
     assert!(!folder.has("out"), "no folder either");
+    assert!(!folder.has("-"), "standard output is no folder");
 }
 
 #[test]

@@ -231,6 +231,33 @@ fn refusals_say_what_is_wrong() {
 }
 
 #[test]
+fn no_two_objects_give_one_name() {
+    // A horn is two nets, `horn.0` and `horn.1`.
+    let model = |name: &str| {
+        format!(
+            r#"{{"cyclide": 1, "objects": {{"horn": {{"type": "cyclide", "a": 10, "c": 5, "mu": 3, "segments": [6, 4]}},
+            "{name}": {{"type": "cyclide", "a": 3, "mu": 1, "segments": [6, 4]}}}}}}"#
+        )
+    };
+    let refused = |name: &str, options: &ScheduleOptions| {
+        let document: Document = model(name).parse().unwrap();
+        let built = document.build().unwrap();
+        WorkshopSchedule::new(&document, &built, options).err().map(|error| error.to_string())
+    };
+    let taken = refused("horn.1", &ScheduleOptions::default()).unwrap();
+    assert!(taken.contains("`horn` and `horn.1`") && taken.ends_with("[name-taken]"), "{taken}");
+    // One alone has no rival.
+    let alone = ScheduleOptions { objects: vec!["horn.1".to_owned()], ..ScheduleOptions::default() };
+    assert_eq!(refused("horn.1", &alone), None);
+    let made = Made::of(&model("ring"), &ScheduleOptions::default());
+    for file in ["panels.csv", "edges.csv", "nodes.csv"] {
+        let rows = made.table(file);
+        let ids: HashSet<&String> = rows.iter().map(|row| &row["id"]).collect();
+        assert_eq!(ids.len(), rows.len(), "{file}");
+    }
+}
+
+#[test]
 fn moulds_and_classes_group_the_panels() {
     // All panels of a ring torus come from one mould; each row of them is alike, and a row is the mirror image of another.
     let ring = r#"{"cyclide": 1, "units": "m", "objects": {"ring": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]}}}"#;

@@ -194,7 +194,7 @@ pub struct BuildArgs {
     pub output: OutputArgs,
     /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
     /// 1e-5 of the model's size for curves, 1e-4 for meshes].
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
 }
 
@@ -216,7 +216,7 @@ pub struct OutputArgs {
     #[arg(long)]
     pub json: bool,
     /// Name the places of curves whose radius is below R, in the report and as warnings.
-    #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "R", value_parser = positive, allow_hyphen_values = true)]
     pub min_radius: Option<f64>,
     /// What files and pictures call the model [default: the name of the only object, or of the document].
     #[arg(long, value_name = "TEXT")]
@@ -257,10 +257,10 @@ pub struct OutputArgs {
     #[arg(long, help_heading = "Pictures")]
     pub png_plain: bool,
     /// PNG: width in pixels [default: 1600].
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(200..=10_000), allow_hyphen_values = true, help_heading = "Pictures")]
     pub width: Option<u32>,
     /// PNG: height in pixels [default: at most three quarters of the width].
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(150..=10_000), help_heading = "Pictures")]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(150..=10_000), allow_hyphen_values = true, help_heading = "Pictures")]
     pub height: Option<u32>,
     /// PNG: what surfaces are coloured by, with one scale for all of them; curvatures are signed by the outer side [default: object].
     #[arg(long, visible_alias = "color", value_name = "WHAT", value_parser = word::<PictureColour>(), help_heading = "Pictures")]
@@ -310,11 +310,11 @@ pub struct CurveArgs {
     pub kind: Option<Kind>,
     /// Noisy or dense data: the fairest curve with continuous curvature within T of every point, with few nodes
     /// (--kind fair-fit). It leans on the bounds of T; for noisy points take 3 to 4 standard deviations and --centre 1.
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub smooth: Option<f64>,
     /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
     /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
     /// say, as x_m, else mm].
@@ -328,13 +328,13 @@ pub struct CurveArgs {
     pub contour_column: Option<String>,
     /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
     /// arc fit].
-    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
     /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
-    #[arg(long, value_name = "E", value_parser = up_to_one, allow_negative_numbers = true)]
+    #[arg(long, value_name = "E", value_parser = up_to_one, allow_hyphen_values = true)]
     pub tension: Option<f64>,
     /// Fair spline: corners beside straight runs are rounded within this part of their shorter leg, below 0.5.
-    #[arg(long, value_name = "PART", value_parser = below_half, allow_negative_numbers = true)]
+    #[arg(long, value_name = "PART", value_parser = below_half, allow_hyphen_values = true)]
     pub tight: Option<f64>,
     /// Fair spline: the ends of an open curve [default: circle].
     #[arg(long, value_parser = word::<FairEndWord>())]
@@ -343,7 +343,7 @@ pub struct CurveArgs {
     #[arg(long, value_parser = word::<StraightWord>())]
     pub straight: Option<StraightWord>,
     /// Circle spline: blend order, 1 to 4 [default: 2].
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4), allow_hyphen_values = true)]
     pub order: Option<u32>,
     /// Circle spline: how circles are blended [default: rational].
     #[arg(long, value_parser = word::<BlendVariant>())]
@@ -371,26 +371,26 @@ pub struct CurveArgs {
     /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
     /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
     /// squares [default: 0].
-    #[arg(long, value_name = "B", value_parser = not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
     pub centre: Option<f64>,
     /// Fair fit: an open curve starts and ends exactly at the first and last point.
     #[arg(long)]
     pub fix_ends: bool,
     /// Fair fit: fits spent on taking nodes out [default: 16].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub max_fits: Option<u32>,
     /// Fair fit: take no nodes out; about five times as fast. The same as --max-fits 0.
     #[arg(long, conflicts_with_all = ["max_fits", "nodes", "budget"])]
     pub fast: bool,
     /// Fair fit: nodes of each smooth piece at which taking out stops.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..), allow_hyphen_values = true)]
     pub nodes: Option<u32>,
     /// Fair fit: the part of its fairness that the curve may lose for fewer nodes [default: 0.1].
-    #[arg(long, value_name = "Q", value_parser = not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "Q", value_parser = not_negative, allow_hyphen_values = true)]
     pub budget: Option<f64>,
     /// Fair fit: places on each edge between two points that T binds too; for polylines that are meant themselves
     /// [default: 0, the points are samples of a smooth curve].
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(0..=100))]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(0..=100), allow_hyphen_values = true)]
     pub polyline: Option<u32>,
 }
 
@@ -402,13 +402,13 @@ pub struct ReportArgs {
     #[arg(long)]
     pub json: bool,
     /// Name the places of curves whose radius is below R.
-    #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "R", value_parser = positive, allow_hyphen_values = true)]
     pub min_radius: Option<f64>,
     /// Name the places of motions where the tool is faster than V, in units of length per second.
-    #[arg(long, value_name = "V", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "V", value_parser = positive, allow_hyphen_values = true)]
     pub max_speed: Option<f64>,
     /// Name the places of motions where the body turns faster than W, in radians per second.
-    #[arg(long, value_name = "W", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "W", value_parser = positive, allow_hyphen_values = true)]
     pub max_angular_speed: Option<f64>,
 }
 

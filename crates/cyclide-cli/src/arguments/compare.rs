@@ -36,7 +36,7 @@ pub struct CompareArgs {
     pub closed: bool,
     /// Largest distance of fits from the points, and of arcs in place of curves [default: a thousandth of the diagonal of
     /// the points].
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
     /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
     /// say, as x_m, else mm].
@@ -49,7 +49,7 @@ pub struct CompareArgs {
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
     /// Turns above this angle, in degrees, are corners, of the kinds that can have some [default: as of 'cyclide curve'].
-    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
     #[command(flatten)]
     pub write: WriteArgs,

@@ -335,7 +335,7 @@ pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), 
 /// Refuses the name of a file where a folder is meant.
 pub fn refuse_file_name(path: &Path) -> Result<(), Failure> {
     let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
-    if !path.is_dir() && (page || Format::from_path(path).is_ok()) {
+    if is_standard_output(path) || !path.is_dir() && (page || Format::from_path(path).is_ok()) {
         return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));
     }
     Ok(())

@@ -39,10 +39,10 @@ pub struct SampleArgs {
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
     /// Samples per contour of a curve, N by N per patch of a surface, N by N by N per block of a volume, or of a motion; at least 2.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present_any = ["step", "cells"])]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), allow_hyphen_values = true, required_unless_present_any = ["step", "cells"])]
     pub count: Option<u32>,
     /// Curves: a sample every D of arc length, motions: every D seconds; and the end.
-    #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count")]
+    #[arg(long, value_name = "D", value_parser = positive, allow_hyphen_values = true, conflicts_with = "count")]
     pub step: Option<f64>,
     /// Volumes: the nodes of the cells that the document divides blocks into.
     #[arg(long, conflicts_with_all = ["count", "step"])]

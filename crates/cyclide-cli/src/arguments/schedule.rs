@@ -28,16 +28,16 @@ pub struct ScheduleArgs {
     pub output: PathBuf,
     /// Where the other side of the panels is: this distance along the normals, negative against them [default: that of the document's
     /// 'offset' of the net, if it has one].
-    #[arg(long, value_name = "T", value_parser = not_zero, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = not_zero, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
     /// How far beams reach from the edges along the normals, negative against them [default: the thickness].
-    #[arg(long, value_name = "D", value_parser = not_zero, allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", value_parser = not_zero, allow_hyphen_values = true)]
     pub beam_depth: Option<f64>,
     /// How far a panel may be from the plane, sphere, cylinder or torus that is its mould [default: a thousandth of the mean edge].
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
     /// How far panels may be from each other, laid on one another, that count as one kind [default: the tolerance].
-    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub congruent_within: Option<f64>,
     /// An object to schedule, construction geometry too; once for each [default: all nets that are no construction geometry].
     #[arg(long = "object", value_name = "NAME", action = ArgAction::Append)]

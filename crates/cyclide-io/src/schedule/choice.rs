@@ -1,8 +1,11 @@
 //! Which objects of a model are scheduled, with which thickness, and why the others are not.
 
+use std::collections::HashMap;
+
 use cyclide::{CyclidicNet, SurfaceObject};
 use serde::Serialize;
 
+use super::error::ScheduleError;
 use super::skin::Skin;
 use crate::document::{BuiltObject, Document, ObjectSpec, OffsetSpec};
 
@@ -37,6 +40,34 @@ pub(super) struct Chosen {
     pub(super) skins: Vec<Skin>,
     /// The distance of the other side of its panels.
     pub(super) thickness: Option<f64>,
+}
+
+impl Chosen {
+    /// Its nets with their names.
+    pub(super) fn nets(&self) -> impl Iterator<Item = (String, &Skin)> {
+        let name = |index| if self.skins.len() > 1 { format!("{}.{index}", self.name) } else { self.name.clone() };
+        self.skins.iter().enumerate().map(move |(index, skin)| (name(index), skin))
+    }
+}
+
+/// Refuses objects that would give one name to parts of theirs: `skin.0`, and the first piece of `skin`.
+pub(super) fn refuse_equal_names(chosen: &[Chosen]) -> Result<(), ScheduleError> {
+    let mut taken: HashMap<String, &str> = HashMap::new();
+    for object in chosen {
+        for (net, skin) in object.nets() {
+            for name in skin.piece_names(&net).into_iter().chain([net]) {
+                let first = *taken.entry(name.clone()).or_insert(&object.name);
+                if first != object.name {
+                    return Err(ScheduleError::NameTaken {
+                        name,
+                        first: first.to_owned(),
+                        second: object.name.clone(),
+                    });
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The nets of an object, a single patch as one of one panel.

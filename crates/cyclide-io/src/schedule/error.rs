@@ -21,6 +21,18 @@ pub enum ScheduleError {
         /// What the objects are instead.
         why: String,
     },
+    /// Parts of two objects would have the same names.
+    #[error(
+        "`{first}` and `{second}` would both have panels named `{name}-r00-c00`, …, as nets of several pieces count them: another name for one of them helps [name-taken]"
+    )]
+    NameTaken {
+        /// What the names would begin with.
+        name: String,
+        /// The object that comes first.
+        first: String,
+        /// The other one.
+        second: String,
+    },
     /// The kernel refused a thickness, the depth of beams, or a measure.
     #[error("{object}: {source} [{}]", source.reason())]
     Geometry {

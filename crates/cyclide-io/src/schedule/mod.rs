@@ -101,7 +101,7 @@ impl WorkshopSchedule {
     /// Measures the nets of a model.
     ///
     /// # Errors
-    /// [`ScheduleError::NoNet`]; [`ScheduleError::Geometry`] of a thickness or depth that reaches a centre of curvature, and of
+    /// [`ScheduleError::NoNet`]; [`ScheduleError::NameTaken`]; [`ScheduleError::Geometry`] of a thickness or depth that reaches a centre of curvature, and of
     /// nets that hang together in nodes only.
     pub fn new(document: &Document, objects: &[BuiltObject], options: &ScheduleOptions) -> Result<Self, ScheduleError> {
         let (chosen, not_scheduled) = choice::choose(document, objects, &options.objects, options.thickness);
@@ -110,11 +110,10 @@ impl WorkshopSchedule {
             let why = not_scheduled.first().map_or("the model is empty".to_owned(), each);
             return Err(ScheduleError::NoNet { why });
         }
+        choice::refuse_equal_names(&chosen)?;
         let mut nets = Vec::new();
         for chosen in chosen {
-            let several = chosen.skins.len() > 1;
-            for (index, skin) in chosen.skins.iter().enumerate() {
-                let name = if several { format!("{}.{index}", chosen.name) } else { chosen.name.clone() };
+            for (name, skin) in chosen.nets() {
                 let depth = options.beam_depth.or(chosen.thickness);
                 let measured = Net::new(name, skin, chosen.thickness, depth);
                 nets.push(measured.map_err(|source| refused(&chosen.name, source))?);

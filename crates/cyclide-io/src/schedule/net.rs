@@ -31,9 +31,11 @@ pub(super) struct Net {
     pub(super) area: f64,
 }
 
-/// How large one of its nets is.
-#[derive(Debug, Clone, Copy)]
+/// What one of its nets is called, and how large it is.
+#[derive(Debug, Clone)]
 pub(super) struct Piece {
+    /// What the names of its parts begin with.
+    pub(super) name: String,
     /// Panels along s and along t.
     pub(super) size: [usize; 2],
     /// Vertices along s and along t.
@@ -109,7 +111,8 @@ impl Net {
     pub(super) fn new(name: String, skin: &Skin, thickness: Option<f64>, depth: Option<f64>) -> Result<Self> {
         let shell = skin.to_shell()?;
         let other = thickness.map(|h| skin.other_side(h)).transpose()?;
-        let pieces = skin.nets().iter().map(|net| Piece { size: net.size(), vertices: net.grid().size() }).collect();
+        let pieces = skin.nets().iter().zip(skin.piece_names(&name));
+        let pieces = pieces.map(|(net, name)| Piece { name, size: net.size(), vertices: net.grid().size() }).collect();
         let patches = skin.nets().iter().enumerate();
         let patches = patches.flat_map(|(piece, net)| net.patches_with_quads().map(move |found| (piece, found)));
         let mut panels = Vec::with_capacity(shell.faces().len());
@@ -242,9 +245,9 @@ impl Net {
         }
     }
 
-    /// What a piece is called: as the net, if it is the only one.
-    pub(super) fn piece_name(&self, piece: usize) -> String {
-        if self.pieces.len() > 1 { format!("{}.{piece}", self.name) } else { self.name.clone() }
+    /// What a piece is called.
+    pub(super) fn piece_name(&self, piece: usize) -> &str {
+        &self.pieces[piece].name
     }
 
     /// Row and column of a panel, after the number of its piece, if there are several.

@@ -18,6 +18,14 @@ impl Skin {
         }
     }
 
+    /// What its nets are called: as it, if it is one net.
+    pub(super) fn piece_names(&self, name: &str) -> Vec<String> {
+        match self.nets().len() {
+            1 => vec![name.to_owned()],
+            count => (0..count).map(|piece| format!("{name}.{piece}")).collect(),
+        }
+    }
+
     /// All panels, in the order of the nets and of the patches of each.
     pub(super) fn to_shell(&self) -> Result<Shell> {
         match self {

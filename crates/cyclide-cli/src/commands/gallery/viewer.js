@@ -167,6 +167,19 @@
     /** The first view, in which the model fills the picture. */
     whole() {
       [this.azimuth, this.elevation] = this.first;
+      this.target = this.middle;
+      this.distance = this.home = this.frame().distance;
+      this.center();
+    }
+
+    /** The model turns about its middle, but how far its sides are seen from there is another in each view: `aside` is how far the eye stands beside the
+     * line to the target, to the right and up in parts of the distance, so that the margins are equal. */
+    center() {
+      this.aside = this.frame().aside.map((length) => length / this.home);
+    }
+
+    /** How far from the middle the eye has to be to see all, and how far beside it with equal margins. */
+    frame() {
       const [right, up, toward] = this.axes();
       const [v, h] = [FILLED * HALF_HEIGHT, FILLED * HALF_HEIGHT * this.aspect];
       const most = [-Infinity, -Infinity, -Infinity, -Infinity];
@@ -175,13 +188,14 @@
         const [x, y, z] = [dot(d, right), dot(d, up), dot(d, toward)];
         [h * z + x, h * z - x, v * z + y, v * z - y].forEach((value, k) => (most[k] = Math.max(most[k], value)));
       }
-      this.distance = Math.max((most[0] + most[1]) / (2 * h), (most[2] + most[3]) / (2 * v), 1e-3 * this.radius);
-      this.target = add(add(this.middle, right, (most[0] - most[1]) / 2), up, (most[2] - most[3]) / 2);
+      const distance = Math.max((most[0] + most[1]) / (2 * h), (most[2] + most[3]) / (2 * v), 1e-3 * this.radius);
+      return { distance, aside: [(most[0] - most[1]) / 2, (most[2] - most[3]) / 2] };
     }
 
     turn(right, up) {
       this.azimuth -= right;
       this.elevation = clamp(this.elevation + up, -Math.PI / 2, Math.PI / 2);
+      this.center();
     }
 
     /** Moves the model by parts of the picture's height. */
@@ -194,18 +208,21 @@
       this.target = add(this.middle, away, Math.min(1, (2 * this.radius) / (Math.hypot(...away) || 1)));
     }
 
-    /** Comes nearer to what is at a place of the picture, in parts of its height from its middle. */
-    zoom(factor, [x, y] = [0, 0]) {
+    /** Comes nearer to what is at a place of the picture, in parts of its height from its middle; without a place, to what the model turns about. */
+    zoom(factor, place) {
       const before = this.distance;
       this.distance = clamp(before * factor, 0.05 * this.radius, 20 * this.radius);
+      if (!place) return;
       const part = this.distance / before - 1;
+      const [x, y] = place.map((value, k) => value + this.aside[k] / (2 * HALF_HEIGHT));
       this.move(part * x, part * y, before);
     }
 
     /** What the programs need. */
     view() {
       const [right, up, toward] = this.axes();
-      const eye = add(this.target, toward, this.distance);
+      const beside = add(add(toward, right, this.aside[0]), up, this.aside[1]);
+      const eye = add(this.target, beside, this.distance);
       const depth = dot(add(eye, this.middle, -1), toward);
       const [near, far] = [Math.max(depth - 1.01 * this.radius, 0.004 * this.radius), Math.max(depth, 0) + 1.01 * this.radius];
       const at = (axis) => -dot(axis, eye);
