@@ -88,8 +88,8 @@ pub(super) fn solved(
         let gradients = gradients(sheet, f);
         let mut add = |direction: Vec3, weight: f64, wanted: f64| {
             let (mut terms, mut rest) = (Vec::with_capacity(6), wanted);
-            for k in 0..3 {
-                let slope = gradients[k].dot(direction);
+            for (k, gradient) in gradients.iter().enumerate() {
+                let slope = gradient.dot(direction);
                 for (unknown, factor) in unknowns.terms(3 * f + k) {
                     let (unknown, offset) = tied[unknown];
                     terms.push((unknown, slope * factor));

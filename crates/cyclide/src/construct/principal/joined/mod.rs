@@ -113,8 +113,8 @@ impl Surface<'_> {
         if umbilics.is_empty() {
             return Err(refused(JoinFault::Crowded));
         }
-        let (points, quads, umbilics) = mesh.used(umbilics);
-        match QuadLayout::new(points, &quads) {
+        let mesh = mesh.of_used(&mut umbilics);
+        match QuadLayout::new(mesh.points, &mesh.quads) {
             Ok(layout) => Ok((made_up, layout)),
             Err(error) => {
                 let (fault, index) = match error {

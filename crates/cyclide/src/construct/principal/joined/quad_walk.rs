@@ -149,8 +149,8 @@ impl<'a> QuadWalk<'a> {
             for first in 0..4 {
                 let (mut corners, mut at, mut way) = ([start; 4], start, first);
                 let mut closes = true;
-                for k in 0..4 {
-                    corners[k] = at;
+                for corner in &mut corners {
+                    *corner = at;
                     let Some((to, back)) = self.nodes[at].next[way] else {
                         closes = false;
                         break;

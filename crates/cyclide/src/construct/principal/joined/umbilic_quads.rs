@@ -14,8 +14,8 @@ const AVERAGED: usize = 200;
 
 /// Points, and quads by their corners counter-clockwise.
 pub(super) struct QuadMesh {
-    points: Vec<Point3>,
-    quads: Vec<[usize; 4]>,
+    pub(super) points: Vec<Point3>,
+    pub(super) quads: Vec<[usize; 4]>,
 }
 
 impl QuadMesh {
@@ -88,8 +88,8 @@ impl QuadMesh {
         self.quads.extend(filling.quads);
     }
 
-    /// What the quads use, with the new numbers of some vertices that come first in pairs.
-    pub(super) fn used(self, marked: Vec<(usize, usize)>) -> (Vec<Point3>, Vec<[usize; 4]>, Vec<(usize, usize)>) {
+    /// With the vertices that quads use only; those of umbilics, the first of each pair, get their new numbers.
+    pub(super) fn of_used(self, umbilics: &mut Vec<(usize, usize)>) -> Self {
         let mut number: Vec<Option<usize>> = vec![None; self.points.len()];
         let mut points = Vec::new();
         let mut quads = self.quads;
@@ -99,7 +99,7 @@ impl QuadMesh {
                 points.len() - 1
             });
         }
-        let marked = marked.into_iter().filter_map(|(v, mark)| Some((number[v]?, mark))).collect();
-        (points, quads, marked)
+        *umbilics = umbilics.iter().filter_map(|(v, umbilic)| Some((number[*v]?, *umbilic))).collect();
+        Self { points, quads }
     }
 }
