@@ -15,6 +15,10 @@ const ROUNDING: [f64; 2] = [1e-9, 1e-13];
 /// Lengths of a panel that no motion changes, and how many of them the table is by.
 const LENGTHS: usize = 14;
 const KEYS: [usize; 3] = [3, 5, 9];
+/// Rounds of weights at most, towards the least largest distance; it is within this factor of it, or below this part of the tolerance: done.
+const ROUNDS: usize = 40;
+const LEVEL: f64 = 1.003;
+const NEGLIGIBLE: f64 = 1e-3;
 
 /// A panel of a class.
 ///
@@ -29,8 +33,8 @@ const KEYS: [usize; 3] = [3, 5, 9];
 pub struct CongruentPanel {
     /// Its number among the panels given.
     pub panel: usize,
-    /// Largest distance of its points from those of the first panel of the class, laid on it by a motion; of 25 points, corners and
-    /// sides among them.
+    /// Largest distance of its points from those of the first panel of the class, laid on it so that it is least; of 25 points, corners
+    /// and sides among them.
     pub deviation: f64,
     /// The corners `a0, a1, a2, a3` of the first panel of the class as corners of this one.
     pub corners: [usize; 4],
@@ -60,8 +64,8 @@ pub struct CongruenceClass {
 /// Panels in classes of congruent ones.
 ///
 /// Corners, sides and inside are compared at the same parameters, evened so that these do not depend on how the panel was made, in every order
-/// of the corners that goes round the panel; the motion is that of least squares. So all are really within the tolerance; two panels that are not,
-/// by this motion, might be by another, by a little.
+/// of the corners that goes round the panel; the motion is that of the least largest distance, to a percent or two or a thousandth of the
+/// tolerance, and never told as less than it is: all are really within the tolerance.
 ///
 /// The first panel of a class, in the order of their lengths, takes all that are within the tolerance of it; each of the others goes to the
 /// class it is nearest to. Panels are found by lengths that motions keep, so that time is that of the panels and the pairs within tolerance, not of all pairs.
@@ -261,8 +265,8 @@ fn laid(first: &[Vec3; ALL], second: &[Vec3; ALL], tolerance: f64, mirrored: boo
         if (1..4).any(|j| (0..j).any(|i| far(i, j))) {
             continue;
         }
-        let Some(deviation) = deviation(first, &std::array::from_fn(at)) else { continue };
-        if deviation <= tolerance && best.is_none_or(|best| deviation < best.deviation) {
+        let Some(deviation) = deviation(first, &std::array::from_fn(at), tolerance) else { continue };
+        if best.is_none_or(|best| deviation < best.deviation) {
             let corners = CORNERS.map(|k| CORNERS.iter().position(|c| *c == place(order, k)).unwrap_or(0));
             best = Some(CongruentPanel { panel: 0, deviation, corners, turned_over });
         }
@@ -270,19 +274,92 @@ fn laid(first: &[Vec3; ALL], second: &[Vec3; ALL], tolerance: f64, mirrored: boo
     best
 }
 
-/// The largest distance of points from others after the motion of least squares (W. Kabsch, Acta Cryst. A 32 (1976), 922).
-fn deviation(first: &[Vec3; ALL], second: &[Vec3; ALL]) -> Option<f64> {
-    let mean = |points: &[Vec3; ALL]| points.iter().fold(Vec3::ZERO, |sum, p| sum + *p) / ALL as f64;
+/// The largest distance of points from others after the motion that makes it least, unless it is above the tolerance.
+///
+/// From the motion of least squares on, weights are multiplied by the distances, again and again (C. L. Lawson's rule; by their power
+/// 1.5, which needs fewer rounds: of points moved at random 40 end at most 2 percent above the bound, half a percent in the mean). The weighted mean
+/// distance of each round is the least there is, hence no larger than the largest distance of any motion: a bound that ends the rounds.
+fn deviation(first: &[Vec3; ALL], second: &[Vec3; ALL], tolerance: f64) -> Option<f64> {
+    let mut weights = [1.0 / ALL as f64; ALL];
+    let (mut least, mut bound) = (f64::INFINITY, 0.0_f64);
+    for _ in 0..ROUNDS {
+        let Some(distances) = least_squares(first, second, &weights) else { break };
+        let mean = distances.iter().zip(&weights).map(|(d, w)| w * d * d).sum::<f64>().sqrt();
+        least = least.min(distances.iter().copied().fold(0.0, f64::max));
+        bound = bound.max(mean);
+        if bound > tolerance || least <= (LEVEL * bound).max(NEGLIGIBLE * tolerance) {
+            break;
+        }
+        let weighed: [f64; ALL] = std::array::from_fn(|k| weights[k] * distances[k] * distances[k].sqrt());
+        let sum: f64 = weighed.iter().sum();
+        weights = weighed.map(|weight| weight / sum);
+    }
+    (least <= tolerance).then_some(least)
+}
+
+/// The distances of points from others after the motion of least weighted squares (W. Kabsch, Acta Cryst. A 32 (1976), 922); the
+/// weights have the sum 1.
+fn least_squares(first: &[Vec3; ALL], second: &[Vec3; ALL], weights: &[f64; ALL]) -> Option<[f64; ALL]> {
+    let mean = |points: &[Vec3; ALL]| points.iter().zip(weights).fold(Vec3::ZERO, |sum, (p, w)| sum + *p * *w);
     let (center, other) = (mean(first), mean(second));
     let mut columns = [Vec3::ZERO; 3];
-    for (p, q) in first.iter().zip(second) {
-        let (p, q) = (*p - center, *q - other);
+    for ((p, q), weight) in first.iter().zip(second).zip(weights) {
+        let (p, q) = ((*p - center) * *weight, *q - other);
         columns = [columns[0] + p * q.x, columns[1] + p * q.y, columns[2] + p * q.z];
     }
     let [x, y, z] = nearest_rotation(columns).ok()?;
-    let distances = first.iter().zip(second).map(|(p, q)| {
-        let (p, q) = (*p - center, *q - other);
+    Some(std::array::from_fn(|k| {
+        let (p, q) = (first[k] - center, second[k] - other);
         (x * q.x + y * q.y + z * q.z - p).length()
-    });
-    Some(distances.fold(0.0, f64::max))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::quat::Quat;
+
+    /// Numbers without a pattern from -1 to 1.
+    fn next(state: &mut u64) -> f64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn turned(by: Vec3) -> Quat {
+        by.unit().map_or(Quat::ONE, |axis| Quat::from_axis_angle(axis, by.length()))
+    }
+
+    #[test]
+    fn no_motion_near_is_better() {
+        let mut state = 7;
+        for _ in 0..20 {
+            let mut vector = |size: f64| Vec3::new(next(&mut state), next(&mut state), next(&mut state)) * size;
+            let first: [Vec3; ALL] = std::array::from_fn(|_| vector(1.0));
+            // A corner that is off by more than all others pulls least squares little.
+            let other: [Vec3; ALL] = std::array::from_fn(|k| first[k] + vector(if k == 0 { 0.02 } else { 0.004 }));
+            let turn = turned(vector(2.0));
+            let found = deviation(&first, &other.map(|p| turn.rotate(p) + Vec3::X), 1.0).unwrap();
+            let largest = |[turn, by]: [Vec3; 2]| {
+                let turn = turned(turn);
+                let distances = first.iter().zip(&other).map(|(p, q)| (turn.rotate(*q) + by - *p).length());
+                distances.fold(0.0, f64::max)
+            };
+            // Steps of all kinds from a place near, each taken if it is better.
+            let mut best = ([Vec3::ZERO; 2], largest([Vec3::ZERO; 2]));
+            let mut size = 0.01;
+            for _ in 0..20_000 {
+                let place = [best.0[0] + vector(size), best.0[1] + vector(size)];
+                let value = largest(place);
+                if value < best.1 {
+                    best = (place, value);
+                }
+                size = (size * 0.999).max(1e-7);
+            }
+            assert!(found <= 1.02 * best.1, "{found} {}", best.1);
+            // Just below it there is no such motion, just above it there is.
+            assert!(
+                deviation(&first, &other, 0.97 * found).is_none() && deviation(&first, &other, found * 1.001).is_some()
+            );
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Sides, area, turn, bends and size of a panel.
 
 use crate::base::frame::Frame;
+use crate::base::golden_section::GoldenSection;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::error::Result;
@@ -11,6 +12,9 @@ use crate::topology::{Shell, Side};
 const STRAIGHT: f64 = 1e-12;
 /// The same by the rounding of coordinates.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Directions of boxes round a quarter turn, and sections of the angle between them.
+const DIRECTIONS: u32 = 12;
+const SECTIONS: u32 = 16;
 
 /// What a side of a panel is.
 ///
@@ -111,8 +115,8 @@ pub struct PanelMeasures {
     pub curvatures: [CurvatureExtreme; 2],
     /// Largest distance of the panel from the plane of its corners.
     pub sagitta: f64,
-    /// Length, width and height of the box that holds the panel, with its base in the plane of the corners and, of the
-    /// boxes along the four sides and the two diagonals, that of the least base. Length is the larger of the first two.
+    /// Length, width and height of the box that holds the panel, with its base parallel to the plane of the corners, whose
+    /// base is least: within a thousandth of the least of all. Length is the larger of the first two.
     pub size: [f64; 3],
 }
 
@@ -193,13 +197,15 @@ fn corner_normal([a, b, c, d]: &[Point3; 4]) -> Vec3 {
 }
 
 /// The largest distance from the plane of the corners, and the sizes of the least box on it, from boxes of the patch
-/// turned into place, which are exact.
+/// turned into place, which are exact: of those along sides, diagonals and evenly round, and of angles towards the least base from the best of these.
 fn blank(patch: &CyclidePatch, plane: Vec3) -> (f64, [f64; 3]) {
     let corners = patch.corners();
     let pairs = [(0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2)];
-    let boxes = pairs.iter().filter_map(|&(i, j)| {
-        let along = (corners[j] - corners[i]).unit()?;
-        let frame = Frame::from_normal(corners[0], plane, along).ok()?;
+    let chords: Vec<Vec3> = pairs.iter().filter_map(|&(i, j)| (corners[j] - corners[i]).unit()).collect();
+    let Some(&x) = chords.first() else { return (0.0, [0.0; 3]) };
+    let y = plane.cross(x);
+    let extent = |angle: f64| {
+        let frame = Frame::from_normal(corners[0], plane, x * angle.cos() + y * angle.sin()).ok()?;
         let turn = frame.rotation().conj();
         let placed = corners.map(|p| Point3::ORIGIN + turn.rotate(p - corners[0]));
         let [v1, v2, _] = patch.frame();
@@ -207,7 +213,14 @@ fn blank(patch: &CyclidePatch, plane: Vec3) -> (f64, [f64; 3]) {
         let bounds = placed.bounds();
         let extent = bounds.max - bounds.min;
         Some((bounds.max.z.abs().max(bounds.min.z.abs()), [extent.x.max(extent.y), extent.x.min(extent.y), extent.z]))
-    });
-    let least = boxes.min_by(|(_, a), (_, b)| (a[0] * a[1]).total_cmp(&(b[0] * b[1])));
-    least.unwrap_or((0.0, [0.0; 3]))
+    };
+    let base = |angle: f64| extent(angle).map_or(f64::INFINITY, |(_, size)| size[0] * size[1]);
+    let step = std::f64::consts::FRAC_PI_2 / f64::from(DIRECTIONS);
+    let along = chords.iter().map(|chord| chord.dot(y).atan2(chord.dot(x)));
+    let round = (0..DIRECTIONS).map(|k| (f64::from(k) + 0.5) * step);
+    let best = along.chain(round).map(|angle| (angle, base(angle)));
+    let Some(best) = best.min_by(|a, b| a.1.total_cmp(&b.1)) else { return (0.0, [0.0; 3]) };
+    let turned = GoldenSection::lowest(base, [best.0 - step, best.0 + step], SECTIONS);
+    let angle = if base(turned) < best.1 { turned } else { best.0 };
+    extent(angle).unwrap_or((0.0, [0.0; 3]))
 }
