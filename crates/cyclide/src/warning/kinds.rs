@@ -352,6 +352,22 @@ pub enum Warning {
         /// The part of the surface that they cover.
         coverage: f64,
     },
+    /// One mesh of quads round umbilics goes round some of them only.
+    UmbilicsLeftOut {
+        /// How many are left out.
+        count: usize,
+        /// Where the first is.
+        at: [f64; 3],
+    },
+    /// A mesh of quads round umbilics runs across the lines of curvature on a part of its surface.
+    OffCurvatureLines {
+        /// That part of where the principal curvatures differ clearly.
+        part: f64,
+        /// Angles above this count, radians.
+        angle: f64,
+        /// Parts above this are reported.
+        limit: f64,
+    },
     /// The lines of curvature of a tube are spirals: a grid that is closed along them leaves them.
     SpiralLines {
         /// By how much they come back higher.

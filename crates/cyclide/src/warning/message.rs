@@ -280,8 +280,21 @@ impl std::fmt::Display for Warning {
             ),
             Self::GridPieces { count, coverage } => write!(
                 f,
-                "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders (with \"umbilics\": \"joined\" they do)",
+                "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
                 ShortNumber((1000.0 * coverage).round() / 10.0)
+            ),
+            Self::UmbilicsLeftOut { count, at: [x, y, z] } => write!(
+                f,
+                "{count} umbilic(s) are not in the mesh, the first at {}, {}, {}: near the border, or where coordinates are folded, it ends before them",
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z)
+            ),
+            Self::OffCurvatureLines { part, angle, .. } => write!(
+                f,
+                "on {} % of the surface (where its curvatures differ) the grid runs more than {} degrees off the lines of curvature: a net leaves the surface there",
+                ShortNumber((1000.0 * part).round() / 10.0),
+                degrees(*angle)
             ),
             Self::SpiralLines { shift, edge } => write!(
                 f,

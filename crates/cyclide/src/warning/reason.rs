@@ -48,6 +48,8 @@ impl Warning {
             Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
             Self::GridPieces { .. } => "pieces",
             Self::SpiralLines { .. } => "spiral-lines",
+            Self::UmbilicsLeftOut { .. } => "umbilics-left-out",
+            Self::OffCurvatureLines { .. } => "off-curvature-lines",
             Self::UnevenEdges { .. } => "uneven-edges",
             Self::AcrossCurvatureLines { .. } => "across-curvature-lines",
             Self::ShapeChanged { .. } => "shape-changed",
@@ -123,6 +125,8 @@ impl Warning {
             | Self::TurnsMoreThanData { .. }
             | Self::UmbilicsSmoothed { .. }
             | Self::GridPieces { .. }
+            | Self::UmbilicsLeftOut { .. }
+            | Self::OffCurvatureLines { .. }
             | Self::SpiralLines { .. }
             | Self::AcrossCurvatureLines { .. }
             | Self::ShapeChanged { .. }

@@ -2,8 +2,8 @@
 
 use super::{edge, laid, reasons, surfaces};
 use cyclide::{
-    CircularMeshOptions, Error, JoinFault, NetLayout, Point3, PrincipalGridOptions, QuadLayout, UmbilicRule,
-    make_layout_circular, surface_joints,
+    CircularMeshOptions, Error, GridBorder, JoinFault, NetLayout, Point3, PrincipalGridOptions, QuadLayout,
+    UmbilicRule, make_layout_circular, surface_joints,
 };
 use surfaces::Mesh;
 
@@ -94,11 +94,12 @@ fn one_mesh_goes_with_the_surface() {
     assert_eq!(turned.quads().len(), once.quads().len());
 }
 
-/// Without umbilics it is the grid that it would be.
+/// Without umbilics it is the grid with a border in steps.
 #[test]
 fn joining_needs_umbilics() {
     let saddle = surfaces::saddle();
-    let [one, other] = [joined(0.5), edge(0.5)].map(|options| laid(&saddle, &options).unwrap());
+    let steps = PrincipalGridOptions { border: GridBorder::Staircase, ..edge(0.5) };
+    let [one, other] = [joined(0.5), steps].map(|options| laid(&saddle, &options).unwrap());
     assert!(one.joined.is_none());
     assert_eq!(one.grids, other.grids);
 }

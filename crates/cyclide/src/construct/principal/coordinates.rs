@@ -151,6 +151,12 @@ impl Coordinates {
         !(u.cross(v).dot(sheet.table.normals[f]) > 0.0)
     }
 
+    /// The largest angle of a coordinate line of a triangle to its principal direction.
+    pub(super) fn angle_off(&self, sheet: &Sheet<'_>, f: usize) -> f64 {
+        let angles = self.slopes(sheet, f).into_iter().zip(sheet.directions[f]).map(|(slope, d)| slope.angle(d));
+        angles.fold(0.0, |largest, angle| if angle <= largest { largest } else { angle })
+    }
+
     /// Leaves out the triangles that are turned over.
     pub(super) fn leave_out_folded(&self, sheet: &mut Sheet<'_>) {
         for f in 0..sheet.active.len() {
@@ -162,8 +168,7 @@ impl Coordinates {
     pub(super) fn leave_out_bad(&self, sheet: &mut Sheet<'_>) {
         self.leave_out_folded(sheet);
         for f in 0..sheet.active.len() {
-            let off = |(slope, d): (&Vec3, Vec3)| !(slope.angle(d) <= MOST_OFF);
-            if self.slopes(sheet, f).iter().zip(sheet.directions[f]).any(off) {
+            if !(self.angle_off(sheet, f) <= MOST_OFF) {
                 sheet.active[f] = false;
             }
         }

@@ -65,6 +65,9 @@ const OPEN_SPIRAL: f64 = 1.0;
 /// Edges whose lengths differ by more than this factor are uneven.
 const UNEVEN: f64 = 3.0;
 
+/// A mesh round umbilics that runs across the lines of curvature on more than this part of the surface is told.
+const OFF_LINES: f64 = 0.01;
+
 /// What is being done.
 ///
 /// ```
@@ -134,9 +137,9 @@ impl PrincipalGrids {
     /// With what concerns all grids.
     fn measured(mut self) -> Self {
         self.report.coverage = self.report.pieces.iter().map(|piece| piece.coverage).sum();
-        let uneven = self.report.pieces.iter().position(|piece| piece.edges[1] > UNEVEN * piece.edges[0]);
-        if let Some(piece) = uneven {
-            let edges = self.report.pieces[piece].edges;
+        let ratio = |piece: &GridPiece| piece.edges[1] / piece.edges[0];
+        let worst = self.report.pieces.iter().enumerate().max_by(|a, b| ratio(a.1).total_cmp(&ratio(b.1)));
+        if let Some((piece, &GridPiece { edges, .. })) = worst.filter(|(_, piece)| ratio(piece) > UNEVEN) {
             self.warnings.push(Warning::UnevenEdges { piece, edges, limit: UNEVEN });
         }
         self
@@ -243,10 +246,20 @@ pub fn principal_grids(
         let (singular, outer) = (&smoothed.singular, layout.outer);
         let surface =
             Surface { table: &table, field: &smoothed.field, singular, outer, jets: &fits, weights: &weights };
-        let mesh = surface.joined(edge).map_err(|NotJoined { vertex, fault }| {
-            let at = to_world(table.points[vertex]).to_array();
+        let place = |vertex: usize| to_world(table.points[vertex]).to_array();
+        let found = surface.joined(edge).map_err(|NotJoined { vertex, fault }| {
+            let at = place(vertex);
             Error::UmbilicsNotJoined { at, fault }
         })?;
+        warnings.extend(found.left_out.first().map(|first| {
+            let (count, at) = (found.left_out.len(), place(*first));
+            Warning::UmbilicsLeftOut { count, at }
+        }));
+        if found.off_lines > OFF_LINES {
+            let (part, angle) = (found.off_lines, joined::OFF);
+            warnings.push(Warning::OffCurvatureLines { part, angle, limit: OFF_LINES });
+        }
+        let mesh = found.layout;
         let mesh = mesh.with_points(mesh.points().iter().map(|p| to_world(*p)).collect())?;
         let grids: Vec<QuadGrid> = mesh.pieces().iter().map(|piece| piece.grid.clone()).collect();
         report.pieces = grids.iter().map(|grid| pieces::measured(grid, given.areas.iter().sum())).collect();
@@ -294,7 +307,8 @@ pub fn principal_grids(
         columns: None,
         cut,
         most: options.most_pieces.unwrap_or(1),
-        border: options.border,
+        // What is joined ends in steps, with umbilics or without.
+        border: if joins && options.border == GridBorder::Inside { GridBorder::Staircase } else { options.border },
     };
     if cut && options.most_pieces.is_none() {
         steps.most = options::MOST_PIECES;

@@ -161,6 +161,8 @@ impl<'a> QuadWalk<'a> {
                 let distinct = (0..4).all(|i| (0..i).all(|j| corners[i] != corners[j]));
                 // Each once, from its first corner.
                 if closes && distinct && (at, way) == (start, first) && corners.iter().all(|v| *v >= start) {
+                    // From a side along the first coordinate: rows of all grids follow one family of lines.
+                    corners.rotate_left(first % 2);
                     quads.push(corners);
                 }
             }

@@ -88,6 +88,22 @@ impl QuadMesh {
         self.quads.extend(filling.quads);
     }
 
+    /// Whether a quad, but for those at umbilics, is turned over at a corner.
+    pub(super) fn is_folded(&self, umbilics: &[(usize, usize)], surface: &Surface<'_>, edge: f64) -> bool {
+        let near = PointGrid::new(&surface.table.points, edge);
+        let at_umbilic: HashSet<usize> = umbilics.iter().map(|(v, _)| *v).collect();
+        let quads = self.quads.iter().filter(|quad| !quad.iter().any(|v| at_umbilic.contains(v)));
+        quads.into_iter().any(|quad| {
+            let corners = quad.map(|v| self.points[v]);
+            let Some((_, v)) = near.nearest(self.middle(quad), 1).first().copied() else { return true };
+            let normal = surface.jets[v].normal();
+            (0..4).any(|k| {
+                let [here, on, back] = [k, (k + 1) % 4, (k + 3) % 4].map(|k| corners[k]);
+                !((on - here).cross(back - here).dot(normal) > 0.0)
+            })
+        })
+    }
+
     /// With the vertices that quads use only; those of umbilics, the first of each pair, get their new numbers.
     pub(super) fn of_used(self, umbilics: &mut Vec<(usize, usize)>) -> Self {
         let mut number: Vec<Option<usize>> = vec![None; self.points.len()];
