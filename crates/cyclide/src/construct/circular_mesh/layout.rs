@@ -6,7 +6,7 @@ use super::guard::{Guard, whole_change};
 use super::normal_equations::Pattern;
 use super::options::{Border, CircularMeshOptions};
 use super::report::{CircularMeshReport, Comparison, LineAngles, RoundChange, VertexMoves, rejected};
-use super::search::{CircularMeshStep, Problem, first_damping, refused};
+use super::search::{CircularMeshStep, Problem, is_large, refused};
 use super::{check_distinct, fairness, input_surface, median, residual};
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
@@ -117,9 +117,9 @@ pub fn make_layout_circular(
     let pattern = Pattern::new(points.len(), None, terms).ok_or(refused(0, residual_before))?;
     let metric = fairness::metric(&pattern, &triples, &normals, edge);
     let longest = layout.pieces().iter().map(|piece| piece.grid.quads()).max_by_key(|n| n[0].max(n[1]));
-    let (max_steps, damping) = (options.max_steps, first_damping(longest.unwrap_or_default()));
+    let (max_steps, is_large) = (options.max_steps, is_large(longest.unwrap_or_default()));
     let problem =
-        Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, damping, max_steps };
+        Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, is_large, max_steps };
     let steps = problem.search(&mut points, progress)?;
 
     let moved = points

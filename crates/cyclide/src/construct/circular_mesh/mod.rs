@@ -147,9 +147,9 @@ pub fn make_circular(
     let order = (grid.closed() != [true; 2]).then(|| dissection::elimination_order(grid));
     let pattern = Pattern::new(points.len(), order.as_deref(), terms).ok_or(search::refused(0, residual_before))?;
     let metric = fairness::metric(&pattern, &triples, &normals, edge);
-    let (max_steps, damping) = (options.max_steps, search::first_damping(grid.quads()));
+    let (max_steps, is_large) = (options.max_steps, search::is_large(grid.quads()));
     let problem =
-        Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, damping, max_steps };
+        Problem { quads: &quads, closing: &closing, pattern, metric, holds: &holds, edge, is_large, max_steps };
     let steps = problem.search(&mut points, progress)?;
     if steps > 0 {
         finish::sweep(&mut points, grid, (&quads, &closing), &holds);

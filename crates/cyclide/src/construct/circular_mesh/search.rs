@@ -25,6 +25,9 @@ const LARGE: usize = 150;
 const REJECTED: f64 = 5.0;
 /// A step that moves a vertex by more than this part of the median edge is rejected.
 const STEP_LIMIT: f64 = 0.5;
+/// On grids with more quads than [`LARGE`] in a direction one of up to so many times as much is shortened instead: half as many steps,
+/// and a step is dear there.
+const SHORTENED: f64 = 5.0;
 /// The search is given up when so many accepted steps have not brought the squared residuals down to [`STALLED_AT`]
 /// of what they were.
 const STALL_STEPS: usize = 20;
@@ -75,8 +78,8 @@ pub(super) struct Problem<'a> {
     pub(super) holds: &'a Holds<'a>,
     /// Median edge of the input.
     pub(super) edge: f64,
-    /// At the start.
-    pub(super) damping: f64,
+    /// More quads than [`LARGE`] in a direction.
+    pub(super) is_large: bool,
     pub(super) max_steps: usize,
 }
 
@@ -125,7 +128,7 @@ impl Problem<'_> {
     ) -> Result<usize> {
         let mut r = self.residuals(points).ok_or(refused(0, f64::INFINITY))?;
         let mut workspace = None;
-        let mut damping = self.damping;
+        let mut damping = if self.is_large { DAMPING_LARGE } else { DAMPING };
         let mut costs = vec![r.cost()];
         let mut linear = None;
         let mut polish = if self.closing.is_empty() { 0 } else { POLISH };
@@ -226,8 +229,15 @@ impl Problem<'_> {
         while self.holds.stop_at_ends(points, &moves, &mut projectors) {
             moves = self.moves(about, damping, &projectors, workspace)?;
         }
-        if !moves.iter().all(|m| m.length() <= STEP_LIMIT * self.edge) {
+        let longest_tried = if self.is_large { SHORTENED } else { 1.0 } * STEP_LIMIT * self.edge;
+        if !moves.iter().all(|m| m.length() <= longest_tried) {
             return None;
+        }
+        let longest = moves.iter().map(|m| m.length()).fold(0.0, f64::max);
+        if longest > STEP_LIMIT * self.edge {
+            // Along the valley of grids that still leave much free the way is right, and only too long.
+            let part = STEP_LIMIT * self.edge / longest;
+            moves.iter_mut().for_each(|m| *m = *m * part);
         }
         let mut moved: Vec<Point3> = points.iter().zip(moves).map(|(p, m)| *p + m).collect();
         self.holds.settle(&mut moved);
@@ -247,9 +257,9 @@ impl Problem<'_> {
     }
 }
 
-/// The damping at the start on a grid of so many quads.
-pub(super) fn first_damping(quads: [usize; 2]) -> f64 {
-    if quads[0].max(quads[1]) > LARGE { DAMPING_LARGE } else { DAMPING }
+/// Whether a grid of so many quads is one of those whose steps are dear.
+pub(super) fn is_large(quads: [usize; 2]) -> bool {
+    quads[0].max(quads[1]) > LARGE
 }
 
 /// The error of a search that ends with this residual.
