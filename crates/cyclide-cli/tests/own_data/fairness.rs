@@ -1,0 +1,1 @@
+//! Runs that waver, and those that do not.

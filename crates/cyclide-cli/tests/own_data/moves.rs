@@ -1,0 +1,1 @@
+//! Moves of robots and cameras: straight, closed, noisy.

@@ -1,0 +1,1 @@
+//! Outlines whose points are corners: rectangles, slots, combs, printed layers.

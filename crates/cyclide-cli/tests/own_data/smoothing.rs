@@ -1,0 +1,1 @@
+//! Measured points: noise, outliers, stops.

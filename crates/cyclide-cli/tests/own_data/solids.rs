@@ -1,0 +1,1 @@
+//! Tubes and swept sections as solids.

@@ -1,0 +1,1 @@
+//! One face in STEP for each surface of a body.

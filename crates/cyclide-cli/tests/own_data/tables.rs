@@ -1,0 +1,1 @@
+//! Tables as surveyors, robots and spreadsheets write them.
