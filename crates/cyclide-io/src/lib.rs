@@ -19,7 +19,7 @@
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`PositionCurve`], [`PoseTolerance`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`]), [`MeshFormat`] |
@@ -63,9 +63,9 @@ pub use document::{
     GridSource, HeightsSpec, LaidGrid, LayersSpec, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
     ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec,
     PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
-    PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec, RadiiSpec, RadiusLawSpec,
-    RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
+    PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PoseTolerance, PositionCurve, PrincipalGridSpec,
+    RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
     SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
     TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
@@ -98,13 +98,14 @@ pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointT
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,
-    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FASTER_THAN_LIMIT, FairnessReport,
-    FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport, GridPieceReport,
-    JointReport, MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace, PeakReport,
-    PlaceReport, PolyhedronReport, PrincipalReport, QbReport, RangeReport, Report, ReversalReport, RoundReport,
-    SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
-    SpeedLimits, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport,
-    TubeReport, UmbilicReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
+    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, DeviationReport, FASTER_THAN_LIMIT,
+    FairnessReport, FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport,
+    GridPieceReport, JointReport, MotionClosingReport, MotionReport, MotionSample, MotionSamples, ObjectReport,
+    OffChordsReport, PartReport, PatchPlace, PeakReport, PlaceReport, PolyhedronReport, PrincipalReport, QbReport,
+    RangeReport, Report, ReversalReport, RoundReport, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
+    ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits, SurfaceReport, TIGHTER_THAN_RADIUS,
+    TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UmbilicReport, UnrolledReport,
+    VolumeReport, WarningReport, sample, sample_cells,
 };
 pub use schedule::{NotScheduled, ScheduleError, ScheduleOptions, WorkshopSchedule};
 pub use text::place::{Diagnostic, Source, decode};

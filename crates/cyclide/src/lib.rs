@@ -88,7 +88,7 @@
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`RingBlend`] ([`BlendRing`]), [`BallCenters`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
-//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`] ([`PoseTimes`]), [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`MotionPlace`], [`SpeedPeak`], [`MotionReversal`], [`FastPlace`], [`SpeedKind`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
+//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`DecoupledMotion`] ([`MotionTolerance`], [`MotionDeviation`]), [`RationalForm`], [`TimedPose`] ([`PoseTimes`]), [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`MotionPlace`], [`SpeedPeak`], [`MotionReversal`], [`OffChords`], [`FastPlace`], [`SpeedKind`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
@@ -177,9 +177,9 @@ pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
 };
 pub use motion::{
-    BodyMesh, CubicMotions, DualQuat, FastPlace, Motion, MotionExtremes, MotionJet, MotionPlace, MotionReversal,
-    MovingBody, Pose, PoseTimes, RationalMotion, Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw,
-    TimedPose, Timing,
+    BodyMesh, CubicMotions, DecoupledMotion, DualQuat, FastPlace, Motion, MotionDeviation, MotionExtremes, MotionJet,
+    MotionPlace, MotionReversal, MotionTolerance, MovingBody, OffChords, Pose, PoseTimes, RationalForm, RationalMotion,
+    Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
 };
 pub use panel::{CongruenceClass, Congruences, CongruentPanel};
 pub use panel::{CurvatureExtreme, FlatPattern, PanelMeasures, PanelSide, PanelSideForm};

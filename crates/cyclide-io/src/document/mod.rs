@@ -47,12 +47,13 @@ pub use spec::{
     GradedCellsSpec, GridSource, HeightsSpec, LaidGrid, LayersSpec, MakeCircularOptions, MakeCircularSpec, MeshFile,
     MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec,
     OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec,
-    QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
-    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
+    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PoseTolerance, PositionCurve,
+    PrincipalGridSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec,
+    RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec,
+    StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec,
+    TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource,
+    TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec,
+    WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -160,8 +160,35 @@ pub enum Warning {
         ratio: f64,
         /// Of which part that is true.
         part: SwingPart,
+        /// How far it runs beyond the poses there: a length, or radians of a turn.
+        beyond: f64,
         /// Ratios above this are reported.
         limit: f64,
+    },
+    /// Turns carry the origin of a spline motion away from the straight lines between its poses, as on an arc about the axis of a turn, by more than
+    /// its places do by themselves.
+    LeavesChords {
+        /// The span where it gets farthest away, from 0.
+        span: usize,
+        /// How many spans there are of which that is true.
+        count: usize,
+        /// How far from the straight line.
+        distance: f64,
+        /// How long that is.
+        chord: f64,
+        /// Parts of the longest chord beside a span above this are reported.
+        limit: f64,
+    },
+    /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the way to the next pose at most.
+    BlendsShortened {
+        /// The pose where the blend is the shortest, from 0.
+        pose: usize,
+        /// How many poses there are of which that is true.
+        count: usize,
+        /// The radius there.
+        radius: f64,
+        /// The radius that was asked for.
+        asked: f64,
     },
     /// A pose is turned by half a turn against the one before, for which both ways round are as short.
     HalfTurn {

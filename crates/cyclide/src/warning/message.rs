@@ -1,8 +1,8 @@
 //! What a warning says: plain sentences with the place, the measure, the limit and what helps.
 
-use super::Warning;
 use super::reason::as_noise;
 use super::words::{rounded_down, times, write_nodes_not_reached, write_open_profile, write_relaxed};
+use super::{SwingPart, Warning};
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 
@@ -114,19 +114,38 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*time),
                 ShortNumber(*velocity_jump)
             ),
-            Self::MotionSwings { span, count, ratio, part, .. } => {
-                let part = part.words();
+            Self::MotionSwings { span, count, ratio, part, beyond, .. } => {
+                let words = part.words();
+                let unit = if *part == SwingPart::Turn { " rad" } else { "" };
+                let beyond = ShortNumber(*beyond);
                 write!(
                     f,
-                    "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where {part} "
+                    "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where {words} "
                 )?;
                 if ratio.is_finite() {
-                    write!(f, "starts or ends {} times as fast as it goes on average", ShortNumber(*ratio))?;
+                    let ratio = ShortNumber(*ratio);
+                    write!(f, "starts or ends {ratio} times as fast as it goes on average, and runs {beyond}{unit} beyond")?;
                 } else {
-                    f.write_str("goes on though it is the same at both")?;
+                    write!(f, "goes on though it is the same at both, by {beyond}{unit}")?;
                 }
-                f.write_str(": give times that fit the ways, or a pose more (the same pose twice is a rest)")
+                f.write_str(
+                    ": the kind `linear` goes straight from pose to pose; or give times that fit the ways, or a pose more (the same pose twice is a rest)",
+                )
             }
+            Self::LeavesChords { span, count, distance, chord, .. } => write!(
+                f,
+                "in {count} span(s) the turns of the body carry its origin away from the straight line between the poses, most from pose {span} to the next, by {} \
+                 on a distance of {}: the kind `linear` goes straight from pose to pose; or give poses in between",
+                ShortNumber(*distance),
+                ShortNumber(*chord)
+            ),
+            Self::BlendsShortened { pose, count, radius, asked } => write!(
+                f,
+                "the blends at {count} pose(s) are shorter than the radius of {}: they take half of the way to the next pose at most, at pose {pose} {}; give a smaller radius, \
+                 or poses farther apart",
+                ShortNumber(*asked),
+                ShortNumber(*radius)
+            ),
             Self::HalfTurn { pose, count, .. } => write!(
                 f,
                 "{count} pose(s), first pose {pose}, are turned by half a turn against the one before, up to rounding: both ways round are as short, and which one \

@@ -23,6 +23,8 @@ impl Warning {
             Self::RestsPassedOver { .. } => "rests-passed-over",
             Self::MotionReverses { .. } => "motion-reverses",
             Self::MotionSwings { .. } => "motion-swings",
+            Self::LeavesChords { .. } => "leaves-chords",
+            Self::BlendsShortened { .. } => "blends-shortened",
             Self::HalfTurn { .. } => "half-turn",
             Self::PosesRounded { .. } => "poses-rounded",
             Self::CuspInside { .. } => "cusp",
@@ -96,7 +98,7 @@ impl Warning {
                 Some(segment)
             }
             Self::SpikeNearPoint { point, .. } => Some(point),
-            Self::HalfTurn { pose, .. } => Some(pose),
+            Self::HalfTurn { pose, .. } | Self::BlendsShortened { pose, .. } => Some(pose),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
@@ -111,6 +113,7 @@ impl Warning {
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
             Self::SpeedSpike { span, .. }
             | Self::MotionSwings { span, .. }
+            | Self::LeavesChords { span, .. }
             | Self::TurnsNearlyInPlace { span, .. }
             | Self::RestsPassedOver { span, .. }
             | Self::MotionReverses { span, .. } => Some(span),

@@ -25,6 +25,7 @@ mod nurbs;
 mod nurbs_surface;
 mod polygon_mesh;
 mod polyhedra;
+mod poses;
 #[cfg(feature = "circular-mesh")]
 mod principal;
 mod references;

@@ -53,7 +53,8 @@ pub use grids::{
 };
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use motions::{
-    MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
+    MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, PoseTolerance, PositionCurve, StartSpec, SweptSurfaceSpec,
+    TrajectorySpec,
 };
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, LaidGrid, MeshFile};
 pub use nurbs::NurbsSpec;
