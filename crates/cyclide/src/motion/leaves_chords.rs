@@ -50,7 +50,8 @@ impl LeavesChords {
             };
             let distance = farthest(&|s| place(span, ground.unit, s));
             let longest = chord(i.saturating_sub(1)).max(chord(i)).max(chord((i + 1).min(last)));
-            if !(distance > (LEAVES * longest).max(LEAST * extent)) {
+            // Beside a short chord places swing, which is looked at elsewhere.
+            if chord(i) < LEAVES * longest || !(distance > (LEAVES * longest).max(LEAST * extent)) {
                 continue;
             }
             let [before, after] = [-1, 2].map(|by| at(i as isize + by));

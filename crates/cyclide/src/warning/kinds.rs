@@ -179,6 +179,17 @@ pub enum Warning {
         /// Parts of the longest chord beside a span above this are reported.
         limit: f64,
     },
+    /// The tolerance of a smoothed motion is below the noise of its poses, so that single ones pull it to and fro.
+    PosesNoisier {
+        /// True of the turns, in radians; else of the places.
+        turning: bool,
+        /// Standard deviation of the noise along one axis.
+        sigma: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// Tolerances from this on are not reported.
+        needed: f64,
+    },
     /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the way to the next pose at most.
     BlendsShortened {
         /// The pose where the blend is the shortest, from 0.

@@ -139,6 +139,15 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*distance),
                 ShortNumber(*chord)
             ),
+            Self::PosesNoisier { turning, sigma, tolerance, needed } => {
+                let (of, unit) = if *turning { ("angle", " rad") } else { ("place", "") };
+                let [sigma, tolerance, needed] = [sigma, tolerance, needed].map(|value| ShortNumber(*value));
+                write!(
+                    f,
+                    "the tolerance in {of} of {tolerance}{unit} is below four standard deviations of the noise of the poses, which is about {sigma}{unit} along each axis: single poses \
+                     pull the motion to and fro; give {needed}{unit} or more"
+                )
+            }
             Self::BlendsShortened { pose, count, radius, asked } => write!(
                 f,
                 "the blends at {count} pose(s) are shorter than the radius of {}: they take half of the way to the next pose at most, at pose {pose} {}; give a smaller radius, \

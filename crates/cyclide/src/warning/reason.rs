@@ -24,6 +24,7 @@ impl Warning {
             Self::MotionReverses { .. } => "motion-reverses",
             Self::MotionSwings { .. } => "motion-swings",
             Self::LeavesChords { .. } => "leaves-chords",
+            Self::PosesNoisier { .. } => "tolerance-below-noise",
             Self::BlendsShortened { .. } => "blends-shortened",
             Self::HalfTurn { .. } => "half-turn",
             Self::PosesRounded { .. } => "poses-rounded",
@@ -118,6 +119,7 @@ impl Warning {
             | Self::RestsPassedOver { span, .. }
             | Self::MotionReverses { span, .. } => Some(span),
             Self::LargeExcursion { .. }
+            | Self::PosesNoisier { .. }
             | Self::TurnsBack { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }

@@ -55,6 +55,8 @@ pub struct DecoupledMotion {
     half_turns: Option<HalfTurns>,
     short_blends: Option<ShortBlends>,
     deviation: Option<MotionDeviation>,
+    /// Of tolerances that are below the noise of the poses.
+    below_noise: Vec<Warning>,
 }
 
 /// Poses of a motion, checked; the first one again at the end of a closed one.
@@ -115,6 +117,7 @@ impl Given {
             half_turns: self.half_turns,
             short_blends: None,
             deviation: None,
+            below_noise: Vec::new(),
         }
     }
 }
@@ -188,11 +191,12 @@ impl DecoupledMotion {
         self.deviation
     }
 
-    /// What should be known of it: that a pose is half a turn away from the one before, and the sign of its rotation decides (`half-turn`), and of
-    /// blends that are shorter than asked for (`blends-shortened`).
+    /// What should be known of it: that a pose is half a turn away from the one before, and the sign of its rotation decides (`half-turn`), of
+    /// blends that are shorter than asked for (`blends-shortened`), and of tolerances that are below the noise of the poses (`tolerance-below-noise`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let short = self.short_blends.map(ShortBlends::warning);
-        self.half_turns.map(HalfTurns::warning).into_iter().chain(short).collect()
+        let half_turns = self.half_turns.map(HalfTurns::warning);
+        half_turns.into_iter().chain(short).chain(self.below_noise.iter().cloned()).collect()
     }
 }

@@ -21,7 +21,7 @@ const PLACES: u32 = 16;
 /// A place on a curve is off by this part of the extent of all poses at most,
 const OFF: f64 = 1e-9;
 /// in so many parts of a span at most.
-const MOST_PARTS: usize = 64;
+const MOST_PARTS: usize = 256;
 
 /// A motion whose points run on rational curves, and how far it is from the one that it stands for.
 ///

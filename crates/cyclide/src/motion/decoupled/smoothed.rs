@@ -11,6 +11,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
 use crate::motion::timed_pose::TimedPose;
+use crate::warning::Warning;
 
 /// Decimal powers of the strengths that are tried, with times whose average step is 1: from none to waves of a thousand steps.
 const STRENGTHS: [f64; 2] = [-4.0, 12.0];
@@ -20,6 +21,13 @@ const HALVINGS: u32 = 8;
 const ROUNDS: u32 = 8;
 /// Values farther off than this part of the tolerance get larger weights.
 const NEARLY: f64 = 0.9;
+
+/// A tolerance should be so many standard deviations of the noise along one axis: fewer poses than one in a thousand are farther off.
+const DEVIATIONS: f64 = 4.0;
+/// So many poses tell their noise.
+const TELLING: usize = 20;
+/// The median of the length of a vector of three Gaussian numbers of variance 1.
+const MEDIAN_LENGTH: f64 = 1.538;
 
 /// How far a smoothed motion may be from its poses. What has no tolerance is interpolated.
 ///
@@ -107,10 +115,30 @@ impl DecoupledMotion {
             place: most(&mut smooth_places.iter().enumerate().map(|(i, x)| distance(i, x))),
             angle: most(&mut smooth_rotations.iter().enumerate().map(|(i, x)| off(i, x))),
         };
+        // An angle is twice that of quaternions.
+        let noises = [(false, place, noise(&places)), (true, angle, noise(&rotations).map(|sigma| 2.0 * sigma))];
+        let below_noise = noises.into_iter().filter_map(|(turning, tolerance, sigma)| {
+            let (tolerance, sigma) = (tolerance?, sigma?);
+            let needed = DEVIATIONS * sigma;
+            (tolerance < needed).then_some(Warning::PosesNoisier { turning, sigma, tolerance, needed })
+        });
+        let below_noise = below_noise.collect();
         let places = place_spans.collect();
         let motion = given.into_motion(places, turns);
-        Ok(Self { deviation: Some(deviation), ..motion })
+        Ok(Self { deviation: Some(deviation), below_noise, ..motion })
     }
+}
+
+/// The standard deviation along one axis of the noise of values, by the median of their third differences, which know nothing of what is smooth.
+fn noise<const D: usize>(values: &[[f64; D]]) -> Option<f64> {
+    if values.len() < TELLING {
+        return None;
+    }
+    let third = |w: &[[f64; D]]| (0..D).map(|k| (w[3][k] - 3.0 * (w[2][k] - w[1][k]) - w[0][k]).powi(2)).sum::<f64>();
+    let mut squares: Vec<f64> = values.windows(4).map(third).collect();
+    squares.sort_by(f64::total_cmp);
+    // Of weights 1, 3, 3, 1.
+    Some((squares[squares.len() / 2] / 20.0).sqrt() / MEDIAN_LENGTH)
 }
 
 /// The angle between two rotations, the first of any length.
