@@ -34,7 +34,7 @@ pub use curves::{
 };
 #[cfg(feature = "circular-mesh")]
 pub use principal::{
-    GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic,
-    principal_grids,
+    FreeLayout, GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage,
+    Umbilic, covering_principal_grids, principal_grids,
 };
 pub use principal_rules::{GridBorder, UmbilicRule};

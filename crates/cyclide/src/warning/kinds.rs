@@ -352,6 +352,17 @@ pub enum Warning {
         /// The part of the surface that they cover.
         coverage: f64,
     },
+    /// Grids miss some of their surface.
+    PartlyCovered {
+        /// The part of the surface's area that they cover.
+        coverage: f64,
+        /// The part below which it is said.
+        limit: f64,
+        /// Whether each grid is a rectangle, and not all whole cells.
+        rectangles: bool,
+        /// How many umbilics the surface has.
+        umbilics: usize,
+    },
     /// One mesh of quads round umbilics goes round some of them only.
     UmbilicsLeftOut {
         /// How many are left out.

@@ -283,6 +283,17 @@ impl std::fmt::Display for Warning {
                 "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
                 ShortNumber((1000.0 * coverage).round() / 10.0)
             ),
+            Self::PartlyCovered { coverage, limit, rectangles, umbilics } => write!(
+                f,
+                "{} % of the surface is covered, less than {} %: {}",
+                ShortNumber((1000.0 * coverage).round() / 10.0),
+                ShortNumber(100.0 * limit),
+                match (rectangles, umbilics) {
+                    (true, _) => "a border in steps (`staircase`) and shorter edges cover more",
+                    (_, 0) => "shorter edges cover more, and the border `cover` all of it",
+                    _ => "shorter edges cover more; model the parts around the umbilics as patches of their own",
+                }
+            ),
             Self::UmbilicsLeftOut { count, at: [x, y, z] } => write!(
                 f,
                 "{count} umbilic(s) are not in the mesh, the first at {}, {}, {}: near the border, or where coordinates are folded, it ends before them",

@@ -47,6 +47,7 @@ impl Warning {
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
             Self::GridPieces { .. } => "pieces",
+            Self::PartlyCovered { .. } => "partly-covered",
             Self::SpiralLines { .. } => "spiral-lines",
             Self::UmbilicsLeftOut { .. } => "umbilics-left-out",
             Self::OffCurvatureLines { .. } => "off-curvature-lines",
@@ -125,6 +126,7 @@ impl Warning {
             | Self::TurnsMoreThanData { .. }
             | Self::UmbilicsSmoothed { .. }
             | Self::GridPieces { .. }
+            | Self::PartlyCovered { .. }
             | Self::UmbilicsLeftOut { .. }
             | Self::OffCurvatureLines { .. }
             | Self::SpiralLines { .. }

@@ -162,7 +162,7 @@ pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joi
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
         ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
-        ("most_pieces", several && spec.border == GridBorder::Cover, "one grid covers the surface"),
+        ("most_pieces", several && spec.border == Some(GridBorder::Cover), "one grid covers the surface"),
         ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all laid"),
     ])
 }
