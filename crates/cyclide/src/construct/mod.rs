@@ -14,7 +14,8 @@ mod sparse_solver;
 pub use bodies::{
     Ball, ConvexPolyhedron, CrossingPipe, CrossingSide, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody,
     NeckSide, NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface,
-    Revolution, SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
+    Revolution, SphericalPolygon, SweptSurface, TaperedTube, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain,
+    TorusSeam, Tube,
 };
 pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]

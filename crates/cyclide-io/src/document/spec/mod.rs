@@ -73,7 +73,7 @@ pub use torus::{
     TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
-pub use tubes::{RadiusLawSpec, TubeSpec};
+pub use tubes::{RadiusLawSpec, RadiusOf, TubeSpec};
 pub use volumes::{CoordinateSurfacesSpec, CyclideVolumeSpec, LayersSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,

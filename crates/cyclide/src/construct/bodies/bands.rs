@@ -24,6 +24,16 @@ pub(super) struct Ring {
     edges: Vec<Option<usize>>,
 }
 
+impl Ring {
+    /// The same closed ring from the vertex with this number on.
+    pub(super) fn turned(&self, by: usize) -> Self {
+        let mut ring = self.clone();
+        ring.vertices.rotate_left(by);
+        ring.edges.rotate_left(by);
+        ring
+    }
+}
+
 impl Bands {
     /// Adds the edges along curves that follow each other, `closed` if the last one ends where the first begins. Ends
     /// become the start of the next one bit for bit.

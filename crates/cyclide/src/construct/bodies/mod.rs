@@ -46,7 +46,7 @@ pub use ring_blend::{BlendRing, RingBlend};
 pub use swept::SweptSurface;
 pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use torus_seam::TorusSeam;
-pub use tube::{Ball, RadiusLaw, Tube};
+pub use tube::{Ball, RadiusLaw, TaperedTube, Tube};
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.
