@@ -222,7 +222,7 @@ impl<'a> Mesh<'a> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(face) => {
-                Err(self.refused(face, "several-components", "no chain of neighbours joins this face to the first one"))
+                Err(self.refused(face, "several-components", "no chain of neighbours joins this face to the first one: a net is one component; join the vertices at equal places, or give each component a file and a net of its own"))
             }
             None => Ok(()),
         }

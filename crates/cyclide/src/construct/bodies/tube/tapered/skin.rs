@@ -4,8 +4,8 @@ use super::piece::Piece;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::PipeEnds;
-use crate::construct::bodies::bands::{Bands, Ring, rows_of};
-use crate::construct::bodies::rotated_rows::rotated_rows;
+use crate::construct::bodies::bands::{Bands, Ring};
+use crate::construct::bodies::carried::{Carrier, surface_of};
 use crate::construct::bodies::smooth_joint::rounding_of_direction;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
@@ -183,84 +183,32 @@ fn quarter([from, to]: [Vec3; 2]) -> [(Vec3, f64); 3] {
     [(from, 1.0), ((from + to) * FRAC_1_SQRT_2, FRAC_1_SQRT_2), (to, 1.0)]
 }
 
-/// A surface whose parameter lines along t are these rows.
-fn surface_of(rows: Vec<PolynomialRow>, back: bool) -> Result<RationalBezierSurface> {
-    let degree = rows.iter().flat_map(|row| &row.0).map(Polynomial::degree).max().unwrap_or(0).max(1);
-    let m = rows.len();
-    let mut all = Vec::with_capacity(m * (degree + 1));
-    for row in rows {
-        let entries = row.0.map(|entry| entry.elevated(degree));
-        let at = |j: usize| [0, 1, 2, 3].map(|d: usize| entries[d].coefficients()[j]);
-        if back {
-            all.extend((0..=degree).rev().map(at));
-        } else {
-            all.extend((0..=degree).map(at));
-        }
-    }
-    RationalBezierSurface::new([m - 1, degree], all)
-}
-
 /// The tube over a piece.
-struct Over<'a> {
-    piece: &'a Piece,
-    axis: Vec3,
-    twist: f64,
-    spine: PolynomialRow,
-    /// Weights of the twist.
-    twisting: Polynomial,
+struct Over {
+    carrier: Carrier,
     radius: Polynomial,
 }
 
-impl<'a> Over<'a> {
-    fn new(piece: &'a Piece, axis: Vec3, twist: f64, depth: f64) -> Self {
-        let spine = PolynomialRow::of_rows(&rows_of(&EdgeCurve::Arc(piece.arc)));
-        let twisting =
-            if twist == 0.0 { Polynomial::constant(1.0) } else { Polynomial::new(vec![1.0, (0.5 * twist).cos(), 1.0]) };
+impl Over {
+    fn new(piece: &Piece, axis: Vec3, twist: f64, depth: f64) -> Self {
         let radius = &piece.radius + &Polynomial::constant(-depth);
-        Self { piece, axis, twist, spine, twisting, radius }
-    }
-
-    /// What the rotation along the spine, and the twist, make of a direction across, in the weights of both.
-    fn carried(&self, way: Vec3) -> [Polynomial; 3] {
-        let along = |v: Vec3| -> [Polynomial; 3] {
-            if self.piece.arc.is_straight() {
-                return v.to_array().map(Polynomial::constant);
-            }
-            let rows = rotated_rows(self.piece.arc.weight_ratio(), v).map(Vec3::to_array);
-            [0, 1, 2].map(|d: usize| Polynomial::new(rows.iter().map(|row| row[d]).collect()))
-        };
-        if self.twist == 0.0 {
-            return along(way);
-        }
-        let twisted = rotated_rows(Quat::from_axis_angle(self.axis, self.twist), way);
-        let basis = |i: usize| Polynomial::new((0..3).map(|j| f64::from(u8::from(i == j))).collect());
-        let parts = [0, 1, 2].map(|i: usize| along(twisted[i]).map(|entry| &entry * &basis(i)));
-        [0, 1, 2].map(|d: usize| &(&parts[0][d] + &parts[1][d]) + &parts[2][d])
-    }
-
-    /// The line over the piece of a homogeneous direction of the circle with its weight.
-    fn row(&self, (way, weight): (Vec3, f64)) -> PolynomialRow {
-        let carried = self.carried(way).map(|entry| &entry * &self.radius);
-        let spine = &(&self.spine * &self.twisting) * weight;
-        let offset = PolynomialRow::direction(carried);
-        &spine + &offset
+        Self { carrier: Carrier::new(piece.arc, axis, twist), radius }
     }
 
     fn face(&self, ways: [Vec3; 2], back: bool) -> Result<RationalBezierSurface> {
-        surface_of(quarter(ways).map(|way| self.row(way)).to_vec(), back)
+        surface_of(quarter(ways).map(|way| self.carrier.row(way, &self.radius)).to_vec(), back)
     }
 
     fn line(&self, way: Vec3, [start, end]: [Point3; 2], back: bool) -> Result<EdgeCurve> {
-        let (degree, straight) = (self.radius.degree(), self.piece.arc.is_straight() && self.twist == 0.0);
-        if straight && degree <= 1 {
+        let degree = self.radius.degree();
+        if self.carrier.is_straight() && degree <= 1 {
             return Ok(Arc::segment(start, end)?.into());
         }
-        if degree == 0 && self.twist == 0.0 {
-            let ratio = self.piece.arc.weight_ratio();
+        if let (0, Some(ratio)) = (degree, self.carrier.ratio()) {
             let ratio = if back { Quat::from_parts(ratio.w, -ratio.vector()) } else { ratio };
             return Ok(Arc::from_ratio_across(start, end, ratio)?.into());
         }
-        let line = RationalBezier::from_polynomial_row(&self.row((way, 1.0)));
+        let line = RationalBezier::from_polynomial_row(&self.carrier.row((way, 1.0), &self.radius));
         Ok(EdgeCurve::Rational(if back { line.reversed() } else { line }))
     }
 }
