@@ -543,6 +543,20 @@ pub enum Error {
         /// Height along the axis, from its given point.
         height: f64,
     },
+    /// A section leaves the plane that it should be in.
+    SectionNotPlane {
+        /// Which contour, from 0.
+        contour: usize,
+        /// Largest distance of a control point from the plane.
+        distance: f64,
+        /// Distances up to this are rounding.
+        limit: f64,
+    },
+    /// The contours of a section meet themselves or each other, or go round no area.
+    SectionMeetsItself {
+        /// Which contour, from 0.
+        contour: usize,
+    },
     /// A profile in a plane across its axis that sweeps a part of the plane twice.
     FoldedProfile {
         /// Which piece, from 0.

@@ -86,6 +86,8 @@ impl Error {
             Self::CrossesAxis { .. } => "crosses-axis",
             Self::ProfileOnAxis { .. } => "profile-on-axis",
             Self::ProfileMeetsItself { .. } => "profile-meets-itself",
+            Self::SectionNotPlane { .. } => "section-not-plane",
+            Self::SectionMeetsItself { .. } => "section-meets-itself",
             Self::AngleOutOfRange { .. } => "angle-out-of-range",
             Self::FoldedProfile { .. } => "folded-profile",
             Self::NotAFace { .. } => "not-a-face",

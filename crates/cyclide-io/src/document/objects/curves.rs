@@ -148,6 +148,8 @@ impl Builder<'_> {
         match self.spec {
             ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
             ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
+            ObjectSpec::Ellipse(s) => single(self.ellipse(s)?),
+            ObjectSpec::Helix(s) => single(self.helix(s)?),
             ObjectSpec::Biarc(s) => {
                 let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
                 let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule);

@@ -282,7 +282,8 @@ impl<'a> Mesh<'a> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(face) => {
-                Err(self.refused(face, "several-components", "this face is not connected with the first one by edges: join the parts, or make a net of each (vertices at one position count as one)"))
+                let message = "this face is not connected with the first one by edges: join the components, or give each a file and a net of its own (vertices at one position count as one)";
+                Err(self.refused(face, "several-components", message))
             }
             None => Ok(()),
         }
