@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepProducts,
-    StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepFaces,
+    StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -234,6 +234,9 @@ pub struct OutputArgs {
     /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
     #[arg(long, value_name = "CURVE", value_parser = word::<StepEdges>(), help_heading = "Formats")]
     pub step_edges: Option<StepEdges>,
+    /// STEP: which faces bodies have [default: merged].
+    #[arg(long, value_name = "FACES", value_parser = word::<StepFaces>(), help_heading = "Formats")]
+    pub step_faces: Option<StepFaces>,
     /// STEP: the products of several objects [default: auto].
     #[arg(long, value_name = "PRODUCTS", value_parser = word::<StepProducts>(), help_heading = "Formats")]
     pub step_products: Option<StepProducts>,

@@ -161,6 +161,7 @@ impl OutputArgs {
             dxf_splines: self.dxf_splines,
             dxf_version: self.dxf_version.unwrap_or_default(),
             step_edges: self.step_edges.unwrap_or_default(),
+            step_faces: self.step_faces.unwrap_or_default(),
             step_products: self.step_products.unwrap_or_default(),
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
