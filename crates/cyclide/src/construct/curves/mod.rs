@@ -10,7 +10,6 @@ mod fair_spline;
 mod interpolation;
 mod moebius_spline;
 mod nurbs_arcs;
-#[allow(dead_code, reason = "fits are moved to it one by one")]
 mod outline;
 mod qb_arcs;
 mod rational_runs;
