@@ -82,6 +82,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         ("--rule", args.rule.is_some(), &[Kind::ArcSpline]),
         ("--target", args.target.is_some(), &[Kind::ArcFit]),
         ("--effort", args.effort.is_some(), &[Kind::ArcFit]),
+        ("--min-arc-length", args.min_arc_length.is_some(), &[Kind::ArcFit]),
         (
             "--corner-angle-deg",
             args.corner_angle_deg.is_some(),

@@ -299,6 +299,8 @@ impl CurveArgs {
                     target: self.target.unwrap_or_default(),
                     effort: self.effort.unwrap_or_default(),
                     corner_angle,
+                    min_radius: self.output.min_radius,
+                    min_arc_length: self.min_arc_length,
                 })
             }
             Kind::FairFit => {

@@ -378,6 +378,17 @@ pub enum Error {
         /// The tolerance.
         tolerance: f64,
     },
+    /// Arcs within the tolerance were found, but none that keep a limit of the machine.
+    ArcLimitNotKept {
+        /// Point of the input where the arc is that misses the limit by most.
+        vertex: usize,
+        /// The limit: `min_radius` or `min_arc_length`.
+        name: ErrorItem,
+        /// What that arc has.
+        value: f64,
+        /// The limit's value.
+        limit: f64,
+    },
     /// No curve of the kind was found within the tolerance of these points.
     ToleranceNotReached {
         /// The points outside, in the user's numbering.

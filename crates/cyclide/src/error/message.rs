@@ -608,13 +608,17 @@ impl std::fmt::Display for Error {
             Self::ParameterOutOfRange { name, value, min, max } => {
                 write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*name, *value, [*min, *max]))
             }
-            Self::NoG1SplineInTube { vertex, tolerance } => {
-                write!(
-                    f,
-                    "no G1 arc spline within {} of the polyline near vertex {vertex}; take a larger tolerance, or make the vertices where the polyline turns sharply corners",
-                    ShortNumber(*tolerance)
-                )
-            }
+            Self::NoG1SplineInTube { vertex, tolerance } => write!(
+                f,
+                "no G1 arc spline within {} of the polyline near vertex {vertex}: a larger tolerance, or a corner angle below the turn there",
+                ShortNumber(*tolerance)
+            ),
+            Self::ArcLimitNotKept { vertex, name, value, limit } => write!(
+                f,
+                "no arcs within the tolerance keep `{name}` {}: at point {vertex} it takes {}; a larger tolerance, or a smaller limit",
+                ShortNumber(*limit),
+                ShortNumber(*value)
+            ),
             Self::ToleranceNotReached { points, deviation, tolerance } => write!(
                 f,
                 "tolerance {} not reached: {} stay outside, up to {} away; a larger tolerance, or corners where the data turn sharply",

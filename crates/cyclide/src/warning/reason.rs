@@ -42,6 +42,7 @@ impl Warning {
             Self::NodesNotReached { .. } => "nodes-not-reached",
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
+            Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
@@ -140,6 +141,7 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
+            | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }
             | Self::LooseBorders { .. }

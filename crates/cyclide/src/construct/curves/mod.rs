@@ -12,7 +12,6 @@ mod helix;
 mod interpolation;
 mod moebius_spline;
 mod nurbs_arcs;
-#[allow(dead_code, reason = "fits are moved to it one by one")]
 mod outline;
 mod plane_axes;
 mod qb_arcs;
