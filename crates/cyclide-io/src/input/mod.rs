@@ -1,6 +1,8 @@
 //! What is read of users: files and standard input as bytes, lists of points, meshes.
 
 #[cfg(feature = "files")]
+pub(crate) mod confined;
+#[cfg(feature = "files")]
 pub(crate) mod file;
 pub(crate) mod points;
 pub(crate) mod polygon_mesh;
