@@ -29,8 +29,9 @@
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
-//! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
+//! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `ReadFolder`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `WriteError`, `NotDurable`, `Abandoned`, `is_folder_name`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
 //! | what is refused | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
+//! | what terminals act on, made visible | [`escaped`], [`escaped_lines`], [`escaped_json`] |
 
 mod check;
 mod compare;
@@ -86,13 +87,15 @@ pub use export::options::{
 pub use export::provenance::Provenance;
 #[cfg(feature = "files")]
 pub use file::{
-    NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,
-    write_files,
+    Abandoned, NotDurable, StagedFiles, WriteError, WriteOptions, is_folder_name, leads_to_standard_input,
+    leads_to_standard_output, same_file, write_file, write_files,
 };
 pub use formats::{
     Exporter, Format, InputKind, MendedQuads, MeshFormat, ObjGrid, ObjLayout, ObjQuads, export, file_deviation,
     read_back, read_quad_grid, read_quads, vtk_multi_block,
 };
+#[cfg(feature = "files")]
+pub use input::confined::ReadFolder;
 #[cfg(feature = "files")]
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
@@ -108,6 +111,7 @@ pub use report::{
     TubeReport, UmbilicReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
 };
 pub use schedule::{NotScheduled, ScheduleError, ScheduleOptions, WorkshopSchedule};
+pub use text::escape::{escaped, escaped_json, escaped_lines};
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 

@@ -191,6 +191,8 @@ pub struct BuildArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
+    pub read: ReadArgs,
+    #[command(flatten)]
     pub output: OutputArgs,
     /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
     /// 1e-5 of the model's size for curves, 1e-4 for meshes].
@@ -280,6 +282,14 @@ pub struct OutputArgs {
     /// model's box.
     #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub axes: bool,
+}
+
+/// What a document may read.
+#[derive(Debug, Clone, Default, ClapArgs)]
+pub struct ReadArgs {
+    /// The document may name files below DIR only, for documents of people who are not trusted: `..` and links do not lead out of it.
+    #[arg(long, value_name = "DIR")]
+    pub read_below: Option<PathBuf>,
 }
 
 /// How files are written.
@@ -405,6 +415,8 @@ pub struct CurveArgs {
 pub struct ReportArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,

@@ -2,6 +2,8 @@
 
 pub(crate) mod exported_faces;
 #[cfg(feature = "files")]
+pub(crate) mod confined;
+#[cfg(feature = "files")]
 pub(crate) mod file;
 pub(crate) mod points;
 pub(crate) mod polygon_mesh;
