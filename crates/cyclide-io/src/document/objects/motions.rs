@@ -175,7 +175,9 @@ impl Builder<'_> {
             PoseSource::File(file) => {
                 let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
                 let rising = matches!(spec.kind.unwrap_or_default(), MotionKind::Spline | MotionKind::Sclerp);
-                let table = read_poses(&name, &bytes, rising, FEW_DECIMALS).map_err(Error::Input)?;
+                let table =
+                    read_poses(&name, &bytes, file.columns.as_deref(), rising, FEW_DECIMALS).map_err(Error::Input)?;
+                self.note_all(&name, &table.notes);
                 if let Some(message) = table.taken_as_zero {
                     self.remark("taken-as-zero", None, None, Some(name.clone()), message);
                 }
