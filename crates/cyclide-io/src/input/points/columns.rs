@@ -177,6 +177,15 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
             // As in Gauss-Krüger coordinates, where x is the northing.
             let turned = y + 1 == x && z.is_none_or(|z| z > x);
             let clear = |i: usize| roles[i] == Role::East { clear: true } || roles[i] == Role::North { clear: true };
+            if turned && Sampled::of(table).are_on_a_grid([x, y]) {
+                return Err(table.header_refused(format!(
+                    "y stands before x, and the coordinates are those of a map grid: in German and many other surveys x is the northing. \
+                     Choose the easting first, the northing second: `--columns {}` if x is the northing, `--columns {}` if it is the easting (in a \
+                     document `columns`)",
+                    numbers_of([y, x].into_iter().chain(z)),
+                    numbers_of(all)
+                )));
+            }
             let remark = if turned {
                 Some(format!(
                     "{}; y stands before x: if x is the northing, as in Gauss-Krüger coordinates, the curve is mirrored, and `--columns {}` is right",
@@ -214,7 +223,13 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         return Ok((numbers, Some(remark)));
     }
     let names = table.names(0..table.header.len());
-    let which = if numbers.len() < 2 { free().filter(numeric).collect() } else { sampled.without_numbers(&numbers) };
+    let all: Vec<usize> = free().filter(numeric).collect();
+    let which = match numbers.len() {
+        // A profile, of stations and heights, is a curve too.
+        0 | 1 if all.len() == 2 => all,
+        0 | 1 => Vec::new(),
+        _ => sampled.without_numbers(&numbers),
+    };
     Err(table.header_refused(format!(
         "no column is named x or y; there are {names}: name two or three of them, x first (`--columns {}`, in a document \
          `columns`)",

@@ -48,7 +48,7 @@ impl PoseColumns {
             let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
             let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
             let message = format!(
-                "`{}` is no column of poses, which are {NAMES}{hint}; or say what each column is (`-`: nothing of the pose), in the document `\"columns\": {}`",
+                "`{}` is no column of poses, which are {NAMES}{hint}; or say what each column is (`-`: nothing of the pose), as in the document `\"columns\": {}`",
                 quoted(field.text),
                 proposed(table, &meanings)
             );
@@ -190,7 +190,13 @@ impl PoseColumns {
 fn proposed(table: &Table<'_>, meanings: &[Option<Meaning>]) -> String {
     let word = |(field, meaning): (&Field<'_>, &Option<Meaning>)| {
         let known = meaning.is_some_and(|meaning| meaning != Meaning::Label);
-        format!("\"{}\"", if known { quoted(field.text).replace(['"', '\\'], " ") } else { "-".to_owned() })
+        // What is called so in the tables of Universal Robots.
+        let vector = words_of(field.text).0.first().and_then(|word| {
+            ["rx", "ry", "rz"].iter().position(|name| name == word).map(|axis| format!("rotvec_{}", POSITION[axis]))
+        });
+        let word =
+            if known { quoted(field.text).replace(['"', '\\'], " ") } else { vector.unwrap_or_else(|| "-".to_owned()) };
+        format!("\"{word}\"")
     };
     format!("[{}]", table.header.iter().zip(meanings).map(word).collect::<Vec<_>>().join(", "))
 }

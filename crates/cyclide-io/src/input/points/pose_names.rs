@@ -58,7 +58,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// What stands for a column that is left aside.
 const LEFT_ASIDE: &str = "-";
 /// Words of messages beside `x`, `y`, `z` that make them a place, a rotation, or neither.
-const PLACES: [&str; 9] = ["position", "pos", "p", "translation", "trans", "location", "tvec", "tcp", "pose"];
+const PLACES: [&str; 10] = ["position", "pos", "p", "translation", "trans", "location", "tvec", "tcp", "pose", "field"];
 const ROTATIONS: [&str; 6] = ["orientation", "quaternion", "quat", "q", "rotation", "rot"];
 const NEITHER: [&str; 13] = [
     "v",
@@ -81,11 +81,15 @@ const NEITHER: [&str; 13] = [
 fn of_messages(words: &[&str]) -> Option<Meaning> {
     let (last, before) = words.split_last()?;
     let speaks = |list: &[&str]| before.iter().any(|word| list.contains(word));
-    if speaks(&["covariance"]) || words.ends_with(&["frame", "id"]) || !before.is_empty() && *last == "seq" {
+    if words.contains(&"covariance") || words.ends_with(&["frame", "id"]) || !before.is_empty() && *last == "seq" {
         return Some(Meaning::Label);
     }
     if let Some(stamp) = before.iter().position(|word| *word == "header").filter(|_| words.contains(&"stamp")) {
         return unit_of_time(&words[stamp + 2..]).map(Meaning::Time);
+    }
+    // The heading of messages in the plane.
+    if let ["theta"] | ["field" | "pose", "theta"] = words {
+        return Some(Meaning::Angle(2, 1.0));
     }
     if let ["rotvec" | "rv" | "rvec", letter] | ["rot" | "rotation", "vec" | "vector", letter] = words {
         return POSITION.iter().position(|axis| axis == letter).map(|axis| Meaning::Vector(axis, 1.0));
@@ -164,7 +168,7 @@ pub(super) fn meaning(field: &Field<'_>) -> Option<Meaning> {
         };
         return Some(Meaning::Angle(angle, unit));
     }
-    if ["t", "time", "timestamp", "stamp", "rosbagtimestamp"].contains(first) {
+    if ["t", "time", "timestamp", "stamp", "rosbagtimestamp", "zeit"].contains(first) {
         return unit_of_time(beside).map(Meaning::Time);
     }
     if words.len() == 1 && LABELS.contains(first) || MEASURES.contains(&words.join("_").as_str()) {
@@ -242,6 +246,8 @@ mod tests {
             ("transform.translation.y", Some(Meaning::Position(1))),
             ("transform.rotation.x", Some(Meaning::Quaternion(1))),
             ("field.twist.twist.linear.x", Some(Meaning::Label)),
+            ("field.pose.covariance", Some(Meaning::Label)),
+            ("field.theta", Some(Meaning::Angle(2, 1.0))),
             ("field.pose.covariance0", None),
             ("field.header.stamp", Some(Meaning::Time(TimeUnit::Unsaid))),
             ("field.header.frame_id", Some(Meaning::Label)),

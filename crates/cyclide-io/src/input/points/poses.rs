@@ -194,7 +194,9 @@ fn name_columns<'a>(
             }
             Headless::QuaternionFirstOrLast => {
                 return Err(table.refused(
-                    "the table has no header line; its eight columns are a time, a place and a quaternion, whose w may be first or last:                      say which, in the document `\"columns\": [\"t\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]` or                      `[\"t\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"]`",
+                    "the table has no header line; its eight columns are a time, a place and a quaternion, whose w may be first or last: \
+                     say which, in the document `\"columns\": [\"t\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]` or \
+                     `[\"t\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"]`",
                 ));
             }
             Headless::Unknown => {

@@ -64,7 +64,7 @@ impl<'a> Preamble<'a> {
             if fields.iter().all(|f| f.text.is_empty()) {
                 continue;
             }
-            if text.len() < MOST_TITLES && is_text(&fields, source, delimiter, start, line.len(), !text.is_empty()) {
+            if text.len() < MOST_TITLES && is_text(&fields, source, delimiter, (start, line.len()), !text.is_empty()) {
                 text.push(Line { start, fields: std::mem::take(&mut fields) });
                 continue;
             }
@@ -91,10 +91,15 @@ impl<'a> Preamble<'a> {
         let may_be = |line: &Line<'_>| (line.fields.len() > 1 || width < 2) && (known(line) > 0 || fits(line));
         let is_units = |line: &Line<'_>| units_of(&line.fields).is_some();
         let candidates = || text.iter().enumerate().filter(|(_, line)| may_be(line) && !is_units(line));
-        // Of several that know as much the first one, so that nothing that stands below it is passed over.
+        // Of several that know as much the first one, so that nothing that stands below it is passed over; of those that
+        // know nothing the one above the data.
         let best = candidates().map(|(_, line)| known(line)).max();
-        let Some(at) = best.and_then(|best| candidates().find(|(_, line)| known(line) == best)).map(|(at, _)| at)
-        else {
+        let at = match best {
+            Some(0) => candidates().last(),
+            Some(best) => candidates().find(|(_, line)| known(line) == best),
+            None => None,
+        };
+        let Some((at, _)) = at else {
             self.titles = text.iter().map(|line| line.start).collect();
             return Ok(());
         };
@@ -121,27 +126,33 @@ impl<'a> Preamble<'a> {
     }
 }
 
-/// True for a line of text above the data: it has no number, or it is a title with one (`Project;17`) over a line of names.
+/// True for a line of text above the data: it has no number, or it is a title with some (`Project;17`, `Survey of 12 March`) over a
+/// line of names.
 fn is_text(
     fields: &[Field<'_>],
     source: Source<'_>,
     delimiter: Delimiter,
-    start: usize,
-    length: usize,
+    (start, length): (usize, usize),
     below: bool,
 ) -> bool {
     let numbers = fields.iter().filter(|field| is_number(field)).count();
-    if numbers != 1 || below || delimiter == Delimiter::Blanks {
+    let words = |fields: &[Field<'_>]| fields.iter().filter(|field| !field.text.is_empty()).count();
+    let begins = fields.first().is_some_and(|field| !field.text.is_empty() && !is_number(field));
+    if numbers == 0 || below || !begins {
         return numbers == 0;
     }
     let mut next = Vec::new();
-    let words = |fields: &[Field<'_>]| fields.iter().filter(|field| !field.text.is_empty()).count();
+    // A sentence has as many words as it likes, but none with as many numbers and words as a point.
+    let is_title = |names: usize| match delimiter {
+        Delimiter::Blanks => numbers == 1 || words(fields) != names,
+        Delimiter::Char(_) => numbers == 1 && words(fields) < names,
+    };
     lines(&source.text[start + length..]).take(MOST_TITLES).skip(1).any(|(at, line)| {
         next.clear();
         delimiter.split(line, start + length + at, &mut next).is_ok()
             && !next.iter().any(is_number)
-            && words(&next) > words(fields)
             && next.iter().filter(|field| Role::of(field) != Role::Unknown).count() > 1
+            && is_title(words(&next))
     })
 }
 
@@ -244,6 +255,7 @@ mod tests {
             ("x;y\n1;2\n", &["x", "y"][..], &[][..], 0, &["1", "2"][..]),
             ("sep=;\nx;y\n1,5;2\n", &["x", "y"], &[], 0, &["1,5", "2"]),
             ("Aufmaß, Werkhof Süd\nNr;X;Y\n1;1,5;2\n", &["Nr", "X", "Y"], &[], 1, &["1", "1,5", "2"]),
+            ("Survey of 12 March\nx y z\n1 2 3\n", &["x", "y", "z"], &[], 1, &["1", "2", "3"]),
             ("Projekt;17;;\n\nNr;X;Y;Code\n1;1,5;2;A\n", &["Nr", "X", "Y", "Code"], &[], 1, &["1", "1,5", "2", "A"]),
             ("Nr;X;Y\n;[m];[m]\n1;1,5;2\n", &["Nr", "X", "Y"], &[false, true, true], 0, &["1", "1,5", "2"]),
             ("X,Y\nm,m\n1,2\n", &["X", "Y"], &[true, true], 0, &["1", "2"]),

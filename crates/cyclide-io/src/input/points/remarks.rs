@@ -10,9 +10,9 @@ use super::table::{Field, Table};
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// Eastings and northings have six or seven figures before the point, wherever the grid begins.
-const GRID: f64 = 1e5;
+pub(super) const GRID: f64 = 1e5;
 /// What is measured there is far smaller than its distance from the origin.
-const PART_OF_GRID: f64 = 0.1;
+pub(super) const PART_OF_GRID: f64 = 0.1;
 
 /// What is said of coordinates that [`seem_to_be_of_a_grid`].
 pub(super) const GRID_COORDINATES: &str = "no unit is named, and the coordinates look like those of a map grid in metres: they are taken in the model's unit \

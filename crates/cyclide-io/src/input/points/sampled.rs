@@ -1,5 +1,7 @@
 //! What the first lines of a table say about its columns: whether one of them numbers the points.
 
+use super::decimals::has_decimal_comma;
+use super::remarks::{GRID, PART_OF_GRID};
 use super::table::Table;
 
 /// Lines that are looked at.
@@ -63,6 +65,16 @@ impl Sampled {
         counts && (fractions > 0 || farther && first.step == Some(1.0)) || first.rises && fractions > 1
     }
 
+    /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
+    pub(super) fn are_on_a_grid(&self, columns: [usize; 2]) -> bool {
+        let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.range));
+        ranges.iter().all(|range| {
+            range.is_some_and(|[low, high]| {
+                low.abs().min(high.abs()) > GRID && high - low < PART_OF_GRID * low.abs().min(high.abs())
+            })
+        })
+    }
+
     /// The columns but for those that number the points.
     pub(super) fn without_numbers(&self, columns: &[usize]) -> Vec<usize> {
         let mut rest = columns;
@@ -75,7 +87,9 @@ impl Sampled {
 
 impl Column {
     fn see(&mut self, text: &str) {
-        let Ok(number) = text.parse::<f64>() else {
+        let comma = has_decimal_comma(text);
+        let number = if comma { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
+        let Ok(number) = number else {
             self.fractions = true;
             return;
         };

@@ -263,6 +263,14 @@ fn columns_that_could_only_be_guessed_are_refused() {
             "p.csv:1:1: no column is named x or y; there are merkmal, foo, bar: name two or three of them, x first (`--columns 2,3`",
         ),
         ("easting,foo\n1,2\n", "p.csv:1:1: no column is named x or y"),
+        (
+            "Nr;Y;X\n1;4500010,5;5334000,1\n2;4500020,5;5334010,1\n",
+            "p.csv:1:1: y stands before x, and the coordinates are those of a map grid",
+        ),
+        (
+            "Hz;V;SD\n8,5;47,1;1\n",
+            "p.csv:1:1: no column is named x or y; there are Hz, V, SD: name two or three of them, x first (`--columns A,B`",
+        ),
         ("southing,westing\n1,2\n", "p.csv:1:1: no column is named x or y"),
         ("0 mm,0 mm\n10,5\n", "p.csv:1:1: no names of columns and no numbers"),
         ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are angles on the globe"),
