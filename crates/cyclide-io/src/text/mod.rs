@@ -2,6 +2,7 @@
 
 pub(crate) mod csv;
 pub(crate) mod encoding;
+pub(crate) mod escape;
 pub(crate) mod lines;
 pub(crate) mod number;
 pub(crate) mod place;
