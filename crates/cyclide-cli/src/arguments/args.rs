@@ -270,8 +270,8 @@ pub struct OutputArgs {
     /// PNG: what surfaces are coloured by, with one scale for all of them; curvatures are signed by the outer side [default: object].
     #[arg(long, visible_alias = "color", value_name = "WHAT", value_parser = word::<PictureColour>(), help_heading = "Pictures")]
     pub colour: Option<PictureColour>,
-    /// PNG: write the names of objects on them, and on the panels of nets and of solids over them row and column from 0 (r03-c07),
-    /// where they are seen and have room.
+    /// PNG: write the names of objects on them, on the panels of nets and of solids over them row and column from 0 (r03-c07),
+    /// and beside the points of curves what their table calls them, where they are seen and have room.
     #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub labels: bool,
     /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
@@ -333,7 +333,8 @@ pub struct CurveArgs {
     /// say, as x_m, else mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
+    /// easting, northing and height; numbers and names of points are none].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
     /// The column that tells contours apart [default: 'contour', else blank lines].

@@ -42,7 +42,8 @@ pub struct CompareArgs {
     /// say, as x_m, else mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
+    /// easting, northing and height; numbers and names of points are none].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
     /// The column that tells contours apart [default: 'contour', else blank lines].
@@ -103,6 +104,7 @@ impl CompareArgs {
         let name = self.points.display().to_string();
         let document =
             Document::from_objects(&name, self.units.unwrap_or_default(), vec![("points".to_owned(), polygon)]);
+        let document = if self.units.is_some() { document } else { document.assuming_units() };
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         Ok(ComparePlan {
             input: Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() },

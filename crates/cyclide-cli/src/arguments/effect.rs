@@ -129,6 +129,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
     let faces = model.items.iter().any(|item| item.surfaces().iter().any(|surface| surface.as_triangles().is_none()));
     let names = model.items.iter().filter(|item| item.motion().is_none()).count() > 1;
+    let called = provenance.iter().any(|own| !own.point_names.is_empty());
     let of_nets = |surfaces: &[SurfaceObject]| matches!(surfaces, [one] if !one.nets().is_empty());
     let panels =
         model.items.iter().any(|item| of_nets(item.surfaces())) || provenance.iter().any(|own| of_nets(&own.skin));
@@ -153,8 +154,8 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         ),
         (
             "--labels",
-            options.png_labels && colour != PictureColour::Field && !names && !panels,
-            "one object has its name as title, and no panels",
+            options.png_labels && colour != PictureColour::Field && !names && !panels && !called,
+            "one object has its name as title, no panels, and no points that a table names",
         ),
         (
             "--tolerance",

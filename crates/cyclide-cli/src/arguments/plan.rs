@@ -232,6 +232,7 @@ impl CurveArgs {
         }
         let units = self.units.unwrap_or_default();
         let document = Document::from_objects(&self.points.display().to_string(), units, objects);
+        let document = if self.units.is_some() { document } else { document.assuming_units() };
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
         let plan = self.output.plan(input, self.tolerance)?;

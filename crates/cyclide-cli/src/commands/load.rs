@@ -185,6 +185,9 @@ pub fn input_files(document: &Document, folder: &Path) -> Vec<PathBuf> {
 }
 
 fn show_warnings(built: &BuiltObject) {
+    for note in &built.notes {
+        terminal::note(note);
+    }
     let mut counts: HashMap<&str, usize> = HashMap::new();
     for remark in &built.remarks {
         let count = counts.entry(remark.reason).or_default();

@@ -98,6 +98,9 @@ pub struct ObjectReport {
     pub geometry: GeometryReport,
     /// What the user should know.
     pub warnings: Vec<WarningReport>,
+    /// How files were read, where that is not plain.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// What is said about an object's geometry, by its kind.
@@ -239,7 +242,13 @@ impl ObjectReport {
             Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();
-        Self { r#type: built.provenance.kind.to_owned(), construction: built.construction, geometry, warnings }
+        Self {
+            r#type: built.provenance.kind.to_owned(),
+            construction: built.construction,
+            geometry,
+            warnings,
+            notes: built.notes.clone(),
+        }
     }
 }
 

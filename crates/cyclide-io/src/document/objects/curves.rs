@@ -1,7 +1,8 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
 use cyclide::{
-    Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, ShortNumber, Vec3, Warning, bounds,
+    Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, ShortNumber, Units, Vec3, Warning,
+    bounds,
 };
 
 use super::idle::{Idle, idle_fields};
@@ -17,9 +18,10 @@ use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcFitSpec, ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::formats::InputKind;
-use crate::input::points::{Merged, PointColumns, PointList, merge_repeated, read_points};
+use crate::input::points::{Merged, PointColumns, PointList, UNITS_ASSUMED, merge_repeated, read_points};
+use crate::text::encoding::decode_table;
 use crate::text::lines::LineStarts;
-use crate::text::place::decode;
+use crate::text::place::quoted;
 
 /// The points of an object and the text they stand in.
 pub(super) struct Points {
@@ -343,12 +345,14 @@ impl Builder<'_> {
             }
             // Places are looked up in the list as given, so before the merge drops entries.
             let given_offsets = points.lists[contour].offsets.clone();
+            let given_labels = points.lists[contour].labels.clone();
             let merged = if self.spec.keeps_repeated_points() {
                 Merged::nothing(&points.lists[contour])
             } else {
                 merge_repeated(&mut points.lists[contour], closed)
             };
             points.lists[contour].offsets = given_offsets;
+            points.lists[contour].labels = given_labels;
             points.kept[contour] = merged.kept;
             for warning in merged.warnings {
                 let index = warning.index();
@@ -370,6 +374,7 @@ impl Builder<'_> {
                 let place = index.map(|i| self.place(&points, contour, i));
                 self.remarks.push(Remark { contour: Some(contour), index, place, ..warning.into() });
             }
+            self.take_point_names(&points, contour);
             if facts.fit.is_some() {
                 self.data.extend_from_slice(&points.lists[contour].points);
             }
@@ -377,6 +382,18 @@ impl Builder<'_> {
         }
         self.remark_on_idle(idle.unwrap_or_default());
         Ok(made)
+    }
+
+    /// Keeps what the points of a contour are called.
+    fn take_point_names(&mut self, points: &Points, contour: usize) {
+        let Origin::File { text, .. } = &points.origin else { return };
+        let list = &points.lists[contour];
+        let name = |given: &usize| list.labels.get(*given).and_then(|range| text.get(range.clone()));
+        let named = list.points.iter().zip(&points.kept[contour]).filter_map(|(point, given)| {
+            let name = name(given).filter(|name| !name.is_empty())?;
+            Some((*point, quoted(name).into_owned()))
+        });
+        self.point_names.extend(named);
     }
 
     pub(super) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
@@ -401,10 +418,12 @@ impl Builder<'_> {
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
         self.remark_units(&name, &table.unit_hints);
-        for remark in table.remarks {
+        let assumed = self.document.units_assumed && self.document.units == Units::Millimetre;
+        for remark in table.remarks.into_iter().filter(|remark| assumed || remark.reason != UNITS_ASSUMED) {
             self.remark(remark.reason, None, None, Some(name.clone()), remark.message);
         }
-        let text = decode(&name, &bytes)?.to_owned();
+        self.note_all(&name, &table.notes);
+        let text = decode_table(&name, &bytes)?.text.into_owned();
         let lines = LineStarts::new(&text);
         let kept = vec![Vec::new(); table.contours.len()];
         Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text, lines } })
@@ -414,9 +433,14 @@ impl Builder<'_> {
     fn place(&self, points: &Points, contour: usize, index: usize) -> String {
         match &points.origin {
             Origin::Document { .. } => path_text(&self.path(points.steps(contour, Some(index)))),
-            Origin::File { name, lines, .. } => {
-                let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
-                format!("{name}:{}", lines.line_of(offset))
+            Origin::File { name, text, lines } => {
+                let list = &points.lists[contour];
+                let offset = list.offsets.get(index).copied().unwrap_or_default();
+                // As the person calls it.
+                let label =
+                    list.labels.get(index).and_then(|range| text.get(range.clone())).filter(|label| !label.is_empty());
+                let label = label.map(|label| format!(" (`{}`)", quoted(label))).unwrap_or_default();
+                format!("{name}:{}{label}", lines.line_of(offset))
             }
         }
     }

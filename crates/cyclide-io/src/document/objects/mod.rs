@@ -126,6 +126,8 @@ pub struct BuiltObject {
     pub contours: Vec<ContourFacts>,
     /// What the user should know: warnings of the kernel, and what reading and making the object remarked.
     pub remarks: Vec<Remark>,
+    /// How files were read, where that was certain and is not plain: columns by words, encodings, times of clocks.
+    pub notes: Vec<String>,
     /// Of images of curves under Möbius maps: of what, and by which.
     pub(crate) unmapped: Option<Unmapped>,
 }
@@ -220,6 +222,8 @@ impl<'a> ModelBuilder<'a> {
                     smooth: None,
                     unrolled: None,
                     remarks: Vec::new(),
+                    notes: Vec::new(),
+                    point_names: Vec::new(),
                     data: Vec::new(),
                     names: Vec::new(),
                     gradings: None,
@@ -321,6 +325,9 @@ struct Builder<'a> {
     /// What became of the curve when it was laid flat.
     unrolled: Option<UnrolledPlane>,
     remarks: Vec<Remark>,
+    notes: Vec<String>,
+    /// What its points are called in their table.
+    point_names: Vec<(Point3, String)>,
     /// The points of a fit.
     data: Vec<Point3>,
     /// The names of its surfaces, if they have some.
@@ -389,6 +396,8 @@ impl Builder<'_> {
             smooth,
             unrolled,
             remarks,
+            notes,
+            point_names,
             names,
             gradings,
             unmapped,
@@ -396,7 +405,8 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names, given, field, skin };
+        let provenance =
+            Provenance { kind: self.spec.type_word(), data, nodes, point_names, places, names, given, field, skin };
         Ok(BuiltObject {
             item,
             provenance,
@@ -420,6 +430,7 @@ impl Builder<'_> {
             construction,
             contours,
             remarks,
+            notes,
             unmapped,
         })
     }

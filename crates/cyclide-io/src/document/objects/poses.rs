@@ -38,7 +38,9 @@ impl Builder<'_> {
                     spec.kind.unwrap_or_default(),
                     MotionKind::Spline | MotionKind::Linear | MotionKind::Sclerp
                 );
-                let table = read_poses(&name, &bytes, rising, FEW_DECIMALS).map_err(Error::Input)?;
+                let table =
+                    read_poses(&name, &bytes, file.columns.as_deref(), rising, FEW_DECIMALS).map_err(Error::Input)?;
+                self.note_all(&name, &table.notes);
                 if let Some(message) = table.taken_as_zero {
                     self.remark("taken-as-zero", None, None, Some(name.clone()), message);
                 }

@@ -185,6 +185,9 @@ pub enum PoseSource {
 pub struct PoseFile {
     /// Path of the file, relative to the document.
     pub csv: String,
+    /// What each column of the file is, in their order, in the words of a header line; `-` for one that is no part of the pose. It stands in
+    /// for a header, and before one that the file has.
+    pub columns: Option<Vec<String>>,
 }
 
 /// One pose: a position with a rotation in one of two notations, or a matrix.

@@ -181,6 +181,7 @@ fn conversion(units: Units) -> Option<&'static str> {
     match units {
         Units::Inch => Some("INCH"),
         Units::Foot => Some("FOOT"),
+        Units::UsSurveyFoot => Some("US_SURVEY_FOOT"),
         Units::Millimetre | Units::Centimetre | Units::Metre => None,
     }
 }
