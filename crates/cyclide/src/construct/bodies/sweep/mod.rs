@@ -2,7 +2,7 @@
 //! segments, and closed by plane faces where the path ends (`docs/math/sweeps.md`).
 //!
 //! Over an arc the frame turns with the arc, which is parallel transport: a section of degree m makes faces of degree (m, 2), over a segment (m, 1). A turn about the
-//! path is a rational rotation over each leg, of degree (m, 4) and (m, 2): its ends are exact, and legs are halved until it is near enough to the law between.
+//! path is a rational rotation over each leg, of degree (m, 4) and (m, 3) at most: its ends are exact, and legs are halved until it is near enough to the law between.
 
 mod legs;
 mod meeting;
