@@ -494,7 +494,7 @@ impl std::fmt::Display for Error {
             ),
             Self::SectionNotPlane { contour, distance, limit } => write!(
                 f,
-                "contour {contour} of the section is up to {} off its plane, limit {}: a section lies in one plane",
+                "contour {contour} of the section is up to {} off the plane of sections, limit {}",
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),

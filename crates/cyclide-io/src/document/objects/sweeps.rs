@@ -1,6 +1,6 @@
 //! Sections along a path.
 
-use cyclide::{CurveObject, EdgeCurve, SurfaceObject, Sweep, SweepOptions};
+use cyclide::{CurveObject, EdgeCurve, ShortNumber, SurfaceObject, Sweep, SweepOptions};
 
 use super::Builder;
 use super::idle::NO_EFFECT;
@@ -48,7 +48,7 @@ impl Builder<'_> {
             tolerance,
         };
         let (mut made, mut bound) = (Vec::new(), 0.0_f64);
-        for path in &paths {
+        for (contour, path) in paths.iter().enumerate() {
             let exact = path.is_of_arcs();
             let arcs = path.spine(Some(if exact { tolerance } else { 0.5 * tolerance }));
             let arcs = arcs.map_err(|e| self.refused_at(["of".into()], &e))?;
@@ -59,6 +59,13 @@ impl Builder<'_> {
             let options = SweepOptions { tolerance: if exact { tolerance } else { 0.5 * tolerance }, ..options };
             let sweep = placed.and_then(|placed| Sweep::new(&placed, &arcs, &options));
             let sweep = sweep.map_err(|e| self.refused_sweep(spec, &e))?;
+            if let Some((lengths, point)) = sweep.meeting() {
+                let ([from, to], [x, y, z]) = (lengths.map(ShortNumber), point.to_array().map(ShortNumber));
+                let message = format!(
+                    "the section may run into itself near ({x}, {y}, {z}), {from} and {to} along the path: what it shares counts twice; take a smaller section, or move the path apart"
+                );
+                self.remark("sweep-meets-itself", (paths.len() > 1).then_some(contour), None, None, message);
+            }
             bound = bound.max(sweep.bound() + if exact { 0.0 } else { 0.5 * tolerance });
             made.extend(sweep.into_bodies().into_iter().map(SurfaceObject::Body));
         }

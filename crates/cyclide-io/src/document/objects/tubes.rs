@@ -10,8 +10,9 @@ use super::idle::idle_in_tube;
 use crate::document::spec::{RadiusOf, TubeSpec};
 use crate::error::Result;
 
-/// Part of the least radius that the tolerance is if none is given.
+/// Part of the least radius that the tolerance is if none is given; and where arcs are followed as they are and circles lie across them, whose error is of fourth order.
 const TOLERANCE: f64 = 1e-3;
+const TOLERANCE_ON_ARCS: f64 = 1e-5;
 
 /// Parts of the tolerance that arcs in place of a curve are made within, one after the other.
 const SHARES: [f64; 5] = [0.4, 0.2, 0.1, 0.03, 0.01];
@@ -163,10 +164,14 @@ impl Builder<'_> {
         let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
         let law = RadiusLaw::new(values).map_err(refused)?;
         let least = values.iter().map(|value| value[1]).fold(f64::INFINITY, f64::min);
-        let tolerance = spec.tolerance.unwrap_or(TOLERANCE * least);
         // Balls and sections of one radius are the same tube, whose lines of curvature the balls know.
         let radius_of = if law.is_constant() { RadiusOf::Balls } else { spec.radius_of.unwrap_or_default() };
-        let made = curves.iter().map(|curve| along(curve, &law, tolerance, radius_of)).collect::<cyclide::Result<_>>();
+        let made = curves.iter().map(|curve| {
+            let fine = curve.is_of_arcs() && radius_of == RadiusOf::Sections;
+            let part = if fine { TOLERANCE_ON_ARCS } else { TOLERANCE };
+            along(curve, &law, spec.tolerance.unwrap_or(part * least), radius_of)
+        });
+        let made = made.collect::<cyclide::Result<_>>();
         made.map_err(refused)
     }
 }

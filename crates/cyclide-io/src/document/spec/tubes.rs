@@ -58,7 +58,7 @@ pub struct TubeSpec {
     #[serde(default)]
     pub ends: PipeEnds,
     /// Largest distance from the tube of the law along the curve; 0 is kept along segments, and along arcs where the radius stays. Default: a thousandth of the
-    /// least radius.
+    /// least radius; a hundred thousandth along arcs with a radius of sections.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }

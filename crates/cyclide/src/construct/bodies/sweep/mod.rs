@@ -2,9 +2,10 @@
 //! segments, and closed by plane faces where the path ends (`docs/math/sweeps.md`).
 //!
 //! Over an arc the frame turns with the arc, which is parallel transport: a section of degree m makes faces of degree (m, 2), over a segment (m, 1). A turn about the
-//! path is a rational rotation over each leg, of degree (m, 4) and (m, 2): its ends are exact, and legs are halved until it is near enough to the law between.
+//! path is a rational rotation over each leg, of degree (m, 4) and (m, 3) at most: its ends are exact, and legs are halved until it is near enough to the law between.
 
 mod legs;
+mod meeting;
 
 use super::bands::{Bands, Ring, rows_of};
 use super::carried::{Carrier, surface_of};
@@ -84,6 +85,7 @@ impl Default for SweepOptions {
 pub struct Sweep {
     bodies: Vec<Body>,
     bound: f64,
+    meeting: Option<([f64; 2], Point3)>,
 }
 
 impl Sweep {
@@ -111,7 +113,8 @@ impl Sweep {
             sections.iter().flat_map(|section| section.contours.iter().flatten()).flat_map(places).collect();
         let legs = Legs::new(path, &points, options)?;
         let bodies = sections.iter().map(|section| legs.body(section)).collect::<Result<_>>()?;
-        Ok(Self { bodies, bound: legs.bound })
+        let meeting = meeting::meeting(&legs.legs, &legs.stations, legs.closed, &points);
+        Ok(Self { bodies, bound: legs.bound, meeting })
     }
 
     /// A section that is drawn in space, across the path at its start, as [`new`](Self::new) takes it.
@@ -165,6 +168,13 @@ impl Sweep {
     #[must_use]
     pub fn into_bodies(self) -> Vec<Body> {
         self.bodies
+    }
+
+    /// Where it may run into itself: the lengths of the path before two places, and a point between, at which rectangles about the section overlap. Looked at a quarter of the
+    /// reach of the section apart, beyond half a turn of it along the path.
+    #[must_use]
+    pub fn meeting(&self) -> Option<([f64; 2], Point3)> {
+        self.meeting
     }
 
     /// No point is farther than this from that of the law of the turn; 0 if nothing turns about the path. Looked at in places of each leg.

@@ -162,17 +162,39 @@ fn meeting(courses: [&Course; 2], [i, j]: [usize; 2], same: bool, left: &mut usi
     None
 }
 
-/// Compares disks of two short parts: at their ends, in their middles, and where their chords are nearest.
+/// Compares disks of two short parts: at their ends, in their middles, and where their chords are nearest. Disks of strands beside each other do not cross; so it is also looked
+/// whether the rim of one, where it is nearest to the other, is inside that.
 fn compared(courses: [&Course; 2], parts: [&Part; 2], nearest: [f64; 2], same: bool) -> Option<Meeting> {
+    let stretches = [0, 1].map(|k| &courses[k].stretches[parts[k].stretch]);
     let disks = [0, 1].map(|k| {
-        let (course, [from, to]) = (courses[k], parts[k].range);
-        [0.0, 0.5, 1.0, nearest[k]].map(|x| course.stretches[parts[k].stretch].disk(from + (to - from) * x))
+        let [from, to] = parts[k].range;
+        [0.0, 0.5, 1.0, nearest[k]].map(|x| stretches[k].disk(from + (to - from) * x))
     });
+    let meeting = |a: Section, b: Section| Meeting {
+        sources: stretches.map(|stretch| stretch.source),
+        centers: [a.center, b.center],
+        radii: [a.radius, b.radius],
+    };
     let adjoining = |a: &Section, b: &Section| same && a.center.distance(b.center) <= TOUCHING * a.radius.max(b.radius);
-    let pairs = disks[0].iter().flat_map(|a| disks[1].iter().map(move |b| (a, b)));
-    let (a, b) = pairs.into_iter().find(|(a, b)| !adjoining(a, b) && a.meets(**b))?;
-    let sources = [0, 1].map(|k| courses[k].stretches[parts[k].stretch].source);
-    Some(Meeting { sources, centers: [a.center, b.center], radii: [a.radius, b.radius] })
+    let mut pairs = disks[0].iter().flat_map(|a| disks[1].iter().map(move |b| (a, b)));
+    if let Some((a, b)) = pairs.find(|(a, b)| !adjoining(a, b) && a.meets(**b)) {
+        return Some(meeting(*a, *b));
+    }
+    let inside = |k: usize| {
+        let other = stretches[1 - k];
+        disks[k].iter().find_map(|disk| {
+            let center = other.arc.closest_point(disk.center).t;
+            let way = other.arc.point(center) - disk.center;
+            let towards = (way - disk.axis * way.dot(disk.axis)).unit()?;
+            let rim = disk.center + towards * (disk.radius * (1.0 - TOUCHING)).min(way.length());
+            let t = other.arc.closest_point(rim).t;
+            let (found, off) = (other.disk(t), rim - other.arc.point(t));
+            let across = (t > 0.0 && t < 1.0) || off.dot(found.axis).abs() <= TOUCHING * off.length();
+            let is_inside = across && off.length() < found.radius * (1.0 - TOUCHING) && !adjoining(disk, &found);
+            is_inside.then(|| meeting(*disk, found))
+        })
+    };
+    inside(0).or_else(|| inside(1))
 }
 
 impl Course {
