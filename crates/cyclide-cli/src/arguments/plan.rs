@@ -168,6 +168,7 @@ impl OutputArgs {
             dxf_splines: self.dxf_splines,
             dxf_version: self.dxf_version.unwrap_or_default(),
             step_edges: self.step_edges.unwrap_or_default(),
+            step_faces: self.step_faces.unwrap_or_default(),
             step_products: self.step_products.unwrap_or_default(),
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
@@ -306,6 +307,8 @@ impl CurveArgs {
                     target: self.target.unwrap_or_default(),
                     effort: self.effort.unwrap_or_default(),
                     corner_angle,
+                    min_radius: self.output.min_radius,
+                    min_arc_length: self.min_arc_length,
                 })
             }
             Kind::FairFit => {

@@ -1,5 +1,6 @@
 //! What is read of users: files and standard input as bytes, lists of points, meshes.
 
+pub(crate) mod exported_faces;
 #[cfg(feature = "files")]
 pub(crate) mod confined;
 #[cfg(feature = "files")]

@@ -42,11 +42,13 @@ impl Warning {
             Self::NodesNotReached { .. } => "nodes-not-reached",
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
+            Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
             Self::GridPieces { .. } => "pieces",
+            Self::PartlyCovered { .. } => "partly-covered",
             Self::SpiralLines { .. } => "spiral-lines",
             Self::UmbilicsLeftOut { .. } => "umbilics-left-out",
             Self::OffCurvatureLines { .. } => "off-curvature-lines",
@@ -125,6 +127,7 @@ impl Warning {
             | Self::TurnsMoreThanData { .. }
             | Self::UmbilicsSmoothed { .. }
             | Self::GridPieces { .. }
+            | Self::PartlyCovered { .. }
             | Self::UmbilicsLeftOut { .. }
             | Self::OffCurvatureLines { .. }
             | Self::SpiralLines { .. }
@@ -138,6 +141,7 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
+            | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }
             | Self::LooseBorders { .. }

@@ -19,7 +19,7 @@ const SHARP: f64 = 0.75;
 pub(super) fn corners(points: &[Point3], forced: &[usize], options: &FairFitOptions) -> Vec<(usize, f64)> {
     let rule = ArcFitOptions {
         closed: options.closed,
-        corner_angle: options.corner_angle.unwrap_or(std::f64::consts::PI),
+        corner_angle: Some(options.corner_angle.unwrap_or(std::f64::consts::PI)),
         target: if options.edge_points > 0 { FitTarget::Polyline } else { FitTarget::Points },
         ..ArcFitOptions::new(options.tolerance)
     };
