@@ -26,8 +26,8 @@ Exit codes:
   4  a file failed its check when read back and was not written (a fault of cyclide)
 
 All files of a run are made and checked before the first is written, and each is written whole or not at all: where the exit
-code is not 0 old files are left as they were, but for a disk that fails at the last step (the message then names what was
-written). Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
+code is not 0 old files are as they were, unless a disk fails for good in the last step (the message then names what was
+written). A signal ends the program without leaving a temporary file. Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
 standard output (docs/files.md).";
 
 const EXAMPLES: &str = "\
@@ -209,7 +209,7 @@ pub struct OutputArgs {
     /// The format of files whose names do not say it.
     #[arg(long, value_name = "FORMAT", value_parser = format_word())]
     pub format: Option<Format>,
-    /// A file for each object, FILE-NAME with the object's name; for VTU also FILE.vtm, which ParaView opens with the objects as blocks.
+    /// A file for each object, FILE-NAME with the object's name, all of them or none if their folder holds nothing else; for VTU also FILE.vtm, which ParaView opens with the objects as blocks.
     #[arg(long)]
     pub per_object: bool,
     #[command(flatten)]

@@ -290,8 +290,8 @@ mod unix {
     fn a_killed_run_leaves_the_old_set_or_the_new_one() {
         let net = |width: f64| {
             format!(
-                r#"{{"cyclide": 1, "units": "m", "objects": {{"skin": {{"type": "cyclidic-net", "grid": {{"size": [3, 2],
-                "points": [[0, 0, 0], [1, 0, 0], [{width}, 0, 0], [0, 1, 0], [1, 1, 0], [{width}, 1, 0]]}}}}}}}}"#
+                r#"{{"cyclide": 1, "units": "m", "objects": {{"skin": {{"type": "cyclidic-net", "grid":
+                [[[0, 0, 0], [1, 0, 0], [{width}, 0, 0]], [[0, 1, 0], [1, 1, 0], [{width}, 1, 0]]]}}}}}}"#
             )
         };
         let folder = Folder::with(&[
