@@ -69,10 +69,10 @@ fn a_typed_angle_is_obeyed_and_the_remedy_works() {
 #[test]
 fn limits_of_a_machine_are_kept_or_refused_with_the_place() {
     let folder = Folder::with(&[]);
-    let kept = fit(&folder, "culdesac", "--tolerance 0.1 --min-arc-length 6 --min-radius 7");
+    let kept = fit(&folder, "culdesac", "--tolerance 0.02 --min-arc-length 6 --min-radius 7");
     assert_eq!(counts(&kept), (2, 3));
-    for (limit, word) in [("--min-radius 8", "`min_radius` 8"), ("--min-arc-length 9", "`min_arc_length` 9")] {
-        let message = folder.fails(1, &format!("curve culdesac.csv --kind arc-fit --tolerance 0.1 {limit} -o c.dxf"));
+    for (limit, word) in [("--min-radius 9", "`min_radius` 9"), ("--min-arc-length 9", "`min_arc_length` 9")] {
+        let message = folder.fails(1, &format!("curve culdesac.csv --kind arc-fit --tolerance 0.02 {limit} -o c.dxf"));
         assert!(message.contains(word) && message.contains("arc-limit-not-kept"), "{message}");
         assert!(!folder.has("c.dxf"));
     }

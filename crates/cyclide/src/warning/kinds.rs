@@ -230,7 +230,7 @@ pub enum Warning {
         /// The turn there, radians: half a turn within a piece.
         angle: f64,
     },
-    /// Corners of the input were kept as corners; reversals are counted apart.
+    /// Corners of the input were kept as corners.
     CornerKept {
         /// Index of the first of the points.
         vertex: usize,

@@ -180,7 +180,7 @@ fn open_outlines_keep_their_corners_too() {
 }
 
 /// A smooth closed curve of radius about 50 with waves up to the fifth.
-fn wave(random: &mut Random) -> impl Fn(f64) -> Point3 {
+fn wave(random: &mut Random) -> impl Fn(f64) -> Point3 + use<> {
     let waves: Vec<[f64; 3]> =
         (2..=5).map(|n| [f64::from(n), 0.3 / f64::from(n) * random.next(), TAU * random.next()]).collect();
     move |a: f64| {
@@ -262,10 +262,10 @@ fn the_deviation_is_least_once_the_count_is() {
 fn limits_of_machines_are_kept_or_refused_with_the_place() {
     let points = turning_place();
     let fit = |min_radius: Option<f64>, min_arc_length: Option<f64>| {
-        ArcFit::new(&points, &ArcFitOptions { min_radius, min_arc_length, ..ArcFitOptions::new(0.1) })
+        ArcFit::new(&points, &ArcFitOptions { min_radius, min_arc_length, ..ArcFitOptions::new(0.02) })
     };
     let kept = fit(Some(7.0), Some(6.0)).unwrap();
-    check(&points, &ArcFitOptions::new(0.1), &kept);
+    check(&points, &ArcFitOptions::new(0.02), &kept);
     for arc in kept.path().arcs().iter().filter(|arc| !arc.is_straight()) {
         assert!(arc.radius().unwrap() >= 7.0 && arc.length() >= 6.0);
     }

@@ -103,17 +103,12 @@ impl Outline {
     }
 }
 
-/// What is said of corners that are kept, one line for all of them but reversals, which have one of their own; `source` has
-/// the number of each point in the user's list.
-pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usize]) -> Vec<Warning> {
-    let (reversals, ordinary): (Vec<_>, Vec<_>) = corners.iter().partition(|(_, angle)| *angle > CUSP_ANGLE);
-    let all = |corners: &[(usize, f64)]| {
-        let (vertex, angle) = *corners.first()?;
-        let least = corners.iter().map(|c| c.1).fold(angle, f64::min);
-        let most = corners.iter().map(|c| c.1).fold(angle, f64::max);
-        Some(Warning::CornerKept { vertex: source[vertex], count: corners.len(), least, most })
-    };
-    [all(&ordinary), all(&reversals)].into_iter().flatten().collect()
+/// What is said of corners that are kept, one line for all of them; `source` has the number of each point in the user's list.
+pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usize]) -> Option<Warning> {
+    let (vertex, angle) = *corners.first()?;
+    let angles = corners.iter().map(|corner| corner.1);
+    let (least, most) = angles.fold((angle, angle), |(least, most), a| (least.min(a), most.max(a)));
+    Some(Warning::CornerKept { vertex: source[vertex], count: corners.len(), least, most })
 }
 
 struct Reader<'a> {
