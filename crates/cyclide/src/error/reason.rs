@@ -105,6 +105,7 @@ impl Error {
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
+            Self::OutliersOutside { .. } => "outliers",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
@@ -257,6 +258,7 @@ impl Error {
             Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
                 points.first().copied()
             }
+            Self::OutliersOutside { ref points, .. } => points.first().map(|p| p.0),
             _ => None,
         }
     }
