@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers, Units};
 use cyclide_io::{
     Camera, DxfVersion, FairEndWord, FairTolerance, Format, MoebiusContinuity, ParametersSpec, PictureColour,
-    StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    StepEdges, StepFaces, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -191,6 +191,8 @@ pub struct BuildArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
+    pub read: ReadArgs,
+    #[command(flatten)]
     pub output: OutputArgs,
     /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
     /// 1e-5 of the model's size for curves, 1e-4 for meshes].
@@ -215,7 +217,7 @@ pub struct OutputArgs {
     /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
-    /// Name the places of curves whose radius is below R, in the report and as warnings.
+    /// Name the places of curves whose radius is below R, in the report and as warnings; the arcs of --kind arc-fit keep to it.
     #[arg(long, value_name = "R", value_parser = positive, allow_hyphen_values = true)]
     pub min_radius: Option<f64>,
     /// What files and pictures call the model [default: the name of the only object, or of the document].
@@ -234,6 +236,9 @@ pub struct OutputArgs {
     /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
     #[arg(long, value_name = "CURVE", value_parser = word::<StepEdges>(), help_heading = "Formats")]
     pub step_edges: Option<StepEdges>,
+    /// STEP: which faces bodies have [default: merged].
+    #[arg(long, value_name = "FACES", value_parser = word::<StepFaces>(), help_heading = "Formats")]
+    pub step_faces: Option<StepFaces>,
     /// STEP: the products of several objects [default: auto].
     #[arg(long, value_name = "PRODUCTS", value_parser = word::<StepProducts>(), help_heading = "Formats")]
     pub step_products: Option<StepProducts>,
@@ -277,6 +282,14 @@ pub struct OutputArgs {
     /// model's box.
     #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub axes: bool,
+}
+
+/// What a document may read.
+#[derive(Debug, Clone, Default, ClapArgs)]
+pub struct ReadArgs {
+    /// The document may name files below DIR only, for documents of people who are not trusted: `..` and links do not lead out of it.
+    #[arg(long, value_name = "DIR")]
+    pub read_below: Option<PathBuf>,
 }
 
 /// How files are written.
@@ -336,8 +349,8 @@ pub struct CurveArgs {
     /// The column that tells contours apart [default: 'contour', else blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
-    /// arc fit].
+    /// Turns above this angle, in degrees, are corners, and others are not [default: none for splines and a fair fit; for an
+    /// arc fit those above 30 that no samples of a smooth curve explain].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
     /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
@@ -372,12 +385,16 @@ pub struct CurveArgs {
     /// Arc spline: how the joint between two points is chosen [default: equal-d].
     #[arg(long, value_parser = word::<BiarcRule>())]
     pub rule: Option<BiarcRule>,
-    /// Arc fit: what the points are [default: points].
+    /// Arc fit: what the points are: samples of a smooth curve, with corners and straight sides where they cannot be
+    /// samples, or a polyline all of whose edges are kept to [default: points].
     #[arg(long, value_parser = word::<FitTarget>())]
     pub target: Option<FitTarget>,
     /// Arc fit: how hard to search [default: default].
     #[arg(long, value_parser = word::<Effort>())]
     pub effort: Option<Effort>,
+    /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be.
+    #[arg(long, value_name = "L", value_parser = positive, allow_hyphen_values = true)]
+    pub min_arc_length: Option<f64>,
     /// Fair fit within a number T: how much the curve keeps to the middle of the points, 0 for the fairest curve, 10 and more
     /// approach least squares; for noisy points use --smooth auto instead [default: 0].
     #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
@@ -407,6 +424,8 @@ pub struct CurveArgs {
 pub struct ReportArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,

@@ -11,7 +11,7 @@ use cyclide_io::{
 
 use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
 use super::effect::CLOSED_KINDS;
-use super::plan::{Input, refuse_overwriting};
+use super::plan::{Input, refuse_folder_name, refuse_overwriting};
 use super::words::word;
 use crate::output::failure::Failure;
 
@@ -80,6 +80,7 @@ impl CompareArgs {
     pub fn plan(self) -> Result<ComparePlan, Failure> {
         let mut outputs: Vec<(PathBuf, ComparisonFile)> = Vec::new();
         for path in &self.output {
+            refuse_folder_name(path)?;
             refuse_overwriting(Some(path), &self.points)?;
             if outputs.iter().any(|(other, _)| same_file(other, path)) {
                 return Err(Failure::Usage(format!("{} is given twice as output", path.display())));

@@ -8,7 +8,8 @@ use std::path::PathBuf;
 
 use cyclide::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
-    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepProducts,
+    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces,
+    StepProducts,
 };
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
@@ -24,6 +25,7 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
         ("--dxf-splines", args.dxf_splines, Format::Dxf),
         ("--dxf-version", args.dxf_version.is_some(), Format::Dxf),
         ("--step-edges", args.step_edges.is_some(), Format::Step),
+        ("--step-faces", args.step_faces.is_some(), Format::Step),
         ("--step-products", args.step_products.is_some(), Format::Step),
         ("--svg-comb", args.svg_comb, Format::Svg),
         ("--svg-points", args.svg_points, Format::Svg),
@@ -80,6 +82,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         ("--rule", args.rule.is_some(), &[Kind::ArcSpline]),
         ("--target", args.target.is_some(), &[Kind::ArcFit]),
         ("--effort", args.effort.is_some(), &[Kind::ArcFit]),
+        ("--min-arc-length", args.min_arc_length.is_some(), &[Kind::ArcFit]),
         (
             "--corner-angle-deg",
             args.corner_angle_deg.is_some(),
@@ -170,6 +173,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         ),
         ("--dxf-splines", options.dxf_splines && no_spline, "all curves are arcs and lines, which DXF holds exactly"),
         ("--step-edges", options.step_edges == StepEdges::Rational && no_surface, "there are no surfaces"),
+        ("--step-faces", options.step_faces == StepFaces::Split && no_surface, "there are no surfaces"),
         (
             "--step-products",
             options.step_products != StepProducts::Auto && model.items.len() == 1,

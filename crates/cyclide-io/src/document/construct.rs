@@ -118,7 +118,9 @@ fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     options.closed = spec.closed;
     options.target = spec.target;
     options.effort = spec.effort;
-    options.corner_angle = spec.corner_angle.map_or(options.corner_angle, Angle::radians);
+    options.corner_angle = spec.corner_angle.map(Angle::radians);
+    options.min_radius = spec.min_radius;
+    options.min_arc_length = spec.min_arc_length;
     options
 }
 

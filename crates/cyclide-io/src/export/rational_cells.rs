@@ -158,7 +158,7 @@ fn push_faces(cells: &mut Vec<RationalCell>, body: &BodyOf<'_>) -> cyclide::Resu
             let tags = Tags { object: body.item, part: body.index, shell: index, flag };
             cells.push(RationalCell::of_surface(&face.surface.to_rational(), tags));
         }
-        plans.push(ShellPlan { shell: index, faces: cut.parts().to_vec() });
+        plans.push(ShellPlan::of_parts(index, cut.parts()));
     }
     Ok(plans)
 }

@@ -97,6 +97,9 @@ impl CurvesReport {
             facts.push(plural(self.points, "point"));
         }
         facts.push(plural(self.pieces, "piece"));
+        if let Some(principal) = &self.principal {
+            facts.push(format!("{} % of the surface covered", short((1000.0 * principal.coverage).round() / 10.0)));
+        }
     }
 
     fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {

@@ -84,6 +84,8 @@ items! {
     MatrixEntry => "matrix entry",
     MaxAngle => "max_angle",
     MaxSteps => "max_steps",
+    MinArcLength => "min_arc_length",
+    MinRadius => "min_radius",
     MostPieces => "most_pieces",
     Mu => "mu",
     NarrowestPart => "narrowest part",

@@ -192,12 +192,16 @@ pub enum Warning {
         /// The turn there, radians: half a turn within a piece.
         angle: f64,
     },
-    /// A corner of the input was kept as a corner.
+    /// Corners of the input were kept as corners; reversals are counted apart.
     CornerKept {
-        /// Index of the point.
+        /// Index of the first of the points.
         vertex: usize,
-        /// Turn at the point, radians.
-        angle: f64,
+        /// How many there are.
+        count: usize,
+        /// Least turn at one of them, radians.
+        least: f64,
+        /// Largest turn at one of them, radians.
+        most: f64,
     },
     /// The samples are too far apart for the tolerance if the edges themselves are meant.
     SamplesTooCoarse {
@@ -307,7 +311,7 @@ pub enum Warning {
     },
     /// Ends were asked for, but a closed curve has none.
     EndsWithoutEffect,
-    /// A fair fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+    /// A fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
     SwingsOut {
         /// How far the curve was from the polyline.
         distance: f64,
@@ -316,6 +320,17 @@ pub enum Warning {
         limit: f64,
         /// It was fitted again with places on the edges, and does not swing out any more.
         held: bool,
+        /// It is an arc fit, which can take the edges as they are.
+        has_target: bool,
+    },
+    /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
+    ReadAsCurve {
+        /// How many there are.
+        count: usize,
+        /// Largest turn at one of them, radians.
+        turn: f64,
+        /// How far the curve is from their polyline.
+        distance: f64,
     },
     /// The feet of some points step back along the curve: distances are bounded one way only.
     FeetNotMonotone {
@@ -377,6 +392,17 @@ pub enum Warning {
         count: usize,
         /// The part of the surface that they cover.
         coverage: f64,
+    },
+    /// Grids miss some of their surface.
+    PartlyCovered {
+        /// The part of the surface's area that they cover.
+        coverage: f64,
+        /// The part below which it is said.
+        limit: f64,
+        /// Whether each grid is a rectangle, and not all whole cells.
+        rectangles: bool,
+        /// How many umbilics the surface has.
+        umbilics: usize,
     },
     /// One mesh of quads round umbilics goes round some of them only.
     UmbilicsLeftOut {

@@ -148,8 +148,13 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*y),
                 ShortNumber(*z)
             ),
-            Self::CornerKept { vertex, angle } => {
-                write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
+            Self::CornerKept { vertex, count: 1, most, .. } => {
+                write!(f, "point {vertex}: corner of {:.1} degrees kept", most.to_degrees())
+            }
+            Self::CornerKept { vertex, count, least, most } => {
+                let (least, most) = (format!("{:.1}", least.to_degrees()), format!("{:.1}", most.to_degrees()));
+                let range = if least == most { most } else { format!("{least} to {most}") };
+                write!(f, "{count} corners of {range} degrees kept, the first at point {vertex}")
             }
             Self::SamplesTooCoarse { sagitta, limit } => write!(
                 f,
@@ -247,13 +252,25 @@ impl std::fmt::Display for Warning {
             ),
             Self::NodesNotReached { asked, reached, why } => write_nodes_not_reached(f, *asked, *reached, why),
             Self::EndsWithoutEffect => f.write_str("a closed curve has no ends: what was asked for them has no effect"),
-            Self::SwingsOut { distance, limit, held } => write!(
+            Self::SwingsOut { distance, limit, held, has_target } => write!(
                 f,
-                "between the points the curve {} up to {} from their polyline (more than {} is far){}; if the points have corners, give a corner angle",
+                "between the points the curve {} up to {} from their polyline (more than {} is far){}; {}",
                 if *held { "would swing out" } else { "swings out" },
                 ShortNumber(*distance),
                 ShortNumber(*limit),
-                if *held { ": it is held to places on the edges too" } else { "" }
+                if *held { ": it is held to places on the edges too" } else { "" },
+                if *has_target {
+                    "if the edges are meant, the target `polyline` keeps to all of them"
+                } else {
+                    "if the points have corners, give a corner angle"
+                }
+            ),
+            Self::ReadAsCurve { count, turn, distance } => write!(
+                f,
+                "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their polyline by {}: if its edges are meant, the target \
+                 `polyline` keeps to all of them, a smaller corner angle to those between larger turns",
+                turn.to_degrees(),
+                ShortNumber(*distance)
             ),
             Self::FeetNotMonotone { point, count } => write!(
                 f,
@@ -299,6 +316,17 @@ impl std::fmt::Display for Warning {
                 f,
                 "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
                 ShortNumber((1000.0 * coverage).round() / 10.0)
+            ),
+            Self::PartlyCovered { coverage, limit, rectangles, umbilics } => write!(
+                f,
+                "{} % of the surface is covered, less than {} %: {}",
+                ShortNumber((1000.0 * coverage).round() / 10.0),
+                ShortNumber(100.0 * limit),
+                match (rectangles, umbilics) {
+                    (true, _) => "a border in steps (`staircase`) and shorter edges cover more",
+                    (_, 0) => "shorter edges cover more, and the border `cover` all of it",
+                    _ => "shorter edges cover more; model the parts around the umbilics as patches of their own",
+                }
             ),
             Self::UmbilicsLeftOut { count, at: [x, y, z] } => write!(
                 f,

@@ -42,6 +42,7 @@ impl Warning {
             Self::NodesNotReached { .. } => "nodes-not-reached",
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
+            Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::Outlier { .. } => "outlier",
             Self::StopMerged { .. } => "stop",
@@ -49,6 +50,7 @@ impl Warning {
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
             Self::GridPieces { .. } => "pieces",
+            Self::PartlyCovered { .. } => "partly-covered",
             Self::SpiralLines { .. } => "spiral-lines",
             Self::UmbilicsLeftOut { .. } => "umbilics-left-out",
             Self::OffCurvatureLines { .. } => "off-curvature-lines",
@@ -128,6 +130,7 @@ impl Warning {
             | Self::TurnsMoreThanData { .. }
             | Self::UmbilicsSmoothed { .. }
             | Self::GridPieces { .. }
+            | Self::PartlyCovered { .. }
             | Self::UmbilicsLeftOut { .. }
             | Self::OffCurvatureLines { .. }
             | Self::SpiralLines { .. }
@@ -141,6 +144,7 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
+            | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }
             | Self::LooseBorders { .. }

@@ -148,6 +148,8 @@ impl Builder<'_> {
         match self.spec {
             ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
             ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
+            ObjectSpec::Ellipse(s) => single(self.ellipse(s)?),
+            ObjectSpec::Helix(s) => single(self.helix(s)?),
             ObjectSpec::Biarc(s) => {
                 let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
                 let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule);
@@ -235,9 +237,10 @@ impl Builder<'_> {
             // Numbers of vertices are of a polyline that nobody has seen.
             let (corners, others): (Vec<_>, Vec<_>) =
                 warnings.into_iter().partition(|warning| matches!(warning, Warning::CornerKept { .. }));
+            let count = |warning: &Warning| if let Warning::CornerKept { count, .. } = warning { *count } else { 0 };
             if let Some(first) = corners.first() {
-                let message = match corners.len() {
-                    1 => "a corner of the curve is kept".to_owned(),
+                let message = match corners.iter().map(count).sum() {
+                    1_usize => "a corner of the curve is kept".to_owned(),
                     count => format!("{count} corners of the curve are kept"),
                 };
                 let place = self.place_of([Step::from("of")]);

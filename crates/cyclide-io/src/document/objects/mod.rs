@@ -4,6 +4,7 @@ mod ball_centers;
 mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
+mod conics;
 mod contact_blends;
 mod crossings;
 mod curves;
@@ -30,8 +31,10 @@ mod principal;
 mod references;
 mod refuse;
 mod remark;
+mod remedies;
 mod smooth;
 mod surfaces;
+mod sweeps;
 mod swept;
 mod tees;
 mod torus;
@@ -221,6 +224,7 @@ impl<'a> ModelBuilder<'a> {
                     gradings: None,
                     unmapped: None,
                     quality: None,
+                    bound: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -326,6 +330,8 @@ struct Builder<'a> {
     unmapped: Option<Unmapped>,
     /// The quality of these cells.
     quality: Option<GridQuality>,
+    /// How far what it makes may be from what is described, where it is not exact.
+    bound: Option<f64>,
 }
 
 impl Builder<'_> {
@@ -356,7 +362,7 @@ impl Builder<'_> {
         let tolerance = match self.spec {
             ObjectSpec::ArcFit(s) => Some(s.tolerance),
             ObjectSpec::FairFit(s) => s.tolerance.within(),
-            _ => None,
+            _ => self.bound,
         };
         // A type makes curves, surfaces, volumes or a motion, and an image is of the kind of its object.
         let geometry = match moving {

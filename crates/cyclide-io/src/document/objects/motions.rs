@@ -10,7 +10,7 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
+    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweepEnds, SweptSurfaceSpec, TrajectorySpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::{SIX_DECIMALS, read_poses, whole_turns};
@@ -21,6 +21,38 @@ const FEW_DECIMALS: f64 = 2e-3;
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
 const AT_REST: f64 = 64.0 * f64::EPSILON;
+
+/// Planes that are off that across the path of their middle by no more than this are across it, radians: two degrees.
+const ACROSS: f64 = 0.035;
+
+/// Places of a motion where that is looked at, and the part of its time between two poses that tell a direction.
+const PLACES: u32 = 64;
+const STEP: f64 = 1e-5;
+
+/// By how much a closed plane curve of a moving body is off the plane across the path of its middle, at most, and when.
+fn lean_of_section(curve: &CurveObject, motion: &RationalMotion) -> Option<(f64, f64)> {
+    let (pieces, closed) = curve.exact_pieces().ok()?;
+    let points: Vec<Point3> = pieces.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75].map(|x| piece.point(x))).collect();
+    let first = *points.first().filter(|_| closed)?;
+    let middle = first + points.iter().fold(Vec3::ZERO, |sum, p| sum + (*p - first)) / points.len() as f64;
+    let pairs = points.iter().zip(points.iter().cycle().skip(1));
+    let normal = pairs.fold(Vec3::ZERO, |sum, (a, b)| sum + (*a - middle).cross(*b - middle)).unit()?;
+    let size = points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
+    if points.iter().any(|p| (*p - middle).dot(normal).abs() > 1e-9 * size) {
+        return None;
+    }
+    let times = motion.times();
+    let [from, to] = [times[0], times[times.len() - 1]];
+    let lean = |k: u32| {
+        let time = from + (to - from) * f64::from(k) / f64::from(PLACES);
+        let step = 0.5 * STEP * (to - from);
+        let [before, behind] = [(time - step).max(from), (time + step).min(to)].map(|time| motion.pose(time));
+        let way = (behind.apply(middle) - before.apply(middle)).unit()?;
+        let normal = motion.pose(time).rotation().rotate(normal);
+        Some((way.cross(normal).length().atan2(way.dot(normal).abs()), time))
+    };
+    (0..=PLACES).filter_map(lean).max_by(|a, b| a.0.total_cmp(&b.0))
+}
 
 impl Builder<'_> {
     /// The moving body of an object that is one.
@@ -366,7 +398,9 @@ impl Builder<'_> {
         let motion = motion.rational().map_err(|e| self.refused_at(["of".into()], &e))?;
         let mut made = Vec::with_capacity(contours.len());
         for (contour, curve) in contours.iter().enumerate() {
-            let swept = curve.exact_pieces().and_then(|(pieces, closed)| SweptSurface::new(&pieces, closed, motion));
+            let lean = lean_of_section(curve, motion);
+            let make = if spec.ends == SweepEnds::Flat { SweptSurface::solid } else { SweptSurface::new };
+            let swept = curve.exact_pieces().and_then(|(pieces, closed)| make(&pieces, closed, motion));
             let swept = swept.map_err(|e| match e {
                 cyclide::Error::MotionAtRest { length, limit } => {
                     let words = format!(
@@ -378,6 +412,15 @@ impl Builder<'_> {
                 }
                 e => self.refused_at(["profile".into()], &e),
             })?;
+            if let Some((lean, time)) = lean.filter(|(lean, _)| *lean > ACROSS) {
+                let message = format!(
+                    "the profile lies {} degrees off the plane across its path at the time {}: it is swept as it is turned by the motion; a section that stays across its path is a `sweep`",
+                    ShortNumber(lean.to_degrees()),
+                    ShortNumber(time)
+                );
+                let place = self.place_of([Step::from("profile")]);
+                self.remark("section-not-across", (contours.len() > 1).then_some(contour), None, place, message);
+            }
             for warning in swept.warnings() {
                 self.warn_at("profile", (contours.len() > 1).then_some(contour), warning.clone());
             }

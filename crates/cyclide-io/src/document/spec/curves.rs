@@ -245,9 +245,16 @@ pub struct ArcFitSpec {
     /// How hard to search for fewer arcs.
     #[serde(default)]
     pub effort: Effort,
-    /// Turns of the points above this angle are kept as corners. Default: pi/6.
+    /// Turns of the points above this angle are kept as corners. Default: those above pi/6 that no samples of a smooth
+    /// curve explain.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
+    /// Least radius of an arc; what cannot keep it is refused. Default: any.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub min_radius: Option<f64>,
+    /// Least length of an arc (lines may be shorter), for machines that reject short arcs; what cannot keep it is refused. Default: any.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub min_arc_length: Option<f64>,
 }
 
 /// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy

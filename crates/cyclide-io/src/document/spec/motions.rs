@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::comment::Comment;
-use super::{PolygonMeshFile, TypeWord};
+use super::{PolygonMeshFile, SweepEnds, TypeWord};
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
 use crate::document::matrix::{MatrixRows, matrix_rows};
@@ -241,6 +241,9 @@ pub struct SweptSurfaceSpec {
     pub of: String,
     /// Name of the curve, in the frame of the body; each of its contours makes a surface. It may be construction geometry.
     pub profile: String,
+    /// How what a closed plane curve runs over ends, where the motion does not come back.
+    #[serde(default)]
+    pub ends: SweepEnds,
 }
 
 impl<'de> Deserialize<'de> for PoseSource {

@@ -59,6 +59,17 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
     if keep { kind } else { PatchKind::Cyclide }
 }
 
+/// The surface of a face as part of a larger one; `own` is that as it is written for itself. Spheres are such about any axis.
+pub(super) fn whole_kind(face: &ShellFace, own: &PatchKind, size: f64, edges: StepEdges) -> PatchKind {
+    if *own != PatchKind::Cyclide || edges == StepEdges::Rational {
+        return *own;
+    }
+    match face.surface.patch().map(CyclidePatch::recognise) {
+        Some(kind @ PatchKind::Sphere { radius, .. }) if radius <= LARGEST_RADIUS * size => kind,
+        _ => *own,
+    }
+}
+
 /// Whether a cylinder or cone is neither too large to keep its digits nor too near to another kind.
 fn has_good_radius(kind: &PatchKind, size: f64) -> bool {
     match kind {

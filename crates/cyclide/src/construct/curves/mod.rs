@@ -5,13 +5,15 @@ mod arc_fit;
 mod arc_spline;
 mod biarc;
 mod biarc_cover;
+mod ellipse;
 mod fair_fit;
 mod fair_spline;
+mod helix;
 mod interpolation;
 mod moebius_spline;
 mod nurbs_arcs;
-#[allow(dead_code, reason = "fits are moved to it one by one")]
 mod outline;
+mod plane_axes;
 mod qb_arcs;
 mod rational_runs;
 mod rounded_polyline;
@@ -23,8 +25,10 @@ pub use arc_fit::{
 };
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
+pub use ellipse::Ellipse;
 pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions, Heights, Noise, Outliers};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
+pub use helix::Helix;
 pub use interpolation::{NodeParameters, QbInterpolation, QbNode};
 pub use moebius_spline::{MoebiusSplineOptions, circle_tangents};
 pub use rational_runs::RationalRun;

@@ -9,6 +9,7 @@
 //! what noise may have caused.
 
 use crate::base::vector::{Point3, Vec3};
+use crate::warning::Warning;
 use std::f64::consts::PI;
 
 /// Turns above this may be corners.
@@ -34,12 +35,23 @@ const COMPANIONS: usize = 3;
 const MATTERS: f64 = 0.5;
 /// With so few turning points between two corners or straight sides there is no curve.
 const FEW: usize = 2;
+/// Beside corners and straight sides the edges between samples are bound too, up to this sagitta in tolerances: an arc within
+/// the tolerance of two samples and of their edge exists up to 2.
+const BOUND_SAGITTA: f64 = 1.5;
 /// Turns below this part of the corner angle are none.
 const NO_TURN: f64 = 1e-3;
 /// Legs over which a corner lasts where noise may have caused the turn, in tolerances.
 const LEGS: f64 = 8.0;
 /// With legs half as long a corner keeps this part of its turn; a bend keeps half.
 const SHARP: f64 = 0.75;
+/// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
+const ROUGH: f64 = 5.0 * PI / 180.0;
+/// of which at least so many,
+const ROUGH_PAIRS: usize = 16;
+/// and this part, turn to different sides
+const ROUGH_PART: f64 = 0.25;
+/// by angles that differ by this factor.
+const ROUGH_RATIO: f64 = 1.5;
 /// Corners leave others without support; so often at most.
 const MAX_PASSES: usize = 16;
 
@@ -51,9 +63,9 @@ pub(in crate::construct) struct Outline {
     /// Whether the edge that begins at each point is a straight side: the curve keeps to it, both ways. (The last entry of
     /// an open polyline means nothing.)
     pub straight: Vec<bool>,
-    /// What a circle through the samples would be away from each edge: `(turn of the edge) * length / 8`; corners turn no
-    /// edge.
-    pub sagittas: Vec<f64>,
+    /// Whether the curve keeps to the edge that begins at each point: straight sides, and in an outline with corners or
+    /// straight sides the edges between samples as far as arcs of several samples can keep to them.
+    pub bound: Vec<bool>,
 }
 
 impl Outline {
@@ -64,12 +76,16 @@ impl Outline {
     /// explain them. `tolerance`: how far noise may have moved the points.
     pub fn read(points: &[Point3], closed: bool, tolerance: f64, angle: Option<f64>, forced: &[usize]) -> Self {
         let mut reader = Reader::new(points, closed, tolerance);
+        let noisy = reader.is_noisy();
         let limit = angle.unwrap_or(CORNER_ANGLE) * (1.0 + 1e-9);
         for i in 0..points.len() {
             let turn = reader.turn(i);
-            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i));
+            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
             reader.corner[i] =
                 reader.is_inside(i) && (forced.binary_search(&i).is_ok() || turn > CUSP_ANGLE || evident);
+        }
+        if noisy {
+            return reader.finished(false);
         }
         reader.find_straight_sides();
         if angle.is_none() {
@@ -82,15 +98,22 @@ impl Outline {
                 reader.find_straight_sides();
             }
         }
-        let corners = (0..points.len()).filter(|i| reader.corner[*i]).map(|i| (i, reader.turn(i))).collect();
-        let sagittas = (0..points.len()).map(|edge| reader.sagitta(edge)).collect();
-        Self { corners, straight: reader.straight, sagittas }
+        let has_sides = reader.corner.contains(&true) || reader.straight.contains(&true);
+        reader.finished(has_sides)
     }
+}
 
-    /// Whether anything says that the points are an outline with corners or straight sides, and no curve all along.
-    pub fn has_sides(&self) -> bool {
-        !self.corners.is_empty() || self.straight.contains(&true)
-    }
+/// What is said of corners that are kept, one line for all of them but reversals, which have one of their own; `source` has
+/// the number of each point in the user's list.
+pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usize]) -> Vec<Warning> {
+    let (reversals, ordinary): (Vec<_>, Vec<_>) = corners.iter().partition(|(_, angle)| *angle > CUSP_ANGLE);
+    let all = |corners: &[(usize, f64)]| {
+        let (vertex, angle) = *corners.first()?;
+        let least = corners.iter().map(|c| c.1).fold(angle, f64::min);
+        let most = corners.iter().map(|c| c.1).fold(angle, f64::max);
+        Some(Warning::CornerKept { vertex: source[vertex], count: corners.len(), least, most })
+    };
+    [all(&ordinary), all(&reversals)].into_iter().flatten().collect()
 }
 
 struct Reader<'a> {
@@ -127,6 +150,27 @@ impl<'a> Reader<'a> {
         reader
     }
 
+    fn finished(self, has_sides: bool) -> Outline {
+        let n = self.n();
+        let corners = (0..n).filter(|i| self.corner[*i]).map(|i| (i, self.turn(i))).collect();
+        let low = |edge: usize| self.sagitta(edge) <= BOUND_SAGITTA * self.tolerance;
+        let bound = (0..n).map(|edge| has_sides && (self.straight[edge] || low(edge))).collect();
+        Outline { corners, straight: self.straight, bound }
+    }
+
+    /// Noise above the tolerance turns points to and fro by all sorts of angles.
+    fn is_noisy(&self) -> bool {
+        let rough = |i: usize| (ROUGH..=LARGEST_SAMPLE_TURN).contains(&self.turn(i));
+        let pairs = (0..self.n()).map(|i| (i, self.after(i))).filter(|(i, j)| rough(*i) && rough(*j));
+        let (mut count, mut to_and_fro) = (0, 0);
+        for (i, j) in pairs {
+            let (a, b) = (self.turn(i), self.turn(j));
+            count += 1;
+            to_and_fro += usize::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
+        }
+        count >= ROUGH_PAIRS && to_and_fro as f64 > ROUGH_PART * count as f64
+    }
+
     fn n(&self) -> usize {
         self.points.len()
     }
@@ -154,10 +198,11 @@ impl<'a> Reader<'a> {
     }
 
     /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise has not caused it.
-    fn is_evident_corner(&self, vertex: usize) -> bool {
+    fn is_evident_corner(&self, vertex: usize, noisy: bool) -> bool {
         let turn = self.turn(vertex);
         let neighbours = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
-        turn > PROMINENCE * neighbours || (turn > LARGEST_SAMPLE_TURN && self.lasts(vertex))
+        let stands_out = turn > PROMINENCE * neighbours;
+        (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
     }
 
     /// Whether noise within the tolerance explains no such turn. It turns an edge of length `l` by up to `2 tolerance/l`,
@@ -190,15 +235,20 @@ impl<'a> Reader<'a> {
         (1..=steps).map(at).find(far).unwrap_or_else(|| at(steps.max(1)))
     }
 
-    /// The part of the turn at one end of an edge that falls to the edge; none at corners and ends.
-    fn share(&self, edge: usize, vertex: usize, neighbour: usize) -> f64 {
+    /// The part of the turn at one end of an edge that falls to the edge; `None` at corners and ends.
+    fn share(&self, edge: usize, vertex: usize, neighbour: usize) -> Option<f64> {
         let length = self.lengths[edge];
-        if self.is_passed(vertex) { self.turn(vertex) * length / (length + self.lengths[neighbour]) } else { 0.0 }
+        self.is_passed(vertex).then(|| self.turn(vertex) * length / (length + self.lengths[neighbour]))
     }
 
+    /// What a curve through the points turns over an edge: up to a corner or an end on as at the other end.
     fn edge_turn(&self, edge: usize) -> f64 {
         let next = self.after(edge);
-        self.share(edge, edge, self.before(edge)) + self.share(edge, next, next)
+        match (self.share(edge, edge, self.before(edge)), self.share(edge, next, next)) {
+            (Some(a), Some(b)) => a + b,
+            (Some(one), None) | (None, Some(one)) => 2.0 * one,
+            (None, None) => 0.0,
+        }
     }
 
     fn sagitta(&self, edge: usize) -> f64 {
@@ -411,7 +461,7 @@ mod tests {
             };
             let points: Vec<_> = (0..n).map(at).collect();
             let outline = Outline::read(&points, true, 1e-3, None, &[]);
-            assert!(!outline.has_sides(), "{a}, {n}");
+            assert!(!outline.bound.contains(&true), "{a}, {n}");
         }
     }
 

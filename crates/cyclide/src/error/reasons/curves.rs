@@ -165,6 +165,17 @@
 //! assert_eq!(error.reason(), "no-g1-spline-in-tube");
 //! ```
 //!
+//! # `arc-limit-not-kept`
+//! A machine takes no arcs below some radius or length, and none other were found within the tolerance: here a half circle
+//! of radius 1.
+//! ```
+//! use cyclide::{ArcFit, ArcFitOptions, Point3};
+//! let at = |k: i32| (0.1 * f64::from(k)).sin_cos();
+//! let half: Vec<Point3> = (0..=31).map(at).map(|(s, c)| Point3::new(c, s, 0.0)).collect();
+//! let error = ArcFit::new(&half, &ArcFitOptions { min_radius: Some(2.0), ..ArcFitOptions::new(0.01) }).unwrap_err();
+//! assert_eq!(error.reason(), "arc-limit-not-kept");
+//! ```
+//!
 //! # `tolerance-not-reached`
 //! No fair curve within the tolerance was found: here coordinates of this size are rounded by more.
 //! ```

@@ -214,7 +214,7 @@ impl FairFit {
             Some(held) if held.swing.is_none() => (held, true),
             _ => (fit, false),
         };
-        fit.warnings.push(Warning::SwingsOut { distance, limit, held });
+        fit.warnings.push(Warning::SwingsOut { distance, limit, held, has_target: false });
         Ok(fit)
     }
 

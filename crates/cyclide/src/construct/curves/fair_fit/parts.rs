@@ -11,6 +11,7 @@ use super::working_frame::WorkingFrame;
 use super::{FairFit, FairFitCertificate, FairFitOptions};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::Distinct;
+use crate::construct::curves::outline::kept_corners;
 use crate::curve::{BlendSegment, CircleSpline};
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;
@@ -143,9 +144,8 @@ impl<'a> Parts<'a> {
                 tolerance: options.tolerance,
             });
         }
-        let kept = |(i, angle): &(usize, f64)| Warning::CornerKept { vertex: source[*i], angle: *angle };
         let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
-        warnings.extend(corners.iter().map(kept));
+        warnings.extend(kept_corners(corners, source));
         let spline = CircleSpline::from_segments(self.spline, options.closed, self.kinks, Vec::new());
         let doubts = Doubts {
             data: &distinct.points,
