@@ -11,7 +11,7 @@
 //! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`], [`ObjectSpec`] and a description for every type of object, below; [`Comment`], [`TypeWord`], [`StepSpec`], [`CutSpec`] |
 //! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]), [`AnglePairs`], [`RatePairs`], [`FreeOr`], [`RadiiSpec`] |
 //! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`ContourFacts`], [`Fitted`], [`SmoothChoice`], [`RoundedPolyhedron`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
-//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`EllipseSpec`], [`HelixSpec`] ([`Hand`]), [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
+//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`EllipseSpec`], [`HelixSpec`] ([`Hand`]), [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`] ([`FairTolerance`], [`AutoWord`]), [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
 //! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`] |
@@ -54,16 +54,16 @@ pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
-    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
-    BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
+    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec,
+    BlendTubeSpec, BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
     CenterSurfaceSpec, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
     ContourFacts, CoordinatePlanesSpec, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
     CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec,
     DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EllipseSpec, EndsSpec, FairEndPair,
-    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr,
-    GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec,
-    NurbsSurfaceSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance, FamilySpec, Fitted, FrameSpec,
+    FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec, Lists,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
+    NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
     PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
     PoseTolerance, PositionCurve, PrincipalGridSpec, RadiiSpec, RadiusLawSpec, RadiusOf, RatePairs, Remark,
     RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,

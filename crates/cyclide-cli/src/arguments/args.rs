@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepFaces,
-    StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, FairTolerance, Format, MoebiusContinuity, ParametersSpec, PictureColour,
+    StepEdges, StepFaces, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -85,8 +85,8 @@ Examples:
       cyclide curve track.csv --closed --units m -o track.step -o track.png
   The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
       cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
-  Noisy or dense data, a fair curve with continuous curvature within 0.2 of the points:
-      cyclide curve survey.csv --closed --units m --smooth 0.2 --centre 1 -o survey.step -o survey.png
+  Measured points, a fair curve with continuous curvature without their noise:
+      cyclide curve survey.csv --closed --units m --smooth auto -o survey.step -o survey.png
   A logo with contours, its corners marked in a column, columns chosen by name:
       cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
 
@@ -321,10 +321,20 @@ pub struct CurveArgs {
     /// The construction [default: fair-spline; fair-fit with --smooth].
     #[arg(long, value_enum)]
     pub kind: Option<Kind>,
-    /// Noisy or dense data: the fairest curve with continuous curvature within T of every point, with few nodes
-    /// (--kind fair-fit). It leans on the bounds of T; for noisy points take 3 to 4 standard deviations and --centre 1.
-    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
-    pub smooth: Option<f64>,
+    /// Measured points: a curve with continuous curvature near to them, with few nodes (--kind fair-fit). With auto it leaves
+    /// out their noise and no more; the noise is estimated and reported. With a number T it is the fairest curve within T of
+    /// every point, which leaves out more than noise.
+    #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
+    pub smooth: Option<FairTolerance>,
+    /// With --smooth auto: the standard deviation of the noise across the curve [default: estimated from the points].
+    #[arg(long, value_name = "SIGMA", value_parser = positive, allow_hyphen_values = true)]
+    pub noise: Option<f64>,
+    /// Fair fit: what becomes of points that do not belong to the others [default: keep].
+    #[arg(long, value_parser = word::<Outliers>())]
+    pub outliers: Option<Outliers>,
+    /// Fair fit: a tolerance for the heights (z) alone, larger than T; auto with --smooth auto, by their own noise.
+    #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
+    pub smooth_z: Option<FairTolerance>,
     /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
@@ -386,9 +396,8 @@ pub struct CurveArgs {
     /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be.
     #[arg(long, value_name = "L", value_parser = positive, allow_hyphen_values = true)]
     pub min_arc_length: Option<f64>,
-    /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
-    /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
-    /// squares [default: 0].
+    /// Fair fit within a number T: how much the curve keeps to the middle of the points, 0 for the fairest curve, 10 and more
+    /// approach least squares; for noisy points use --smooth auto instead [default: 0].
     #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
     pub centre: Option<f64>,
     /// Fair fit: an open curve starts and ends exactly at the first and last point.
@@ -494,6 +503,16 @@ pub fn positive(text: &str) -> Result<f64, String> {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) => Err("it must be positive and finite".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A positive number, or the word auto.
+pub fn fair_tolerance(text: &str) -> Result<FairTolerance, String> {
+    match positive(text) {
+        _ if text == "auto" => Ok(FairTolerance::AUTO),
+        Ok(tolerance) => Ok(FairTolerance::Within(tolerance)),
+        Err(why) if text.parse::<f64>().is_ok() => Err(why),
+        Err(_) => Err("it is auto or a positive number".to_owned()),
     }
 }
 

@@ -125,7 +125,7 @@ impl ComparePlan {
         let args = CurveArgs {
             closed: self.closed,
             tolerance: Some(tolerance),
-            smooth: Some(tolerance),
+            smooth: Some(cyclide_io::FairTolerance::Within(tolerance)),
             corner_angle_deg: self.corner_angle_deg,
             ..CurveArgs::default()
         };

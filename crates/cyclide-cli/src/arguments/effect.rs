@@ -89,6 +89,9 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
             &[Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcFit, Kind::FairFit],
         ),
         ("--smooth", args.smooth.is_some(), &[Kind::FairFit]),
+        ("--noise", args.noise.is_some(), &[Kind::FairFit]),
+        ("--outliers", args.outliers.is_some(), &[Kind::FairFit]),
+        ("--smooth-z", args.smooth_z.is_some(), &[Kind::FairFit]),
         ("--centre", args.centre.is_some(), &[Kind::FairFit]),
         ("--fix-ends", args.fix_ends, &[Kind::FairFit]),
         ("--max-fits", args.max_fits.is_some(), &[Kind::FairFit]),
@@ -104,7 +107,14 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
     }
     let no_fits = args.max_fits == Some(0);
     let by_directions = args.continuity == Some(MoebiusContinuity::G1);
+    let auto = args.smooth.is_some_and(|smooth| smooth.within().is_none());
+    let auto_z = args.smooth_z.is_some_and(|smooth| smooth.within().is_none());
+    if args.smooth_z.is_some() && auto_z != auto {
+        return Err(Failure::Usage("--smooth and --smooth-z take two numbers, or both auto".to_owned()));
+    }
     let idle = [
+        ("--noise", args.noise.is_some() && !auto, "it goes with --smooth auto"),
+        ("--centre", args.centre.is_some() && auto, "--smooth auto keeps to the middle of the points"),
         ("--knots", args.knots.is_some() && by_directions, "with --continuity g1 the curve has no knots"),
         ("--ends", args.ends.is_some() && args.closed, "a curve that is --closed has no ends"),
         ("--fix-ends", args.fix_ends && args.closed, "a curve that is --closed has no ends"),

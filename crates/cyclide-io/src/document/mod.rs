@@ -38,22 +38,22 @@ pub use objects::{
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
-    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
+    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
     BorderCurves, BorderSpec, BorderWord, BridgeArcs, CellLaw, CellsAlongSpec, CellsSpec, CenterSurfaceSpec,
     CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, CoordinatePlanesSpec,
     CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclideGridSpec,
     CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EllipseSpec,
-    EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec,
-    FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec,
-    NurbsSurfaceSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
-    PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
-    PoseTolerance, PositionCurve, PrincipalGridSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RadiusOf,
-    RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
-    SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec, SweepEnds, SweepSpec,
-    SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
-    TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
-    TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
+    EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance,
+    FamilySpec, FrameSpec, FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec,
+    NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
+    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile,
+    PoseSource, PoseSpec, PoseTolerance, PositionCurve, PrincipalGridSpec, QbInterpolationSpec, RadiiSpec,
+    RadiusLawSpec, RadiusOf, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
+    SweepEnds, SweepSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -25,8 +25,8 @@ pub use circular_mesh::{
 };
 pub use curves::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,
-    FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
-    blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
+    FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, Heights, Noise,
+    Outliers, RationalRun, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
 pub use curves::{Ellipse, Helix};
 pub use curves::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};

@@ -45,6 +45,7 @@ items! {
     Center => "center",
     Cells => "number of cells",
     CentreWeight => "centre",
+    ToleranceZ => "tolerance_z",
     Chord => "chord",
     Circle => "circle",
     Columns => "columns",

@@ -399,6 +399,16 @@ pub enum Error {
         tolerance: f64,
     },
 
+    /// A tolerance is not reached because of points that do not belong to the others.
+    OutliersOutside {
+        /// Each of them, in the user's numbering, and how far it is from the curve of the others.
+        points: Vec<(usize, f64)>,
+        /// Standard deviation of the noise of the others.
+        noise: f64,
+        /// The tolerance.
+        tolerance: f64,
+    },
+
     // Patches, nets, their offsets and shells; quads made circular.
     /// The four corners of a quad are not on one circle (or line).
     NotConcircular {

@@ -12,6 +12,9 @@ use crate::short_number::ShortNumber;
 /// What comes nearer to itself than this part of its width crosses itself.
 const CROSSING: f64 = 1e-6;
 
+/// Outliers that are named one by one.
+const NAMED_OUTLIERS: usize = 20;
+
 impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -626,6 +629,27 @@ impl std::fmt::Display for Error {
                 points_in_words(points),
                 ShortNumber(*deviation)
             ),
+            Self::OutliersOutside { points, noise, tolerance } => {
+                write!(
+                    f,
+                    "tolerance {} not reached because of {} outlier(s): ",
+                    ShortNumber(*tolerance),
+                    points.len()
+                )?;
+                for (k, (point, distance)) in points.iter().take(NAMED_OUTLIERS).enumerate() {
+                    let before = if k == 0 { "" } else { ", " };
+                    write!(f, "{before}point {point} ({} away)", ShortNumber(*distance))?;
+                }
+                if points.len() > NAMED_OUTLIERS {
+                    write!(f, " and {} more", points.len() - NAMED_OUTLIERS)?;
+                }
+                write!(
+                    f,
+                    " from the curve of the other points, whose noise has a standard deviation of {}; leave them out with `--outliers drop` \
+                     (in a document `\"outliers\": \"drop\"`), or use a larger tolerance",
+                    ShortNumber(*noise)
+                )
+            }
             Self::Disconnected { piece, next, gap, limit } => write!(
                 f,
                 "pieces {piece} and {next} do not meet: gap {}, limit {}",

@@ -108,6 +108,7 @@ impl Error {
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ArcLimitNotKept { .. } => "arc-limit-not-kept",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
+            Self::OutliersOutside { .. } => "outliers",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
@@ -260,6 +261,7 @@ impl Error {
             Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
                 points.first().copied()
             }
+            Self::OutliersOutside { ref points, .. } => points.first().map(|p| p.0),
             _ => None,
         }
     }

@@ -377,6 +377,32 @@ pub enum Warning {
         /// How many there are.
         count: usize,
     },
+    /// A point does not belong to the others: it is far from the curve of these.
+    Outlier {
+        /// The point.
+        point: usize,
+        /// How far it is from the curve of the others.
+        distance: f64,
+        /// Standard deviation of the noise of these.
+        noise: f64,
+        /// It was left out, as asked for; else it counts.
+        dropped: bool,
+        /// How many there are.
+        count: usize,
+    },
+    /// Points that were measured while nothing moved are one place, and count as one point.
+    StopMerged {
+        /// The first of them.
+        first: usize,
+        /// The last.
+        last: usize,
+        /// How many there are.
+        count: usize,
+        /// Their mean.
+        at: [f64; 3],
+        /// How far the farthest is from it.
+        radius: f64,
+    },
     /// Points closer than the limit to their neighbour were merged.
     PointsMerged {
         /// Index of the first one dropped.

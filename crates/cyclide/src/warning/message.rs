@@ -302,7 +302,24 @@ impl std::fmt::Display for Warning {
             ),
             Self::FeetNotMonotone { point, count } => write!(
                 f,
-                "point {point}: its place on the curve is before that of the point before it ({count} such): the points are denser than their noise, and the distance to their polyline is bounded one way only"
+                "point {point} lies behind the point before it, measured along the curve ({count} such points): the points are closer together than their noise, so only the distance from the curve to the polyline is bounded, not that from the polyline to the curve"
+            ),
+            Self::Outlier { point, distance, noise, dropped, count } => {
+                write!(
+                    f,
+                    "point {point} is an outlier ({count} in all): it is {} from the curve of the others, whose noise has a standard deviation of {}; ",
+                    ShortNumber(*distance),
+                    ShortNumber(*noise)
+                )?;
+                f.write_str(if *dropped { "left out" } else { "kept; `--outliers drop` leaves it out (in a document `\"outliers\": \"drop\"`)" })
+            }
+            Self::StopMerged { first, last, count, at, radius } => write!(
+                f,
+                "points {first} to {last} are a stop: {count} points within {} of {},{},{}, where nothing moved; they count as one point",
+                ShortNumber(*radius),
+                ShortNumber(at[0]),
+                ShortNumber(at[1]),
+                ShortNumber(at[2])
             ),
             Self::PointsMerged { first, count, limit } => {
                 let limit = ShortNumber(*limit);

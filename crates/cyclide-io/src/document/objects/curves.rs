@@ -161,7 +161,19 @@ impl Builder<'_> {
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.arc_fit(s),
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
-            ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
+            ObjectSpec::FairFit(s) => {
+                let auto = s.tolerance.within().is_none();
+                let heights_auto = s.tolerance_z.is_some_and(|z| z.within().is_none());
+                if s.noise.is_some() && !auto {
+                    return Err(self.unfit(
+                        "`noise` goes with `\"tolerance\": \"auto\"`: with a number as tolerance that decides",
+                    ));
+                }
+                if s.tolerance_z.is_some() && heights_auto != auto {
+                    return Err(self.unfit("`tolerance` and `tolerance_z` are two numbers, or both `\"auto\"`"));
+                }
+                self.each_contour(&s.points, s.closed, |at| fair_fit(s, at))
+            }
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::Nurbs(s) => single(self.nurbs(s)?),
             ObjectSpec::MoebiusSpline(s) => self.each_contour(&s.points, s.closed, |at| moebius_spline(s, at)),

@@ -101,7 +101,9 @@ fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> 
 fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     let no_fits = spec.max_fits == Some(0);
     let none_taken_out = "with `max_fits` 0 no nodes are taken out";
+    let auto = spec.tolerance.within().is_none();
     found(&[
+        ("centre", spec.centre != 0.0 && auto, "with the tolerance `auto` the curve keeps to the middle of the points"),
         ("fix_ends", spec.fix_ends && spec.closed, NO_ENDS),
         ("nodes", spec.nodes.is_some() && no_fits, none_taken_out),
         ("budget", spec.budget.is_some() && no_fits, none_taken_out),

@@ -369,7 +369,7 @@ impl Builder<'_> {
         }
         let tolerance = match self.spec {
             ObjectSpec::ArcFit(s) => Some(s.tolerance),
-            ObjectSpec::FairFit(s) => Some(s.tolerance),
+            ObjectSpec::FairFit(s) => s.tolerance.within(),
             _ => self.bound,
         };
         // A type makes curves, surfaces, volumes or a motion, and an image is of the kind of its object.

@@ -43,8 +43,8 @@ pub use conics::{EllipseSpec, Hand, HelixSpec};
 pub use contact_blends::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec};
 pub use crossings::{CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
-    PolylineSpec,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec,
+    FairFitSpec, FairTolerance, PolylineSpec,
 };
 pub use derived::{
     CutSpec, OffsetSpec, PipeSpec, PlaneSpec, RevolutionSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec,

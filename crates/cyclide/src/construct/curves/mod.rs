@@ -26,7 +26,7 @@ pub use arc_fit::{
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
 pub use ellipse::Ellipse;
-pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
+pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions, Heights, Noise, Outliers};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use helix::Helix;
 pub use interpolation::{NodeParameters, QbInterpolation, QbNode};
