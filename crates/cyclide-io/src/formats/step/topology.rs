@@ -175,7 +175,8 @@ impl<'a> Writer<'a> {
                 users[edge.edge].extend(edge.sides.first().map(|&side| (index, side)));
             }
         }
-        let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; layout.edges.len()]);
+        let (vertices, edge) = (shell.vertices().len() + layout.points.len(), vec![None; layout.edges.len()]);
+        let vertex = vec![None; vertices];
         let surface = vec![None; layout.faces.len()];
         Self { data, shell, size, edges, layout, users, surface, vertex, edge }
     }
@@ -286,7 +287,9 @@ impl<'a> Writer<'a> {
 
     fn vertex(&mut self, index: usize) -> usize {
         *self.vertex[index].get_or_insert_with(|| {
-            let point = self.data.point(self.shell.vertices()[index]);
+            let own = self.shell.vertices();
+            let point =
+                self.data.point(own.get(index).copied().unwrap_or_else(|| self.layout.points[index - own.len()]));
             self.data.write(|out| {
                 let _ = write!(out, "VERTEX_POINT('',#{point})");
             })

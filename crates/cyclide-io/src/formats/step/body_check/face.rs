@@ -103,7 +103,7 @@ impl<'a> FaceCheck<'a> {
         let borders = sides.iter().map(|&side| self.border(side)).collect::<Option<Vec<_>>>();
         let mut borders = borders.ok_or(Mismatch("another number of edges round a face"))?;
         let off = match (sides, &borders[..]) {
-            ([], _) => return Err(Mismatch("another number of edges round a face")),
+            ([], _) => self.seam_deviation(file, edge)?,
             ([own], [border]) => {
                 let piece = &self.pieces[own.0].0;
                 require(edge.forward == self.runs_forward(*own, *border), "an edge runs the wrong way round a face")?;
@@ -123,6 +123,19 @@ impl<'a> FaceCheck<'a> {
             borders.reverse();
         }
         Ok((borders, off))
+    }
+
+    /// A seam across the faces of the model: on the surface, from vertex to vertex, and with this face on both sides.
+    fn seam_deviation(&self, file: &FileFace, edge: &FileEdge) -> Result<f64, Mismatch> {
+        let (FileSurface::Analytic(kind), FileCurve::Piece(ChainPiece::Arc(arc))) = (&file.surface, &edge.curve) else {
+            return Err(Mismatch("another number of edges round a face"));
+        };
+        let uses: Vec<bool> = file.edges.iter().filter(|own| own.edge == edge.edge).map(|own| own.forward).collect();
+        require(matches!(uses[..], [a, b] if a != b), "a seam is not run there and back")?;
+        let points = (0..=8).map(|i| arc.point(f64::from(i) / 8.0));
+        let off = points.map(|p| kind.distance(p).unwrap_or(f64::INFINITY)).fold(0.0, larger);
+        let at_ends = larger(arc.start().distance(edge.ends[0]), arc.end().distance(edge.ends[1]));
+        Ok(larger(off, at_ends))
     }
 
     /// An edge against several sides one behind the other.
@@ -149,11 +162,13 @@ impl<'a> FaceCheck<'a> {
             FileCurve::Piece(ChainPiece::Spline(_)) => f64::INFINITY,
         };
         largest = larger(largest, points.iter().map(distance).fold(0.0, larger));
-        for (p, end) in [points.first(), points.last()].into_iter().flatten().zip(edge.ends) {
-            largest = larger(largest, p.distance(end));
-        }
         match &edge.curve {
             FileCurve::Circle(circle) => {
+                // Its vertex may be anywhere on it.
+                largest = larger(largest, circle.closest_point(edge.ends[0]).distance);
+                if let (Some(last), Some(first)) = (points.last(), points.first()) {
+                    largest = larger(largest, last.distance(*first));
+                }
                 require(
                     (turn(circle, &points) - std::f64::consts::TAU).abs() <= FULL_TURN,
                     "a circle is not run once round",
@@ -164,6 +179,9 @@ impl<'a> FaceCheck<'a> {
                 let places: Vec<f64> = points.iter().map(|p| arc.closest_point(*p).t).collect();
                 let goes_on = places.windows(2).all(|pair| pair[1] >= pair[0] - FULL_TURN);
                 require(goes_on, "an edge runs the wrong way round a face")?;
+                for (p, end) in [points.first(), points.last()].into_iter().flatten().zip(edge.ends) {
+                    largest = larger(largest, p.distance(end));
+                }
                 largest =
                     larger(largest, larger(arc.start().distance(edge.ends[0]), arc.point(1.0).distance(edge.ends[1])));
             }

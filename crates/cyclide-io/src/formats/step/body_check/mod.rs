@@ -13,7 +13,7 @@ mod face;
 #[cfg(test)]
 mod tests;
 
-use crate::check::bodies::{FileBody, FileFace, FileShell};
+use crate::check::bodies::{FileBody, FileCurve, FileFace, FileShell};
 use crate::check::deviation::larger;
 use crate::check::file_content::ReadError;
 use crate::check::made::Made;
@@ -97,10 +97,15 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
             for (i, (edge, sides)) in own.iter().zip(plan).enumerate() {
                 let next = &own[(i + 1) % own.len()];
                 require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
-                let (borders, off) = face.edge_deviation(file, edge, sides)?;
+                let (mut borders, off) = face.edge_deviation(file, edge, sides)?;
                 largest = larger(largest, off);
                 let shared =
                     edges.entry(edge.edge).or_insert_with(|| Shared { borders: borders.clone(), uses: Vec::new() });
+                if matches!(edge.curve, FileCurve::Circle(_)) {
+                    // The vertex of a whole circle may be inside a side, from which either face may begin.
+                    let first = borders.iter().position(|own| shared.borders.first().is_some_and(|b| b.is_same(own)));
+                    borders.rotate_left(first.unwrap_or(0));
+                }
                 let is_same = shared.borders.len() == borders.len()
                     && shared.borders.iter().zip(&borders).all(|(a, b)| a.is_same(b));
                 require(is_same, "faces share an edge in the file only")?;
@@ -121,7 +126,8 @@ fn check_uses(shell: &Shell, edges: &HashMap<u64, Shared>) -> Result<(), Mismatc
             Line::Edge(edge) => of_model.get(edge).copied().unwrap_or(0),
             Line::Inside { .. } => 2,
         };
-        let first = borders.first().map_or(0, expected);
+        // A seam across faces has no border, and its face on both sides.
+        let first = borders.first().map_or(2, expected);
         require(borders.iter().all(|border| expected(border) == first), "an edge is a border on a part of it only")?;
         let expected = first;
         require(uses.len() >= expected, "faces share an edge in the model only")?;

@@ -6,6 +6,7 @@
 //! faces of the shell stay as they are. Each face is developed into the parameters of its surface before it is taken: its loops have
 //! to close there, one of them round the others, and the areas of the faces of the shell have to add up to that of the whole.
 
+mod bridges;
 mod chains;
 mod half_edges;
 mod parameters;
@@ -14,8 +15,9 @@ mod seams;
 mod spheres;
 
 use super::polar_curves::PolarCurve;
+use bridges::{Bridge, Bridgeheads};
 use chains::{as_arc, continues, joined};
-use cyclide::{Arc, EdgeCurve, Frame, PatchKind, Shell, Side};
+use cyclide::{Arc, Circle, EdgeCurve, Frame, PatchKind, Point3, Shell, Side};
 use half_edges::{HalfEdge, HalfEdges};
 use parameters::{Developed, periodic};
 use regions::{Region, regions};
@@ -51,13 +53,13 @@ pub(super) struct LoopEdge {
     pub(super) edge: usize,
     /// Whether the loop runs along it.
     pub(super) forward: bool,
-    /// The sides of faces of the shell that it is, in the order of the loop.
+    /// The sides of faces of the shell that it is, in the order of the loop; none for a seam across them.
     pub(super) sides: Vec<(usize, Side)>,
 }
 
 /// An edge of the file.
 pub(super) struct LayoutEdge {
-    /// The vertices of the shell at its ends.
+    /// The vertices at its ends: of the shell, or behind them.
     pub(super) ends: [usize; 2],
     /// The edge of the shell that it is, with its curve, or the curve of several.
     pub(super) form: EdgeForm,
@@ -75,6 +77,8 @@ pub(super) enum EdgeForm {
 pub(super) struct Layout {
     pub(super) faces: Vec<LayoutFace>,
     pub(super) edges: Vec<LayoutEdge>,
+    /// Vertices behind those of the shell.
+    pub(super) points: Vec<Point3>,
 }
 
 /// What faces are made one by.
@@ -102,10 +106,11 @@ impl Layout {
         let half_edges = HalfEdges::new(shell);
         let mut is_kept = vec![true; shell.edges().len()];
         let mut arcs: Vec<Option<Arc>> = vec![None; shell.edges().len()];
-        let mut drafts = Vec::new();
+        let (mut drafts, mut bridgeheads) = (Vec::new(), Bridgeheads::default());
         if let Some(merging) = merging {
             arcs = shell.edges().iter().map(|edge| as_arc(&edge.curve, merging.size)).collect();
-            drafts = Drafts { shell, half_edges: &half_edges, arcs: &arcs, merging }.all(&mut is_kept);
+            let room = Drafts { shell, half_edges: &half_edges, arcs: &arcs, merging };
+            (drafts, bridgeheads) = room.all(&mut is_kept);
         }
         let mut is_taken = vec![false; shell.faces().len()];
         for &face in drafts.iter().flat_map(|draft| &draft.region.faces) {
@@ -117,17 +122,25 @@ impl Layout {
                 _ => shell.faces()[face].same_sense == kind_outward(&kind),
             };
             let region = Region { kind, outward, faces: vec![face] };
-            drafts.push(Draft { region, loops: vec![half_edges.of_face(face).to_vec()], single_edges: Vec::new() });
+            drafts.push(Draft {
+                region,
+                loops: vec![half_edges.of_face(face).to_vec()],
+                single_edges: Vec::new(),
+                bridge: None,
+            });
         }
         drafts.sort_by_key(|draft| draft.region.faces[0]);
-        let edges = Chains::new(shell, &drafts, &is_kept, (&arcs, merging));
-        let face = |draft: &Draft| LayoutFace {
-            kind: draft.region.kind,
-            outward: draft.region.outward,
-            faces: draft.region.faces.clone(),
-            bounds: draft.loops.iter().map(|own| edges.of_loop(shell, own)).collect(),
+        let mut edges = Chains::new(shell, &drafts, &is_kept, (&arcs, merging), &bridgeheads);
+        let mut face = |draft: &Draft| {
+            let mut bounds: Vec<Vec<LoopEdge>> = draft.loops.iter().map(|own| edges.of_loop(shell, own)).collect();
+            if let Some(bridge) = &draft.bridge {
+                edges.add_bridge(bridge, &mut bounds);
+            }
+            let Region { kind, outward, faces } = draft.region.clone();
+            LayoutFace { kind, outward, faces, bounds }
         };
-        Self { faces: drafts.iter().map(face).collect(), edges: edges.edges }
+        let faces = drafts.iter().map(&mut face).collect();
+        Self { faces, edges: edges.edges, points: bridgeheads.points }
     }
 }
 
@@ -148,6 +161,8 @@ struct Draft {
     loops: Vec<Vec<HalfEdge>>,
     /// Edges that are not made one with others: they have a curve of their own in the parameters.
     single_edges: Vec<usize>,
+    /// A seam across the faces, between the first two loops.
+    bridge: Option<Bridge>,
 }
 
 /// What faces of the file are found in.
@@ -159,8 +174,8 @@ struct Drafts<'a> {
 }
 
 impl Drafts<'_> {
-    /// The faces of the file that are several faces of the shell; with the edges that are kept.
-    fn all(&self, is_kept: &mut [bool]) -> Vec<Draft> {
+    /// The faces of the file that are several faces of the shell; with the edges that are kept, and where seams across faces end.
+    fn all(&self, is_kept: &mut [bool]) -> (Vec<Draft>, Bridgeheads) {
         let Self { shell, half_edges, merging, .. } = *self;
         let regions = regions(shell, half_edges, merging.kinds, merging.size);
         let mut region_of = vec![0; shell.faces().len()];
@@ -179,7 +194,7 @@ impl Drafts<'_> {
             };
         }
         let mut anchors = self.fixed_vertices(is_kept);
-        let mut drafts = Vec::new();
+        let (mut drafts, mut heads, mut left) = (Vec::new(), Bridgeheads::new(shell), Vec::new());
         for index in self.in_order(&regions, &region_of) {
             let region = &regions[index];
             if region.faces.len() == 1 {
@@ -192,12 +207,20 @@ impl Drafts<'_> {
                 }
                 drafts.push(draft);
             } else {
+                left.push(region);
+            }
+        }
+        // Where all other seams end is known now.
+        for region in left {
+            if let Some(draft) = self.bridged(region, is_kept, &mut anchors, &mut heads) {
+                drafts.push(draft);
+            } else {
                 for half in region.faces.iter().flat_map(|&face| half_edges.of_face(face)) {
                     is_kept[half.edge] = true;
                 }
             }
         }
-        drafts
+        (drafts, heads)
     }
 
     /// The regions from neighbour to neighbour, so that seams go on.
@@ -237,12 +260,13 @@ impl Drafts<'_> {
         for kind in spheres::framings(self.shell, region, &borders, self.arcs) {
             let mut region = region.clone();
             region.kind = kind;
+            let Some(of_faces) = self.area_of_faces(&region) else { continue };
             let mut found = seams(self.shell, self.half_edges, &region, &borders, self.arcs);
             let free = |seam: &Seam| seam.ends.iter().filter(|vertex| !anchors.contains(vertex)).count();
             found.sort_by_key(free);
             for seam in found.into_iter().take(MOST_TRIED) {
                 let loops = self.half_edges.loops(&region.faces, |edge| is_kept[edge] || seam.edges.contains(&edge));
-                if let Some(draft) = self.checked(&region, loops, !seam.edges.is_empty()) {
+                if let Some(draft) = self.checked(&region, loops, (of_faces, !seam.edges.is_empty())) {
                     return Some((draft, seam));
                 }
             }
@@ -250,44 +274,51 @@ impl Drafts<'_> {
         None
     }
 
-    /// The face with these loops, if it is one: with the outer loop first and the first axis of its placement away from it.
-    fn checked(&self, region: &Region, loops: Vec<Vec<HalfEdge>>, has_seam: bool) -> Option<Draft> {
-        let edges = self.shell.edges();
-        let developed = |own: &[HalfEdge]| {
-            let edges = own.iter().map(|half| (&edges[half.edge].curve, half.forward));
-            let found = Developed::new(&region.kind, edges, region.outward)?;
-            (found.turns()? == [0, 0]).then_some(found)
+    /// A loop of the faces of a region, in the parameters of its surface.
+    fn developed(&self, region: &Region, own: &[HalfEdge]) -> Option<Developed> {
+        let edges = own.iter().map(|half| (&self.shell.edges()[half.edge].curve, half.forward));
+        Developed::new(&region.kind, edges, region.outward)
+    }
+
+    /// The area of all faces of a region in the parameters.
+    fn area_of_faces(&self, region: &Region) -> Option<f64> {
+        let area = |&face: &usize| {
+            let own = self.developed(region, self.half_edges.of_face(face))?;
+            (own.turns()? == [0, 0]).then(|| region.signed(own.area()))
         };
-        let area = |found: &Developed| if region.outward { found.double_area() } else { -found.double_area() };
-        let mut bounds: Vec<(Developed, Vec<HalfEdge>)> =
-            loops.into_iter().map(|own| Some((developed(&own)?, own))).collect::<Option<_>>()?;
-        bounds.sort_by(|a, b| area(&b.0).total_cmp(&area(&a.0)));
-        let (outer, holes) = bounds.split_first()?;
-        let of_outer = area(&outer.0);
-        if !(of_outer > 0.0) || holes.iter().any(|(hole, _)| !(area(hole) < 0.0)) {
+        region.faces.iter().map(area).sum()
+    }
+
+    /// The face with these loops, if it is one: with the outer loop first and the first axis of its placement away from it.
+    fn checked(&self, region: &Region, loops: Vec<Vec<HalfEdge>>, (of_faces, has_seam): (f64, bool)) -> Option<Draft> {
+        let developed = |own: Vec<HalfEdge>| {
+            let found = self.developed(region, &own)?;
+            (found.turns()? == [0, 0]).then(|| (region.signed(found.area()), found, own))
+        };
+        let mut bounds: Vec<(f64, Developed, Vec<HalfEdge>)> =
+            loops.into_iter().map(developed).collect::<Option<_>>()?;
+        bounds.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let ((of_outer, outer, _), holes) = bounds.split_first()?;
+        if !(*of_outer > 0.0) || holes.iter().any(|(hole, ..)| !(*hole < 0.0)) {
             return None;
         }
-        let whole = of_outer + holes.iter().map(|(hole, _)| area(hole)).sum::<f64>();
-        let mut of_faces = 0.0;
-        for &face in &region.faces {
-            of_faces += area(&developed(self.half_edges.of_face(face))?);
-        }
+        let whole = of_outer + holes.iter().map(|(hole, ..)| hole).sum::<f64>();
         if !((whole - of_faces).abs() <= SAME_AREA * of_outer) {
             return None;
         }
         let periodic = periodic(&region.kind);
         for parameter in [0, 1].into_iter().filter(|&k| periodic[k]) {
-            let [from, to] = outer.0.range(parameter);
+            let [from, to] = outer.range(parameter);
             let most = if has_seam { TAU + FULL_TURN } else { TAU - FULL_TURN };
             if !(to - from <= most) {
                 return None;
             }
         }
-        let [from, to] = outer.0.range(0);
+        let [from, to] = outer.range(0);
         let kind = if periodic[0] { turned(&region.kind, 0.5 * (from + to) + PI)? } else { region.kind };
-        let loops: Vec<Vec<HalfEdge>> = bounds.into_iter().map(|(_, own)| own).collect();
+        let loops: Vec<Vec<HalfEdge>> = bounds.into_iter().map(|(_, _, own)| own).collect();
         let single_edges = self.followed(&kind, &loops)?;
-        Some(Draft { region: Region { kind, ..region.clone() }, loops, single_edges })
+        Some(Draft { region: Region { kind, ..region.clone() }, loops, single_edges, bridge: None })
     }
 
     /// The edges that are no parameter lines, which need curves in the parameters; `None` where one has none.
@@ -370,6 +401,7 @@ impl Chains {
         drafts: &[Draft],
         is_kept: &[bool],
         (arcs, merging): (&[Option<Arc>], Option<&Merging<'_>>),
+        heads: &Bridgeheads,
     ) -> Self {
         let mut chains = Self { edges: Vec::new(), of_edge: vec![None; shell.edges().len()] };
         let Some(merging) = merging else {
@@ -387,7 +419,7 @@ impl Chains {
         let at = edges_at(shell, is_kept);
         let size = merging.size;
         let next = |edge: usize, vertex: usize| match at.get(&vertex).map(Vec::as_slice) {
-            Some(&[a, b]) if !is_single[a] && !is_single[b] => {
+            Some(&[a, b]) if !is_single[a] && !is_single[b] && !heads.vertices.contains(&vertex) => {
                 let other = if a == edge { b } else { a };
                 go_on(shell, arcs, (edge, other), vertex, (size, merging.circles)).then_some(other)
             }
@@ -414,7 +446,7 @@ impl Chains {
                 (to, edge) = (other_end(after, to), after);
             }
             let is_closed = begin == to;
-            chains.add(shell, arcs, (&chain, begin, is_closed), &is_single, merging);
+            chains.add(shell, arcs, (&chain, begin, is_closed), &is_single, (merging, heads));
         }
         chains
     }
@@ -432,7 +464,7 @@ impl Chains {
         arcs: &[Option<Arc>],
         (chain, begin, is_closed): (&[usize], usize, bool),
         is_single: &[bool],
-        merging: &Merging<'_>,
+        (merging, heads): (&Merging<'_>, &Bridgeheads),
     ) {
         let is_own = |edge: usize| is_single[edge] || shell.edges()[edge].curve.arc().is_some() || !merging.circles;
         if let [one] = *chain
@@ -453,10 +485,18 @@ impl Chains {
         let Some(curve) = joined(&pieces, is_closed, merging.size) else {
             return chain.iter().for_each(|&edge| self.own(shell, edge));
         };
-        for (edge, forward, _) in run {
+        for &(edge, forward, _) in &run {
             self.of_edge[edge] = Some((self.edges.len(), forward));
         }
-        self.edges.push(LayoutEdge { ends: [begin, at], form: EdgeForm::Joined(curve) });
+        let (mut ends, mut curve) = ([begin, at], curve);
+        // A whole circle begins where a seam ends that is not at a vertex.
+        let head = run.iter().find_map(|(edge, ..)| heads.on_edge.get(edge)).filter(|_| is_closed);
+        if let (Some(&head), ChainCurve::Circle(circle)) = (head, &curve)
+            && let Ok(moved) = Circle::from_center(circle.center(), circle.normal(), heads.point(head))
+        {
+            (ends, curve) = ([head; 2], ChainCurve::Circle(moved));
+        }
+        self.edges.push(LayoutEdge { ends, form: EdgeForm::Joined(curve) });
     }
 
     /// A loop in edges of the file.

@@ -155,14 +155,23 @@ impl Developed {
         (closes(u) && closes(v)).then_some([u.round() as i32, v.round() as i32])
     }
 
-    /// Twice the area that it runs round counter-clockwise; of a loop without turns.
-    pub(super) fn double_area(&self) -> f64 {
-        let origin = self.points.first().copied().unwrap_or_default();
-        let cross = |pair: &[[f64; 2]]| {
-            let [a, b] = [pair[0], pair[1]].map(|p| [p[0] - origin[0], p[1] - origin[1]]);
-            a[0] * b[1] - a[1] * b[0]
-        };
-        self.points.windows(2).map(cross).sum()
+    /// The area that it runs round counter-clockwise, `-∮ v du`: of loops that turn, what lies between such loops is their sum.
+    pub(super) fn area(&self) -> f64 {
+        let strip = |pair: &[[f64; 2]]| 0.5 * (pair[0][1] + pair[1][1]) * (pair[0][0] - pair[1][0]);
+        self.points.windows(2).map(strip).sum()
+    }
+
+    /// How often it crosses a value of the angle.
+    pub(super) fn crossings(&self, angle: f64) -> usize {
+        let turn = |u: f64| ((u - angle) / TAU).floor();
+        self.points.windows(2).map(|pair| (turn(pair[1][0]) - turn(pair[0][0])).abs() as usize).sum()
+    }
+
+    /// How far an angle is outside the range that the loop has; 0 inside.
+    pub(super) fn clearance(&self, angle: f64) -> f64 {
+        let [from, to] = self.range(0);
+        let at = from + (angle - from).rem_euclid(TAU);
+        if at <= to { 0.0 } else { (at - to).min(from + TAU - at) }
     }
 
     /// The least and the largest value of a parameter.

@@ -25,6 +25,13 @@ pub(super) struct Region {
     pub(super) faces: Vec<usize>,
 }
 
+impl Region {
+    /// An area in the parameters seen from the shell's outer side.
+    pub(super) fn signed(&self, area: f64) -> f64 {
+        if self.outward { area } else { -area }
+    }
+}
+
 /// How far points may be from a surface, or a curve, through these.
 pub(super) fn limit(size: f64, largest: f64) -> f64 {
     LIMIT.0 * size + LIMIT.1 * largest
