@@ -157,21 +157,21 @@ const TARGETS: [Target; 22] = [
         Vtu,
         Bytes,
         &["<DataArray ", "</DataArray>", "Name=\"connectivity\"", "offset", "-1", "79", "nan"],
-        1000
+        3000
     ),
     written!(
         "mfem",
         Mfem,
         Bytes,
         &["dimension\n", "elements\n", "knotvectors\n", "patches\n", "-1", "NURBS3", "0"],
-        1000
+        3000
     ),
     written!(
         "gismo",
         Gismo,
         Bytes,
         &["<KnotVector degree=\"2\">", "<coefs", "<weights>", "-1", "</Geometry>", "nan"],
-        1000
+        3000
     ),
 ];
 
@@ -231,7 +231,7 @@ fn right_files(target: &Target) -> Vec<Vec<u8>> {
     let Some(format) = target.format else { return kept(target.name) };
     let coarse = Some(0.5);
     let all = [
-        ExportOptions::default(),
+        ExportOptions { tolerance: coarse, ..ExportOptions::default() },
         ExportOptions { step_edges: StepEdges::Rational, tolerance: coarse, ..ExportOptions::default() },
         ExportOptions { dxf_splines: true, glb_edges: true, tolerance: coarse, ..ExportOptions::default() },
         ExportOptions { dxf_version: DxfVersion::R12, tolerance: Some(0.1), ..ExportOptions::default() },
