@@ -70,7 +70,10 @@ fn a_hundred_random_tubes_have_the_volume_of_pappus() {
         let wall = 0.3 * radius[0].min(radius[1]);
         objects
             .insert(format!("p{k}"), json!({"type": "polyline", "points": points, "radius": 12, "construction": true}));
-        objects.insert(format!("t{k}"), json!({"type": "tube", "of": format!("p{k}"), "radius": radius, "wall": wall}));
+        objects.insert(
+            format!("t{k}"),
+            json!({"type": "tube", "of": format!("p{k}"), "radius": radius, "wall": wall, "tolerance": 1e-3}),
+        );
         wanted.push((radius, wall));
     }
     let report = report(&Value::Object(objects));
@@ -79,8 +82,8 @@ fn a_hundred_random_tubes_have_the_volume_of_pappus() {
         let length = length.or_else(|| report["objects"][format!("p{k}")]["length"].as_f64()).unwrap();
         let volume = report["objects"][format!("t{k}")]["volume"].as_f64().unwrap();
         let wanted = frustum(a, b, length) - frustum(a - wall, b - wall, length);
-        // The bound is a hundred thousandth of the least radius, on both skins.
-        let allowed = 1e-5 * a.min(b) * 2.0 * PI * (a + b) * length + 1e-9 * wanted;
+        // The bound on both skins.
+        let allowed = 1e-3 * 2.0 * PI * (a + b) * length + 1e-9 * wanted;
         assert!((volume - wanted).abs() < allowed, "{k}: {volume} {wanted}");
     }
 }
@@ -135,7 +138,7 @@ fn the_corner_where_a_rail_should_start_is_named_and_makes_the_surface() {
     let built = folder.json("build r.json -o r.step --json");
     // Four trapezoids of 40 and 24 at the slant height.
     let area = 4.0 * 32.0 * 30.0_f64.hypot(8.0);
-    assert!((built["objects"]["loft"]["area"].as_f64().unwrap() / area - 1.0).abs() < 1e-12);
+    assert!((built["objects"]["loft"]["total_area"].as_f64().unwrap() / area - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -170,14 +173,14 @@ fn remedies_that_are_named_work() {
 
 #[test]
 fn radii_are_not_called_their_sum() {
-    let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [60.0, 9.0, 0.0], [0.0, 9.0, 0.0]];
+    // Strands that cross 9 apart.
+    let points = [[0, 0, 0], [60, 0, 0], [60, 40, 9], [30, 40, 9], [30, -40, 9]];
     let document = json!({"cyclide": 1, "units": "mm", "objects": {
-        "p": {"type": "polyline", "points": points, "radius": 4.5, "construction": true},
-        "t": {"type": "pipe", "of": "p", "radius": 4.4},
+        "p": {"type": "polyline", "points": points, "radius": 12, "construction": true},
         "u": {"type": "pipe", "of": "p", "radius": 5}}});
     let folder = Folder::with(&[("d.json", &document.to_string())]);
-    let error = folder.fails(1, "build d.json --object u -o d.step");
-    assert!(!error.contains("both radii are"), "{error}");
+    let error = folder.fails(1, "build d.json -o d.step");
+    assert!(error.contains("[pipe-meets-itself]") && error.contains("the sum of their radii is 10"), "{error}");
     let mesh = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "faces": [[0,2,1],[0,1,3],[1,2,3],[0,3,2]]}}}"#;
     folder.write("m.json", mesh);
     let run = folder.run("build m.json -o m.step");
