@@ -1,8 +1,8 @@
 //! What is read of users: files and standard input as bytes, lists of points, meshes.
 
-pub(crate) mod exported_faces;
 #[cfg(feature = "files")]
 pub(crate) mod confined;
+pub(crate) mod exported_faces;
 #[cfg(feature = "files")]
 pub(crate) mod file;
 pub(crate) mod points;
