@@ -279,7 +279,9 @@ fn table(random: &mut Random) -> (Vec<u8>, Vec<[f64; 3]>, String) {
     }
     let header_fits = named && plain_names;
     if header_fits && random.chance(4) {
-        lines.push(random.one(&["Aufmaß Werkhof Süd", "Levé du 12 mars", "Project 17", "Export"]).to_owned());
+        // Between blanks a title with a number may be a point, and is refused as one that has no numbers.
+        let titles = &["Aufmaß Werkhof Süd", "Export", "Levé du 12 mars", "Project 17"];
+        lines.push(random.one(if separator == " " { &titles[..2] } else { &titles[..] }).to_owned());
         if separator != " " && random.chance(2) {
             lines.push(separator.repeat(axes.len()));
         }

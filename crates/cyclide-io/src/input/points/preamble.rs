@@ -149,6 +149,8 @@ fn is_text(
     };
     lines(&source.text[start + length..]).take(MOST_TITLES).skip(1).any(|(at, line)| {
         next.clear();
+        // Names may stand behind a `#`.
+        let line = line.trim_start().trim_start_matches('#');
         delimiter.split(line, start + length + at, &mut next).is_ok()
             && !next.iter().any(is_number)
             && next.iter().filter(|field| Role::of(field).is_of_points()).count() > 1
