@@ -106,7 +106,7 @@ fn refused_input_shows_file_line_and_column() {
             "error: twice.csv:1:1: objects.twice: too few points: 1 given, at least 2 needed (repeated points count once) [too-few-points]",
         ),
         ("curve none.csv", "error: none.csv:1:1: the file holds no points"),
-        ("curve bytes.csv", "error: bytes.csv:2:3: byte 0xff is not UTF-8 text"),
+        ("curve bytes.csv", "error: bytes.csv:2:3: `ÿ` is not a number"),
         ("curve few.csv --columns a,b", "error: few.csv:1:1: no column `a`: the file has no header line"),
     ] {
         let output = if command.starts_with("build") || command.starts_with("curve") { " -o o.step" } else { "" };

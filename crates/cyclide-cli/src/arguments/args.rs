@@ -90,8 +90,10 @@ Examples:
   A logo with contours, its corners marked in a column, columns chosen by name:
       cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
 
-The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. A blank line
-starts a new contour, as does a new value in a column named 'contour'; a column 'corner' (0 or 1) marks corners.";
+The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. Coordinates are
+the columns named x, y and z, or in the words of surveys (easting, Rechtswert, Abscisse, Nord, Cota, ...); numbers and names
+of points are kept as what the points are called. A blank line starts a new contour, as does a new value in a column named
+'contour'; a column 'corner' (0 or 1) marks corners. docs/document.md has the rest.";
 
 const REPORT_EXAMPLES: &str = "\
 Examples:

@@ -154,6 +154,7 @@ fn units_are_said() {
         (Units::Metre, 6.0, 1.0),
         (Units::Inch, 1.0, 0.0),
         (Units::Foot, 2.0, 0.0),
+        (Units::UsSurveyFoot, 21.0, 0.0),
     ] {
         let tags = tags(&Model { units, ..mixed(flat) });
         let after = |name: &str| {

@@ -136,6 +136,7 @@ fn units_are_said_and_coordinates_kept() {
         (Units::Metre, "SI_UNIT($,.METRE.)"),
         (Units::Inch, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4)"),
         (Units::Foot, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(304.8)"),
+        (Units::UsSurveyFoot, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(304.8006096012192)"),
     ] {
         let m = cyclide::Model { units, ..mixed(flat) };
         let text = text(&m);

@@ -29,448 +29,58 @@ pub(super) enum Role {
     Unknown,
 }
 
-const EAST: &[&str] =
-    &["e", "east", "easting", "eastings", "rechtswert", "rechts", "rw", "ost", "ostwert", "est", "este", "oest"];
-const NORTH: &[&str] =
-    &["n", "north", "northing", "northings", "hochwert", "hoch", "hw", "nord", "nordwert", "norden", "norte"];
-const HEIGHT: &[&str] = &[
-    "h",
-    "q",
-    "height",
-    "heights",
-    "ht",
-    "hgt",
-    "elevation",
-    "elev",
-    "elevacion",
-    "el",
-    "altitude",
-    "alt",
-    "altitud",
-    "altura",
-    "altezza",
-    "hauteur",
-    "hohe",
-    "hoehe",
-    "hohen",
-    "quota",
-    "quote",
-    "cota",
-    "cote",
-    "level",
-    "lvl",
-    "rl",
-    "niveau",
-];
-const ABSCISSA: &[&str] = &["abscissa", "abscisse", "abscisses", "ascissa", "abscisa", "abszisse"];
-const ORDINATE: &[&str] = &["ordinate", "ordonnee", "ordonnees", "ordinata", "ordenada"];
+const EAST: &str = "e east easting eastings rechtswert rechts rw ost ostwert est este oest";
+const NORTH: &str = "n north northing northings hochwert hoch hw nord nordwert norden norte";
+const HEIGHT: &str = "h q height heights ht hgt elevation elev elevacion el altitude alt altitud altura altezza hauteur hohe hoehe hohen \
+    quota quote cota cote level lvl rl niveau";
+const ABSCISSA: &str = "abscissa abscisse abscisses ascissa abscisa abszisse";
+const ORDINATE: &str = "ordinate ordonnee ordonnees ordinata ordenada";
 
 /// Words of which the names of numbers and codes of points are made, alone (`Nr.`), beside each other (`Lfd. Nr.`) or joined
 /// (`Punktnummer`).
-const LABEL: &[&str] = &[
-    "no",
-    "nr",
-    "nro",
-    "num",
-    "numb",
-    "nums",
-    "number",
-    "numbers",
-    "numero",
-    "numeros",
-    "nummer",
-    "nummern",
-    "nº",
-    "n°",
-    "nø",
-    "id",
-    "ids",
-    "ident",
-    "identifier",
-    "fid",
-    "oid",
-    "gid",
-    "uid",
-    "uuid",
-    "guid",
-    "pid",
-    "key",
-    "index",
-    "indice",
-    "idx",
-    "ix",
-    "row",
-    "line",
-    "seq",
-    "sequence",
-    "secuencia",
-    "sequenza",
-    "order",
-    "ordre",
-    "orden",
-    "ordine",
-    "count",
-    "counter",
-    "lfd",
-    "laufende",
-    "pos",
-    "point",
-    "points",
-    "pointe",
-    "pt",
-    "pts",
-    "pnt",
-    "pkt",
-    "punkt",
-    "punkte",
-    "punto",
-    "punti",
-    "puntos",
-    "pto",
-    "vertex",
-    "vertices",
-    "vert",
-    "vertice",
-    "vertici",
-    "node",
-    "nodes",
-    "knoten",
-    "noeud",
-    "nodo",
-    "sommet",
-    "matricule",
-    "matricola",
-    "matricula",
-    "bezeichnung",
-    "kennung",
-    "name",
-    "names",
-    "nom",
-    "nombre",
-    "nome",
-    "label",
-    "labels",
-    "etiquette",
-    "etiqueta",
-    "etichetta",
-    "tag",
-    "marker",
-    "target",
-    "ziel",
-    "ref",
-    "reference",
-    "referenz",
-    "referencia",
-    "riferimento",
-    "site",
-    "waypoint",
-    "wp",
-    "wpt",
-    "feature",
-    "object",
-    "objekt",
-    "record",
-    "rec",
-    "sample",
-    "measurement",
-    "messung",
-    "mesure",
-    "sr",
-    "sl",
-    "serial",
-    "ser",
-    "item",
-    "shot",
-    "peg",
-    "borne",
-    "piquet",
-    "picchetto",
-    "estaca",
-    "mojon",
-    "p",
-    "sno",
-    "marke",
-    "stutz",
-    "grenz",
-    "fest",
-    "satz",
-    "zeile",
-    "ligne",
-    "linea",
-    "riga",
-    "fila",
-    "vermessungs",
-    "pose",
-];
+const LABEL: &str = "no nr nro num numb nums number numbers numero numeros nummer nummern nº n° nø id ids ident identifier fid oid gid uid \
+    uuid guid pid key index indice idx ix row line seq sequence secuencia sequenza order ordre orden ordine count counter \
+    lfd laufende pos point points pointe pt pts pnt pkt punkt punkte punto punti puntos pto vertex vertices vert vertice \
+    vertici node nodes knoten noeud nodo sommet matricule matricola matricula bezeichnung kennung name names nom nombre \
+    nome label labels etiquette etiqueta etichetta tag marker target ziel ref reference referenz referencia riferimento \
+    site waypoint wp wpt feature object objekt record rec sample measurement messung mesure sr sl serial ser item shot peg \
+    borne piquet picchetto estaca mojon p sno marke stutz grenz fest satz zeile ligne linea riga fila vermessungs pose";
 
 /// Words that stand beside them and say nothing.
-const FILLERS: &[&str] =
-    &["of", "de", "du", "des", "di", "del", "della", "delle", "the", "der", "le", "la", "el", "il", "d"];
+const FILLERS: &str = "of de du des di del della delle the der le la el il d";
 
 /// Words of columns that have numbers which are no coordinates.
-const OTHER: &[&str] = &[
-    "station",
-    "stations",
-    "stationing",
-    "stationierung",
-    "stazione",
-    "estacion",
-    "sta",
-    "chainage",
-    "ch",
-    "km",
-    "kp",
-    "mp",
-    "pk",
-    "pr",
-    "kilometer",
-    "kilometre",
-    "kilometrage",
-    "kilometrierung",
-    "progressiva",
-    "progressive",
-    "progressivo",
-    "mileage",
-    "milepost",
-    "distance",
-    "distancia",
-    "distanza",
-    "dist",
-    "distanz",
-    "abstand",
-    "entfernung",
-    "cumul",
-    "cumulative",
-    "offset",
-    "offsets",
-    "versatz",
-    "deport",
-    "time",
-    "timestamp",
-    "t",
-    "stamp",
-    "date",
-    "datum",
-    "fecha",
-    "data",
-    "heure",
-    "hora",
-    "ora",
-    "uhrzeit",
-    "zeit",
-    "temps",
-    "tiempo",
-    "tempo",
-    "epoch",
-    "week",
-    "secs",
-    "nsecs",
-    "hz",
-    "vz",
-    "sd",
-    "hd",
-    "vd",
-    "azimuth",
-    "azimut",
-    "bearing",
-    "heading",
-    "course",
-    "kurs",
-    "richtung",
-    "gisement",
-    "winkel",
-    "angle",
-    "angolo",
-    "angulo",
-    "zenith",
-    "tilt",
-    "speed",
-    "velocity",
-    "geschwindigkeit",
-    "vitesse",
-    "velocidad",
-    "velocita",
-    "hdop",
-    "pdop",
-    "vdop",
-    "gdop",
-    "dop",
-    "sats",
-    "satellites",
-    "fix",
-    "quality",
-    "qual",
-    "accuracy",
-    "acc",
-    "genauigkeit",
-    "precision",
-    "precisione",
-    "sigma",
-    "std",
-    "stdev",
-    "stddev",
-    "error",
-    "err",
-    "rms",
-    "hrms",
-    "vrms",
-    "rmse",
-    "cq",
-    "hcq",
-    "vcq",
-    "residual",
-    "weight",
-    "gewicht",
-    "poids",
-    "temperature",
-    "temp",
-    "intensity",
-    "epsg",
-    "srid",
-    "zone",
-    "cant",
-    "curvature",
-    "length",
-    "lange",
-    "laenge",
-    "width",
-    "breite",
-    "radius",
-    "radio",
-    "rayon",
-    "raggio",
-    "westing",
-    "westings",
-    "southing",
-    "southings",
-    "west",
-    "south",
-    "ouest",
-    "sud",
-    "suden",
-    "oeste",
-    "sur",
-    "ovest",
-    "westen",
-    "code",
-    "codigo",
-    "codice",
-    "kode",
-    "desc",
-    "description",
-    "descripcion",
-    "descrizione",
-    "beschreibung",
-    "remark",
-    "remarks",
-    "remarque",
-    "comment",
-    "comments",
-    "commentaire",
-    "kommentar",
-    "bemerkung",
-    "bemerkungen",
-    "note",
-    "notes",
-    "nota",
-    "notas",
-    "type",
-    "typ",
-    "tipo",
-    "art",
-    "layer",
-    "ebene",
-    "calque",
-    "capa",
-    "class",
-    "klasse",
-    "classe",
-    "clase",
-    "group",
-    "gruppe",
-    "color",
-    "colour",
-    "farbe",
-    "couleur",
-    "contour",
-    "corner",
-    "part",
-    "polyline",
-    "ring",
-];
+const OTHER: &str = "station stations stationing stationierung stazione estacion sta chainage ch km kp mp pk pr kilometer kilometre \
+    kilometrage kilometrierung progressiva progressive progressivo mileage milepost distance distancia distanza dist \
+    distanz abstand entfernung cumul cumulative offset offsets versatz deport time timestamp t stamp date datum fecha data \
+    heure hora ora uhrzeit zeit temps tiempo tempo epoch week secs nsecs hz vz sd hd vd azimuth azimut bearing heading \
+    course kurs richtung gisement winkel angle angolo angulo zenith tilt speed velocity geschwindigkeit vitesse velocidad \
+    velocita hdop pdop vdop gdop dop sats satellites fix quality qual accuracy acc genauigkeit precision precisione sigma \
+    std stdev stddev error err rms hrms vrms rmse cq hcq vcq residual weight gewicht poids temperature temp intensity epsg \
+    srid zone cant curvature length lange laenge width breite radius radio rayon raggio westing westings southing \
+    southings west south ouest sud suden oeste sur ovest westen code codigo codice kode desc description descripcion \
+    descrizione beschreibung remark remarks remarque comment comments commentaire kommentar bemerkung bemerkungen note \
+    notes nota notas type typ tipo art layer ebene calque capa class klasse classe clase group gruppe color colour farbe \
+    couleur contour corner part polyline ring";
 
 /// Words of maps and reference systems that may stand beside a coordinate or a height; words with a digit are such too.
-const BESIDE_MAP: &[&str] = &[
-    "utm",
-    "grid",
-    "map",
-    "gk",
-    "lambert",
-    "nad",
-    "nn",
-    "nhn",
-    "mga",
-    "ngf",
-    "igm",
-    "ign",
-    "local",
-    "lokal",
-    "locale",
-    "ellipsoidal",
-    "ellipsoidisch",
-    "orthometric",
-    "ellip",
-    "ortho",
-    "u",
-    "ue",
-    "uber",
-    "ueber",
-    "m",
-    "false",
-    "state",
-    "plane",
-    "reduced",
-    "msl",
-    "amsl",
-    "ahd",
-    "gauss",
-    "kruger",
-    "boaga",
-];
+const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign local lokal locale ellipsoidal ellipsoidisch orthometric ellip \
+    ortho u ue uber ueber m false state plane reduced msl amsl ahd gauss kruger boaga";
 
 /// Words beside the letter of an axis: `point_x`, `x coordinate`.
-const BESIDE: &[&str] = &[
-    "coord",
-    "coords",
-    "coordinate",
-    "coordinates",
-    "coor",
-    "coordenada",
-    "coordonnee",
-    "coordinata",
-    "koordinate",
-    "koord",
-    "wert",
-    "value",
-    "valor",
-    "valeur",
-    "valore",
-    "point",
-    "pt",
-    "pos",
-    "position",
-    "p",
-    "loc",
-    "location",
-    "axis",
-    "achse",
-];
+const BESIDE: &str = "coord coords coordinate coordinates coor coordenada coordonnee coordinata koordinate koord wert value valor valeur \
+    valore point pt pos position p loc location axis achse";
 
 /// Words that stand for the angles of places on the globe.
 pub(super) const GLOBE: [&[&str]; 2] = [
     &["lon", "lng", "long", "longitude", "longitud", "longitudine", "langengrad"],
     &["lat", "latitude", "latitud", "latitudine", "breitengrad"],
 ];
+
+/// True for a word of a list.
+fn is_among(list: &str, word: &str) -> bool {
+    list.split(' ').any(|own| own == word)
+}
 
 impl Role {
     /// By a name, with whatever stands beside it.
@@ -490,7 +100,7 @@ impl Role {
         let unit = words.len() > 1 && unit_in_name(raw).is_some();
         let words: Vec<&str> = words[..words.len() - usize::from(unit)].iter().map(String::as_str).collect();
         let has_digit = |word: &str| word.chars().any(|c| c.is_ascii_digit());
-        let beside = |word: &str| BESIDE.contains(&word) || BESIDE_MAP.contains(&word) || has_digit(word);
+        let beside = |word: &str| is_among(BESIDE, word) || is_among(BESIDE_MAP, word) || has_digit(word);
         let own: Vec<&str> = match words.as_slice() {
             [only] => vec![*only],
             several => several.iter().copied().filter(|word| !beside(word)).collect(),
@@ -499,7 +109,7 @@ impl Role {
         let is_axis = |word: &&&str| matches!(**word, "x" | "y" | "z");
         let spoken: Vec<&str> = own.iter().filter(|word| !is_axis(word)).copied().collect();
         if let [word] = spoken.as_slice() {
-            let (is, clear) = (|list: &[&str]| list.contains(word), word.len() > 1);
+            let (is, clear) = (|list: &str| is_among(list, word), word.len() > 1);
             // A letter beside the letter of an axis is anything.
             if clear || own.len() == 1 {
                 if is(EAST) {
@@ -521,10 +131,15 @@ impl Role {
         if is_label(&words) {
             return Self::Label;
         }
-        if words.iter().any(|word| OTHER.contains(word)) {
+        if words.iter().any(|word| is_among(OTHER, word)) {
             return Self::Other;
         }
         Self::Unknown
+    }
+
+    /// True for a coordinate, or what a point is called: words that titles rarely have.
+    pub(super) const fn is_of_points(self) -> bool {
+        !matches!(self, Self::Unknown | Self::Other)
     }
 
     /// True for what is a coordinate of a map, or an abscissa: nothing but its partner goes with it.
@@ -535,14 +150,14 @@ impl Role {
 
 /// True if words are those of numbers and names of points.
 fn is_label(words: &[&str]) -> bool {
-    let own: Vec<&str> = words.iter().copied().filter(|word| !FILLERS.contains(word)).collect();
+    let own: Vec<&str> = words.iter().copied().filter(|word| !is_among(FILLERS, word)).collect();
     // `P1`, the name of a point, is no name of a column of them.
     !own.is_empty() && own.iter().all(|word| is_made_of_labels(word))
 }
 
 /// True if a word is one of those of labels, or several of them joined.
 fn is_made_of_labels(word: &str) -> bool {
-    let whole = |rest: &str| LABEL.contains(&rest);
+    let whole = |rest: &str| is_among(LABEL, rest);
     // Joined words are long enough not to be met by chance.
     whole(word)
         || (1..word.len())
@@ -559,8 +174,9 @@ pub(super) fn speaks_of(words: &[&str], field: &Field<'_>) -> bool {
 /// How a column's name speaks of an axis: `x` (0), `x_m` or `x coordinate` (1), `x_left` (2), `point_x` (3).
 pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
     let (words, unit) = words_of(field.text);
-    let beside = |word: &String| BESIDE.contains(&word.as_str());
-    let joined = |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
+    let beside = |word: &String| is_among(BESIDE, word.as_str());
+    let joined =
+        |word: &str| BESIDE.split(' ').any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
     match words.as_slice() {
         [only] if only == letter => Some(0),
         [first, _] if first == letter && unit => Some(1),

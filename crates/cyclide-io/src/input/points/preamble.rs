@@ -83,7 +83,7 @@ impl<'a> Preamble<'a> {
     fn take_text(&mut self, source: Source<'a>, text: Vec<Line<'a>>) -> Result<(), Box<Diagnostic>> {
         let width = self.first.iter().filter(|field| !field.text.is_empty()).count();
         let known = |line: &Line<'_>| {
-            let of_use = |field: &&Field<'_>| !field.text.is_empty() && Role::of(field) != Role::Unknown;
+            let of_use = |field: &&Field<'_>| !field.text.is_empty() && Role::of(field).is_of_points();
             line.fields.iter().filter(of_use).count()
         };
         // A sentence has as many words as it likes.
@@ -149,9 +149,11 @@ fn is_text(
     };
     lines(&source.text[start + length..]).take(MOST_TITLES).skip(1).any(|(at, line)| {
         next.clear();
+        // Names may stand behind a `#`.
+        let line = line.trim_start().trim_start_matches('#');
         delimiter.split(line, start + length + at, &mut next).is_ok()
             && !next.iter().any(is_number)
-            && next.iter().filter(|field| Role::of(field) != Role::Unknown).count() > 1
+            && next.iter().filter(|field| Role::of(field).is_of_points()).count() > 1
             && is_title(words(&next))
     })
 }
