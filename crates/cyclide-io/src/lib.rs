@@ -80,7 +80,8 @@ pub use export::error::ExportError;
 pub use export::exported::Exported;
 pub use export::given_surface::{GivenSurface, LaidField};
 pub use export::options::{
-    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding,
+    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells,
+    VtuEncoding,
 };
 pub use export::provenance::Provenance;
 #[cfg(feature = "files")]

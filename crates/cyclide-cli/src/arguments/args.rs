@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepFaces, StepProducts,
-    StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepFaces,
+    StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};

@@ -8,7 +8,8 @@ use std::path::PathBuf;
 
 use cyclide::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
-    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces, StepProducts,
+    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces,
+    StepProducts,
 };
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};

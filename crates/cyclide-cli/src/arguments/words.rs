@@ -26,8 +26,8 @@ mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
     use cyclide_io::{
-        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepFaces, StepProducts, StraightWord, VtuCells,
-        VtuEncoding,
+        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepFaces, StepProducts, StraightWord,
+        VtuCells, VtuEncoding,
     };
 
     /// The words of an enum, each read back and explained.

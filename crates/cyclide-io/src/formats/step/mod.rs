@@ -109,8 +109,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             return Err(too_short(least));
         }
         let forms = (job.options.step_edges, job.options.step_faces);
-        let as_written =
-            topology::body(&mut data, &body.label(), faces, job.size(), forms).map_err(lowered)?;
+        let as_written = topology::body(&mut data, &body.label(), faces, job.size(), forms).map_err(lowered)?;
         if as_written.shortest * job.units().in_millimetres() < ONE_POINT {
             return Err(too_short(as_written.shortest));
         }

@@ -8,8 +8,8 @@
 //! readers' is not written so, and its face stays rational (`docs/math/pipe-tees.md#parts-of-cylinders-in-step`).
 
 use super::data::Data;
-use super::parameter_curves::{LARGEST_DEGREE, bernstein, degree, series, spline};
 use super::layout::place;
+use super::parameter_curves::{LARGEST_DEGREE, bernstein, degree, series, spline};
 use cyclide::{Arc, Frame, PatchKind, Point3, RationalBezier};
 use std::f64::consts::TAU;
 

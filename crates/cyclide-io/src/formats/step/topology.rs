@@ -3,12 +3,12 @@
 use super::curves;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::Integration;
-use super::parameter_curves::ParameterCurve;
-use super::polar_curves::PolarCurve;
-use super::surfaces;
 use super::layout::{
     ChainCurve, EdgeForm, Layout, LayoutEdge, LayoutFace, LoopEdge, Merging, is_parameter_line, is_straight,
 };
+use super::parameter_curves::ParameterCurve;
+use super::polar_curves::PolarCurve;
+use super::surfaces;
 use crate::export::face_plan::{FacePlan, ShellPlan};
 use crate::export::options::{StepEdges, StepFaces};
 use cyclide::{
@@ -61,7 +61,8 @@ pub(super) fn body(
         }
         for part in 0..parts.len() {
             let is_own = |face: &&usize| part_of[writer.layout.faces[**face].faces[0]] == part;
-            let own: Vec<usize> = (0..writer.layout.faces.len()).collect::<Vec<_>>().iter().filter(is_own).copied().collect();
+            let own: Vec<usize> =
+                (0..writer.layout.faces.len()).collect::<Vec<_>>().iter().filter(is_own).copied().collect();
             let faces = own.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
             let kind = if closed[index] { "CLOSED_SHELL" } else { "OPEN_SHELL" };
             written.push(writer.data.add(&format!("{kind}('',{})", references(&faces))));
@@ -90,7 +91,10 @@ fn face_plan(face: &LayoutFace, cut: &CutShell, flip: bool) -> FacePlan {
         }
         edges
     };
-    FacePlan { parts: face.faces.iter().map(|&own| cut.parts()[own]).collect(), loops: face.bounds.iter().map(one).collect() }
+    FacePlan {
+        parts: face.faces.iter().map(|&own| cut.parts()[own]).collect(),
+        loops: face.bounds.iter().map(one).collect(),
+    }
 }
 
 /// A body of these shells.
@@ -154,8 +158,7 @@ struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn new(data: &'a mut Data, shell: &'a Shell, size: f64, (edges, faces): (StepEdges, StepFaces)) -> Self {
-        let kinds: Vec<PatchKind> =
-            shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
+        let kinds: Vec<PatchKind> = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
         let layout = match faces {
             StepFaces::Split => Layout::split(shell, &kinds),
             StepFaces::Merged => {
@@ -285,7 +288,8 @@ impl<'a> Writer<'a> {
     fn vertex(&mut self, index: usize) -> usize {
         *self.vertex[index].get_or_insert_with(|| {
             let own = self.shell.vertices();
-            let point = self.data.point(own.get(index).copied().unwrap_or_else(|| self.layout.points[index - own.len()]));
+            let point =
+                self.data.point(own.get(index).copied().unwrap_or_else(|| self.layout.points[index - own.len()]));
             self.data.write(|out| {
                 let _ = write!(out, "VERTEX_POINT('',#{point})");
             })
@@ -367,7 +371,10 @@ impl<'a> Writer<'a> {
                 if let Some(circle) = curves::circle(self.data, &arc, self.size) {
                     return Ok(SpaceCurve::Joined(circle));
                 }
-                return Ok(SpaceCurve::Joined(curves::b_spline(self.data, arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?)));
+                return Ok(SpaceCurve::Joined(curves::b_spline(
+                    self.data,
+                    arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?,
+                )));
             }
         };
         let arc = match &self.shell.edges()[own].curve {

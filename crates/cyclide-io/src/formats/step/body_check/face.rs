@@ -169,7 +169,10 @@ impl<'a> FaceCheck<'a> {
                 if let (Some(last), Some(first)) = (points.last(), points.first()) {
                     largest = larger(largest, last.distance(*first));
                 }
-                require((turn(circle, &points) - std::f64::consts::TAU).abs() <= FULL_TURN, "a circle is not run once round")?;
+                require(
+                    (turn(circle, &points) - std::f64::consts::TAU).abs() <= FULL_TURN,
+                    "a circle is not run once round",
+                )?;
             }
             FileCurve::Piece(ChainPiece::Arc(arc)) => {
                 // On an arc the same points may be run in the other direction.
@@ -179,7 +182,8 @@ impl<'a> FaceCheck<'a> {
                 for (p, end) in [points.first(), points.last()].into_iter().flatten().zip(edge.ends) {
                     largest = larger(largest, p.distance(end));
                 }
-                largest = larger(largest, larger(arc.start().distance(edge.ends[0]), arc.point(1.0).distance(edge.ends[1])));
+                largest =
+                    larger(largest, larger(arc.start().distance(edge.ends[0]), arc.point(1.0).distance(edge.ends[1])));
             }
             FileCurve::Piece(ChainPiece::Spline(_)) => {}
         }

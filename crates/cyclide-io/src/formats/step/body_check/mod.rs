@@ -99,7 +99,8 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
                 require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
                 let (mut borders, off) = face.edge_deviation(file, edge, sides)?;
                 largest = larger(largest, off);
-                let shared = edges.entry(edge.edge).or_insert_with(|| Shared { borders: borders.clone(), uses: Vec::new() });
+                let shared =
+                    edges.entry(edge.edge).or_insert_with(|| Shared { borders: borders.clone(), uses: Vec::new() });
                 if matches!(edge.curve, FileCurve::Circle(_)) {
                     // The vertex of a whole circle may be inside a side, from which either face may begin.
                     let first = borders.iter().position(|own| shared.borders.first().is_some_and(|b| b.is_same(own)));

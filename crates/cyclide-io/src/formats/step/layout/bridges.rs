@@ -78,7 +78,8 @@ impl Drafts<'_> {
                 _ => return None,
             }
         }
-        let sum = |loops: &[(Developed, Vec<HalfEdge>)]| loops.iter().map(|(d, _)| region.signed(d.area())).sum::<f64>();
+        let sum =
+            |loops: &[(Developed, Vec<HalfEdge>)]| loops.iter().map(|(d, _)| region.signed(d.area())).sum::<f64>();
         let (outer, of_holes) = (sum(&rims), sum(&holes));
         let is_whole = (outer + of_holes - self.area_of_faces(region)?).abs() <= SAME_AREA * outer;
         if rims.len() != 2 || !is_whole || holes.iter().any(|(hole, _)| !(region.signed(hole.area()) < 0.0)) {
@@ -160,7 +161,8 @@ impl Drafts<'_> {
                     (None, None) => continue,
                 };
                 let clearance = holes.iter().map(|hole| hole.clearance(angle)).fold(f64::INFINITY, f64::min);
-                let once = |rim: &Rim| [-CLEARANCE, CLEARANCE].iter().all(|by| rim.developed.crossings(angle + by) == 1);
+                let once =
+                    |rim: &Rim| [-CLEARANCE, CLEARANCE].iter().all(|by| rim.developed.crossings(angle + by) == 1);
                 if !(clearance > CLEARANCE) || !rims.into_iter().all(once) {
                     continue;
                 }

@@ -63,7 +63,9 @@ pub(super) fn continues(first: &Arc, second: &Arc, size: f64, circles: bool) -> 
     let circle = circle.and_then(|(center, normal)| Circle::from_center(center, normal, larger.start()).ok());
     circle.is_some_and(|circle| {
         let points = [first, second].into_iter().flat_map(places);
-        points.into_iter().all(|p| circle.closest_point(p).distance <= limit(size, p.to_vec().max_abs() + circle.radius()))
+        points
+            .into_iter()
+            .all(|p| circle.closest_point(p).distance <= limit(size, p.to_vec().max_abs() + circle.radius()))
     })
 }
 

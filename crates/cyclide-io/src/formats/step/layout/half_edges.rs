@@ -23,9 +23,11 @@ pub(super) struct HalfEdges {
 impl HalfEdges {
     pub(super) fn new(shell: &Shell) -> Self {
         let mut uses = vec![Vec::new(); shell.edges().len()];
-        let half = |face: usize| move |(side, edge, forward): (Side, FaceEdge, bool)| {
-            let edge = edge.edge;
-            HalfEdge { face, side, edge, forward }
+        let half = |face: usize| {
+            move |(side, edge, forward): (Side, FaceEdge, bool)| {
+                let edge = edge.edge;
+                HalfEdge { face, side, edge, forward }
+            }
         };
         let of_face: Vec<Vec<HalfEdge>> = shell
             .faces()

@@ -122,7 +122,12 @@ impl Layout {
                 _ => shell.faces()[face].same_sense == kind_outward(&kind),
             };
             let region = Region { kind, outward, faces: vec![face] };
-            drafts.push(Draft { region, loops: vec![half_edges.of_face(face).to_vec()], single_edges: Vec::new(), bridge: None });
+            drafts.push(Draft {
+                region,
+                loops: vec![half_edges.of_face(face).to_vec()],
+                single_edges: Vec::new(),
+                bridge: None,
+            });
         }
         drafts.sort_by_key(|draft| draft.region.faces[0]);
         let mut edges = Chains::new(shell, &drafts, &is_kept, (&arcs, merging), &bridgeheads);
@@ -229,7 +234,9 @@ impl Drafts<'_> {
                 }
                 order.push(index);
                 for half in regions[index].faces.iter().flat_map(|&face| self.half_edges.of_face(face)) {
-                    queue.extend(self.half_edges.faces_along(half.edge).map(|face| region_of[face]).filter(|&r| !is_seen[r]));
+                    queue.extend(
+                        self.half_edges.faces_along(half.edge).map(|face| region_of[face]).filter(|&r| !is_seen[r]),
+                    );
                 }
             }
         }

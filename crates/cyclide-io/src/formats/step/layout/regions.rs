@@ -81,7 +81,8 @@ fn of(shell: &Shell, kinds: &[PatchKind], mut faces: Vec<usize>, size: f64) -> R
     let seed = faces[0];
     let mut best = kinds[seed];
     if faces.len() > 1 {
-        let worst = |kind: &PatchKind| faces.iter().map(|&f| distance(&shell.faces()[f], kind, size)).fold(0.0, f64::max);
+        let worst =
+            |kind: &PatchKind| faces.iter().map(|&f| distance(&shell.faces()[f], kind, size)).fold(0.0, f64::max);
         let tried = faces.iter().take(MOST_TRIED).map(|&f| (worst(&kinds[f]), f));
         let found = tried.min_by(|a, b| a.0.total_cmp(&b.0));
         best = found.filter(|(worst, _)| *worst <= 1.0).map_or(best, |(_, face)| kinds[face]);
@@ -103,7 +104,9 @@ pub(super) fn sense(face: &ShellFace, kind: &PatchKind) -> Option<bool> {
 fn distance(face: &ShellFace, kind: &PatchKind, size: f64) -> f64 {
     let place = |i: u32| f64::from(i) / f64::from(PLACES - 1);
     let radius = match kind {
-        PatchKind::Sphere { radius, .. } | PatchKind::Cylinder { radius, .. } | PatchKind::Cone { radius, .. } => *radius,
+        PatchKind::Sphere { radius, .. } | PatchKind::Cylinder { radius, .. } | PatchKind::Cone { radius, .. } => {
+            *radius
+        }
         PatchKind::Torus { major_radius, minor_radius, .. } => major_radius + minor_radius,
         PatchKind::Plane { .. } | PatchKind::Cyclide => 0.0,
     };

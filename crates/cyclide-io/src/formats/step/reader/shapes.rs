@@ -99,7 +99,8 @@ impl File<'_> {
             Ok(values) => (reference(value(&values, 1, &place)?, &place)?, self.parameter_curve(part(3)?, surface)?),
             Err(_) => (part(3)?, None),
         };
-        let curve = if vertices[0] == vertices[1] { self.whole_circle(curve, ends[0])? } else { self.edge_curve(curve, ends)? };
+        let curve =
+            if vertices[0] == vertices[1] { self.whole_circle(curve, ends[0])? } else { self.edge_curve(curve, ends)? };
         Ok(FileEdge { edge, vertices, ends, forward, curve, parameter_curve })
     }
 
