@@ -44,7 +44,7 @@ def built(program, folder, objects, *options):
     """The STEP file of a document and the program's entry about it."""
     document, path = folder / "model.json", folder / f"model{len(options)}.step"
     document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    report = json.loads(program("build", document, "-o", path, "--json", *options))
+    report = json.loads(program("build", document, "-o", path, "--step-faces", "split", "--json", *options))
     return path, report["files"][0]
 
 

@@ -39,7 +39,7 @@ def centers(request, program, tmp_path_factory):
         "all": {"type": "center-surface", "of": "crossing", "margin": 0.4},
     }
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    report = json.loads(program("build", folder / "m.json", "-o", folder / "m.step", "--json"))
+    report = json.loads(program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split", "--json"))
     reader = STEPControl_Reader()
     with modelling.quiet():
         reader.ReadFile(str(folder / "m.step"))

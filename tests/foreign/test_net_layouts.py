@@ -35,7 +35,7 @@ SKIN = {"type": "cyclidic-net", "grid": {"obj": str(ROOT / "examples/oculus.obj"
 @pytest.mark.parametrize("edges", EDGES)
 def test_the_skin_is_one_smooth_shell(edges, program, tmp_path):
     path = document(tmp_path, {"skin": SKIN})
-    program("build", path, "-o", tmp_path / "skin.step", "--step-edges", edges)
+    program("build", path, "-o", tmp_path / "skin.step", "--step-faces", "split", "--step-edges", edges)
     step = StepFaces(tmp_path / "skin.step")
     size, users = structure(step, closed=False)
     assert (len(step.shells), len(step.faces)) == (1, PATCHES)
@@ -54,7 +54,7 @@ def test_the_skin_is_one_smooth_shell(edges, program, tmp_path):
 
 
 def test_the_shell_of_the_example_is_a_solid(program, tmp_path):
-    program("build", ROOT / "examples/oculus.json", "-o", tmp_path / "shell.step")
+    program("build", ROOT / "examples/oculus.json", "-o", tmp_path / "shell.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "shell.step")
     size, users = structure(step, closed=True)
     assert (len(step.solids), len(step.shells), len(step.faces)) == (1, 1, 2 * PATCHES + BORDER + OPENING)
@@ -79,7 +79,7 @@ def test_one_mesh_round_umbilics_is_one_smooth_skin(program, tmp_path):
     del document["objects"]["glass"]
     path = tmp_path / "umbilics.json"
     path.write_text(json.dumps(document))
-    program("build", path, "-o", tmp_path / "skin.step")
+    program("build", path, "-o", tmp_path / "skin.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "skin.step")
     size, users = structure(step, closed=False)
     assert len(step.shells) == 1
@@ -104,7 +104,7 @@ def test_one_mesh_round_umbilics_is_one_smooth_skin(program, tmp_path):
 
 
 def test_glass_over_two_umbilics_is_a_solid(program, tmp_path):
-    program("build", UMBILICS, "-o", tmp_path / "glass.step")
+    program("build", UMBILICS, "-o", tmp_path / "glass.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "glass.step")
     structure(step, closed=True)
     assert (len(step.solids), len(step.shells)) == (1, 1)

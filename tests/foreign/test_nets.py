@@ -69,7 +69,7 @@ def test_handle_is_what_its_document_says(program, tmp_path):
     objects = json.loads((ROOT / "examples/handle.json").read_text())["objects"]
     skin, distance = objects["skin"], objects["handle"]["distance"]
     skins = [form.net(skin["grid"], *skin["frame"], skin["closed"], offset=x * distance) for x in (0.0, 0.5, 1.0)]
-    program("build", ROOT / "examples/handle.json", "-o", tmp_path / "handle.step")
+    program("build", ROOT / "examples/handle.json", "-o", tmp_path / "handle.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "handle.step")
     size, _ = structure(step, closed=True)
     assert_patches(step, size, form.layer(skins[0], skins[2], 4, skin["closed"]))
@@ -171,7 +171,7 @@ def test_roof_is_the_net_over_its_vertices(program, roof_grid, tmp_path):
     # The reader converts to millimetres.
     grid, distance = 1000 * roof_grid, 1000 * json.loads(ROOF.read_text())["objects"]["inner skin"]["distance"]
     frame = form.fitted_frame(grid)
-    program("build", ROOF, "-o", tmp_path / "roof.step")
+    program("build", ROOF, "-o", tmp_path / "roof.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "roof.step")
     size, _ = structure(step, closed=False)
     assert_patches(step, size, form.net(grid, *frame) + form.net(grid, *frame, offset=distance))

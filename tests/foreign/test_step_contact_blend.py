@@ -38,7 +38,7 @@ def blend(request, program, tmp_path_factory):
 def made(program, folder, fields):
     document = folder / "blend.json"
     document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"b": {"type": "contact-blend", **fields}}}))
-    report = json.loads(program("build", document, "-o", folder / "blend.step", "--json"))
+    report = json.loads(program("build", document, "-o", folder / "blend.step", "--step-faces", "split", "--json"))
     return StepFaces(folder / "blend.step"), fields, report["objects"]["b"]
 
 

@@ -45,7 +45,7 @@ def made(program, folder, radii, distance, blend, fields):
     spec = {"type": "pipe-crossing", "pipes": pipes, "distance": distance, "blend": blend, **fields}
     document = folder / "crossing.json"
     document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"crossing": spec}}))
-    report = json.loads(program("build", document, "-o", folder / "crossing.step", "--json"))
+    report = json.loads(program("build", document, "-o", folder / "crossing.step", "--step-faces", "split", "--json"))
     return StepFaces(folder / "crossing.step"), spec, report["objects"]["crossing"]
 
 

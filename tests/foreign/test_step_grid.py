@@ -39,7 +39,7 @@ def read(program, folder, objects, outer):
         grid = {**objects["grid"], "construction": True}
         objects = {**objects, "grid": grid, "skin": {"type": "coordinate-surfaces", "of": "grid", "outer": True}}
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    program("build", folder / "m.json", "-o", folder / "m.step")
+    program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
     with modelling.quiet():
         reader.ReadFile(str(folder / "m.step"))

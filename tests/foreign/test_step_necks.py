@@ -184,7 +184,7 @@ def solid(program, tmp_path):
 
     def make(spec):
         (tmp_path / "solid.json").write_text(json.dumps({"cyclide": 1, "objects": {"solid": spec}}))
-        report = json.loads(program("build", tmp_path / "solid.json", "-o", tmp_path / "solid.step", "--json"))
+        report = json.loads(program("build", tmp_path / "solid.json", "-o", tmp_path / "solid.step", "--step-faces", "split", "--json"))
         return StepFaces(tmp_path / "solid.step"), report["objects"]["solid"]
 
     return make

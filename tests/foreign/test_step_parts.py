@@ -24,7 +24,7 @@ CURVES = {
 def test_parts_have_their_stations(name, program, tmp_path):
     objects = {"whole": CURVES[name]}
     (tmp_path / "whole.json").write_text(json.dumps({"cyclide": 1, "objects": objects}))
-    program("build", tmp_path / "whole.json", "-o", tmp_path / "whole.step")
+    program("build", tmp_path / "whole.json", "-o", tmp_path / "whole.step", "--step-faces", "split")
     (whole,) = StepFile(tmp_path / "whole.step").wires
     length = whole.length()
     # Inside, and past the start of closed ones.
@@ -33,7 +33,7 @@ def test_parts_have_their_stations(name, program, tmp_path):
         objects["part"] = {"type": "transform", "of": "whole", "steps": steps}
         objects["whole"] = {**CURVES[name], "construction": True}
         (tmp_path / "part.json").write_text(json.dumps({"cyclide": 1, "objects": objects}))
-        program("build", tmp_path / "part.json", "-o", tmp_path / "part.step")
+        program("build", tmp_path / "part.json", "-o", tmp_path / "part.step", "--step-faces", "split")
         file = StepFile(tmp_path / "part.step")
         (part,) = file.wires
         assert file.valid and not part.closed

@@ -90,7 +90,7 @@ def pipe(request, program, tmp_path_factory):
     folder = tmp_path_factory.mktemp("pipe")
     objects = {"run": run, "pipe": {"type": "pipe", "of": "run", **fields}}
     (folder / "pipe.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    report = json.loads(program("build", folder / "pipe.json", "-o", folder / "pipe.step", "--json"))
+    report = json.loads(program("build", folder / "pipe.json", "-o", folder / "pipe.step", "--step-faces", "split", "--json"))
     length = report["objects"]["run"]["length"]
     return StepFaces(folder / "pipe.step"), length, {**fields, "run": run}, radii, kinds, creases
 

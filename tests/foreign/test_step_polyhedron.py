@@ -82,7 +82,7 @@ def rounded(program, tmp_path):
         points, radius = {**SOLIDS, **CUT}[name]
         fields = {"type": "smooth-polyhedron", "points": points.tolist(), "radius": radius}
         (tmp_path / "p.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"p": fields}}))
-        report = json.loads(program("build", tmp_path / "p.json", "-o", tmp_path / "p.step", "--json"))
+        report = json.loads(program("build", tmp_path / "p.json", "-o", tmp_path / "p.step", "--step-faces", "split", "--json"))
         return StepFaces(tmp_path / "p.step"), report["objects"]["p"]
 
     return make

@@ -131,7 +131,7 @@ CURVES = {
 
 def edges(program, folder, objects):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    program("build", folder / "m.json", "-o", folder / "m.step")
+    program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
     with modelling.quiet():
         reader.ReadFile(str(folder / "m.step"))
@@ -184,7 +184,7 @@ def test_a_closed_track_is_one_closed_smooth_b_spline(program, tmp_path, fields)
     np.savetxt(tmp_path / "track.csv", points, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
     objects = {"track": {**fields, "points": {"csv": "track.csv"}, "closed": True}}
     (tmp_path / "t.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    program("build", tmp_path / "t.json", "-o", tmp_path / "t.step")
+    program("build", tmp_path / "t.json", "-o", tmp_path / "t.step", "--step-faces", "split")
     text = (tmp_path / "t.step").read_text()
     assert text.count("B_SPLINE_CURVE_WITH_KNOTS(") == 1
     # The closed flag of the file.

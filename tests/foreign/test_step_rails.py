@@ -51,7 +51,7 @@ def spanned(program, tmp_path):
         rails = {key: {"type": "arc", "through": points, "construction": True} for key, points in zip("ab", RAILS[name])}
         objects = {**rails, "s": {"rails": ["a", "b"], **fields}}
         (tmp_path / "s.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-        report = json.loads(program("build", tmp_path / "s.json", "-o", tmp_path / "s.step", "--json"))["objects"]["s"]
+        report = json.loads(program("build", tmp_path / "s.json", "-o", tmp_path / "s.step", "--step-faces", "split", "--json"))["objects"]["s"]
         return StepFaces(tmp_path / "s.step"), report, [Rail(points) for points in RAILS[name]]
 
     return make

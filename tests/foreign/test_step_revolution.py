@@ -66,7 +66,7 @@ def revolved(program, tmp_path):
             (tmp_path / f"{name}.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
         program("build", tmp_path / "profile.json", "-o", tmp_path / "curves.json")
         contours = json.loads((tmp_path / "curves.json").read_text())["objects"]["p"]["contours"]
-        report = json.loads(program("build", tmp_path / "solid.json", "-o", tmp_path / "solid.step", "--json"))
+        report = json.loads(program("build", tmp_path / "solid.json", "-o", tmp_path / "solid.step", "--step-faces", "split", "--json"))
         entry = report["objects"]["solid"]
         return StepFaces(tmp_path / "solid.step"), entry, Profile(contours[0]["curves"])
 
@@ -187,7 +187,7 @@ def test_parts_of_turns_are_solids(name, angle, program, tmp_path):
     contour = {"type": word, "points": points, "closed": True, "construction": True}
     objects = {"contour": contour, "solid": {"type": "revolution", "of": "contour", "angle": angle}}
     (tmp_path / "s.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    report = json.loads(program("build", tmp_path / "s.json", "-o", tmp_path / "s.step", "--json"))["objects"]["solid"]
+    report = json.loads(program("build", tmp_path / "s.json", "-o", tmp_path / "s.step", "--step-faces", "split", "--json"))["objects"]["solid"]
     step = StepFaces(tmp_path / "s.step")
     structure(step, closed=True)
     assert (len(step.solids), len(step.shells)) == (1, 1) and step.exactly_valid

@@ -336,7 +336,7 @@ EXAMPLES = {
 def test_example(name, program, tmp_path):
     """Counts, shared edges, area, the surface of every face and the joints, of every example as its file is read."""
     path = tmp_path / "example.step"
-    report = json.loads(program("build", ROOT / "examples" / f"{name}.json", "-o", path, "--json"))
+    report = json.loads(program("build", ROOT / "examples" / f"{name}.json", "-o", path, "--step-faces", "split", "--json"))
     built = [entry for entry in report["objects"].values() if not entry.get("construction")]
     step, expected = StepFaces(path), EXAMPLES[name]
     size, users = structure(step, closed=all(closed for _, closed in expected))

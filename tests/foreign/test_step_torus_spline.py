@@ -38,7 +38,7 @@ def explored(shape, kind, avoid=None):
 
 def read(program, folder, objects):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    program("build", folder / "m.json", "-o", folder / "m.step")
+    program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
     with modelling.quiet():
         reader.ReadFile(str(folder / "m.step"))

@@ -38,7 +38,7 @@ def truck():
 def test_solids_are_closed(name, edges, program, truck, tmp_path):
     source, path = tmp_path / "model.json", tmp_path / "model.step"
     source.write_text(json.dumps(SOLIDS[name]))
-    report = json.loads(program("build", source, "-o", path, "--json", "--step-edges", edges))
+    report = json.loads(program("build", source, "-o", path, "--step-faces", "split", "--json", "--step-edges", edges))
     shells = truck(path)
     assert [shell["topology"] for shell in shells] == ["Closed"] * len(shells)
     assert all(shell["meshed"] == shell["faces"] for shell in shells)
@@ -54,5 +54,5 @@ def test_any_name_can_be_read(program, truck, tmp_path):
     source, path = tmp_path / "model.json", tmp_path / "model.step"
     ring = {"type": "cyclide", "a": 50, "c": 20, "mu": 32}
     source.write_text(json.dumps(document({"it's a \"ring\" \\ 5°, #1; ''": ring, "円": {**ring, "center": [200, 0, 0]}})))
-    program("build", source, "-o", path)
+    program("build", source, "-o", path, "--step-faces", "split")
     assert [shell["topology"] for shell in truck(path)] == ["Closed"] * 2

@@ -31,7 +31,7 @@ def tube(request, program, tmp_path_factory):
     objects = {"way": curve} if curve else {}
     objects["tube"] = {"type": "tube", **({"of": "way"} if curve else {}), **fields}
     (folder / "tube.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
-    report = json.loads(program("build", folder / "tube.json", "-o", folder / "tube.step", "--json"))
+    report = json.loads(program("build", folder / "tube.json", "-o", folder / "tube.step", "--step-faces", "split", "--json"))
     return StepFaces(folder / "tube.step"), report["objects"]["tube"], fields, kinds, creases
 
 
@@ -58,7 +58,7 @@ def test_a_cone_is_the_hull_of_its_balls(program, tmp_path):
     """Points of the solid are at their distance from the hull of two balls: the sum over it is in closed form."""
     fields = TUBES["cone"][1]
     (tmp_path / "c.json").write_text(json.dumps({"cyclide": 1, "objects": {"c": {"type": "tube", **fields}}}))
-    program("build", tmp_path / "c.json", "-o", tmp_path / "c.step")
+    program("build", tmp_path / "c.json", "-o", tmp_path / "c.step", "--step-faces", "split")
     step = StepFaces(tmp_path / "c.step")
     (a, b) = (np.array(ball[:3], float) for ball in fields["balls"])
     r, s = (ball[3] for ball in fields["balls"])

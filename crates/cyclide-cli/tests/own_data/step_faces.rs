@@ -93,21 +93,33 @@ fn pipes_of_any_run_have_a_face_for_each_leg_bend_and_end() {
 
 #[test]
 fn whole_tori_and_spheres_are_one_face() {
-    let torus = File::of(&json!({"ring": {"type": "cyclide", "a": 30.0, "c": 0.0, "d": 10.0}}), "");
+    let torus = File::of(&json!({"ring": {"type": "cyclide", "a": 30.0, "c": 0.0, "mu": 10.0}}), "");
     assert_eq!((torus.faces(), torus.count("EDGE_CURVE"), torus.count("VERTEX_POINT")), ([1, 0, 0, 1], 2, 1));
 }
 
 #[test]
 fn offsets_of_polyhedra_have_a_face_for_each_face_edge_and_vertex() {
-    let box_faces = json!([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]);
     // A box whose top is smaller than its bottom: corners that are no eighths of spheres.
     let points =
         json!([[0, 0, 0], [60, 0, 0], [60, 40, 0], [0, 40, 0], [10, 10, 30], [50, 10, 30], [50, 30, 30], [10, 30, 30]]);
-    let stub = json!({"stub": {"type": "polyhedron-offset", "points": points, "faces": box_faces, "distance": 5}});
+    let stub = json!({"stub": {"type": "smooth-polyhedron", "points": points, "radius": 5}});
     let file = File::of(&stub, "");
     let mut found = String::new();
     for entity in ["ADVANCED_FACE", "PLANE", "CYLINDRICAL_SURFACE", "SPHERICAL_SURFACE"] {
         let _ = write!(found, "{} ", file.count(entity));
     }
     assert_eq!(found, "26 6 12 8 ");
+}
+
+#[test]
+fn a_pierced_pipe_is_one_cylinder_and_each_bolt_hole_is_found_once() {
+    let tee = json!({"tee": {"type": "pipe-tee", "main": {"radius": 20, "ends": [-60, 60]},
+        "branches": [{"radius": 12, "length": 50, "blend": 4}]}});
+    let file = File::of(&tee, "");
+    // All else belongs to the blend.
+    assert_eq!(file.faces()[1..], [3, 2, 0]);
+    // Walls with a bore: two more, and rings for ends.
+    let mut hollow = tee;
+    hollow["tee"]["wall"] = json!(2);
+    assert_eq!(File::of(&hollow, "").faces()[1..], [3, 4, 0]);
 }

@@ -2,7 +2,8 @@
 
 use cyclide::{CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
 use cyclide_io::{
-    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepProducts, export, file_deviation, read_back,
+    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepFaces, StepProducts, export,
+    file_deviation, read_back,
 };
 
 fn model(items: Vec<(&str, SurfaceObject)>) -> Model {
@@ -80,7 +81,7 @@ fn each_surface_of_revolution_is_written_as_what_it_is() {
 }
 
 #[test]
-fn spheres_with_other_circles_stay_rational() {
+fn spheres_with_other_circles_are_one_face_or_stay_rational() {
     let at = |x: f64| Point3::new(x.cos(), x.sin(), 1.0);
     // A frame tangent to the sphere about the origin at (1, 0, 1), turned against the circle of the corners.
     let (e1, e2) = (Vec3::new(0.0, 1.0, 0.0), Vec3::new(-(0.5_f64.sqrt()), 0.0, 0.5_f64.sqrt()));
@@ -89,7 +90,14 @@ fn spheres_with_other_circles_stay_rational() {
     let surface = SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap());
     assert!(matches!(patch(&surface).recognise(), cyclide::PatchKind::Sphere { .. }));
     let m = model(vec![("sphere", surface)]);
+    // As one face its circles carry their curves in the parameters; patches for themselves are exact without.
     let (file, text) = step(&m, StepEdges::Circles);
+    assert_eq!(["=SPHERICAL_SURFACE(", "=ADVANCED_FACE("].map(|entity| text.matches(entity).count()), [1; 2]);
+    assert!(text.matches("=PCURVE(").count() >= 1);
+    assert_exact(&m, &file, 4.0);
+    let split = ExportOptions { step_faces: StepFaces::Split, ..ExportOptions::default() };
+    let file = export(&m, Format::Step, &split).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
     assert_eq!(text.matches("SPHERICAL_SURFACE").count(), 0);
     assert!(text.matches("RATIONAL_B_SPLINE_SURFACE").count() >= 1);
     assert_exact(&m, &file, 4.0);

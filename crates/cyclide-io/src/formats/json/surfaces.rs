@@ -52,6 +52,7 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use crate::check::rational_patches::patches_deviation;
+    use crate::export::face_plan::ShellPlan;
     use crate::export::options::ExportOptions;
     use crate::formats::json::read;
     use crate::formats::{Exporter, Format};
@@ -64,7 +65,10 @@ mod tests {
         let model = Model::default().with_surface("it", patch);
         let exporter = Exporter::new(&model).unwrap();
         let mut file = exporter.export(Format::Json, &ExportOptions::default()).unwrap();
-        change(&mut file.written.shells[0][0].faces);
+        let plan = &mut file.written.shells[0][0];
+        let mut parts: Vec<FacePart> = plan.parts().copied().collect();
+        change(&mut parts);
+        *plan = ShellPlan::of_parts(plan.shell, &parts);
         let patches = read(&file.bytes).unwrap().patches;
         assert_eq!(patches.len(), 2);
         let bodies: Vec<_> = exporter.ready.bodies.iter().collect();

@@ -3,13 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
 use super::*;
+use crate::check::bodies::{FileCurve, FileSurface};
 use crate::export::exported::Exported;
-use crate::export::options::ExportOptions;
+use crate::export::face_plan::FacePlan;
+use crate::export::options::{ExportOptions, StepFaces};
 use crate::formats::step::reader::read;
 use crate::formats::{Exporter, Format};
 use cyclide::{
-    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, NurbsCurve, PatchKind,
-    PipeTee, Point3, QuadGrid, SurfaceObject, TeeBranch, TeeMain, Vec3,
+    Circle, CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, NurbsCurve,
+    PatchKind, PipeTee, Point3, QuadGrid, SurfaceObject, TeeBranch, TeeMain, Vec3,
 };
 
 /// More than rounding leaves of models of this size, less than anything below is wrong by.
@@ -36,8 +38,16 @@ fn horn() -> Model {
 
 /// What the check says of the file of a model after something was changed in it, or in what is told of it.
 fn checked(model: &Model, change: impl FnOnce(&mut Exported, &mut Vec<FileBody>)) -> Result<f64, String> {
+    checked_as(StepFaces::Split, model, change)
+}
+
+fn checked_as(
+    step_faces: StepFaces,
+    model: &Model,
+    change: impl FnOnce(&mut Exported, &mut Vec<FileBody>),
+) -> Result<f64, String> {
     let exporter = Exporter::new(model).unwrap();
-    let mut file = exporter.export(Format::Step, &ExportOptions::default()).unwrap();
+    let mut file = exporter.export(Format::Step, &ExportOptions { step_faces, ..ExportOptions::default() }).unwrap();
     let mut bodies = read(&file.bytes).unwrap().bodies;
     change(&mut file, &mut bodies);
     let deviations = bodies_deviation(&Made { ready: &exporter.ready, file: &file }, &bodies);
@@ -46,7 +56,14 @@ fn checked(model: &Model, change: impl FnOnce(&mut Exported, &mut Vec<FileBody>)
 
 /// The same, of which faces the writer tells.
 fn told(model: &Model, change: impl FnOnce(&mut Vec<FacePart>)) -> Result<f64, String> {
-    checked(model, |file, _| change(&mut file.written.shells[0][0].faces))
+    checked(model, |file, _| {
+        let faces = &mut file.written.shells[0][0].faces;
+        let mut parts: Vec<FacePart> = faces.iter().map(|face| face.parts[0]).collect();
+        change(&mut parts);
+        let loops = faces.iter().map(|face| face.loops.clone()).collect::<Vec<_>>();
+        let told = parts.into_iter().zip(loops).map(|(part, loops)| FacePlan { parts: vec![part], loops });
+        *faces = told.collect();
+    })
 }
 
 #[test]
@@ -54,6 +71,51 @@ fn right_files_are_right() {
     for model in [ring(), horn()] {
         assert!(checked(&model, |_, _| ()).unwrap() < SMALL);
     }
+}
+
+/// A whole torus of sixteen patches as one face, after something was changed.
+fn merged(change: impl FnOnce(&mut Vec<FacePlan>, &mut Vec<FileFace>)) -> Result<f64, String> {
+    let ring = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    checked_as(StepFaces::Merged, &model(SurfaceObject::Net(ring)), |file, bodies| {
+        change(&mut file.written.shells[0][0].faces, &mut bodies[0].shells[0].faces);
+    })
+}
+
+#[test]
+fn faces_that_are_several_are_held_against_all_of_them() {
+    assert!(merged(|plans, faces| assert_eq!((plans[0].parts.len(), faces[0].edges.len()), (16, 4))).unwrap() < SMALL);
+    let refused = |detail: &str| Err(format!("body 0: {detail}"));
+    // A part that is missing, and a side that is not told.
+    let missing = merged(|plans, _| plans[0].parts.truncate(15));
+    assert_eq!(missing, refused("its faces are not those of the model, each part once"));
+    assert_eq!(merged(|plans, _| plans[0].loops[0][0].truncate(3)), refused("another number of edges round a face"));
+    assert_eq!(merged(|plans, _| drop(plans[0].loops[0].pop())), refused("another number of edges round a face"));
+    let twice = merged(|plans, _| plans[0].loops[0][0] = plans[0].loops[0][1].clone());
+    assert_eq!(twice, refused("a side of a face is two edges"));
+    // The surface and a circle of another size.
+    let larger = merged(|_, faces| {
+        let FileSurface::Analytic(PatchKind::Torus { minor_radius, .. }) = &mut faces[0].surface else {
+            unreachable!()
+        };
+        *minor_radius += 1e-6;
+    });
+    assert!((larger.unwrap() - 1e-6).abs() < 1e-9);
+    let wider = merged(|_, faces| {
+        let FileCurve::Circle(circle) = &mut faces[0].edges[0].curve else { unreachable!() };
+        *circle = Circle::from_radius(circle.center(), circle.normal(), circle.radius() + 1e-6).unwrap();
+    });
+    assert!(wider.unwrap() > 0.9e-6);
+    // A circle the other way round, and a seam that is run in one direction only.
+    let reversed = merged(|_, faces| {
+        let FileCurve::Circle(circle) = &mut faces[0].edges[0].curve else { unreachable!() };
+        *circle = circle.reversed();
+    });
+    assert_eq!(reversed, refused("a circle is not run once round"));
+    let once = merged(|_, faces| {
+        let edge = faces[0].edges[0].edge;
+        faces[0].edges.iter_mut().filter(|own| own.edge == edge).for_each(|own| own.forward = true);
+    });
+    assert!(once.is_err(), "{once:?}");
 }
 
 #[test]
@@ -64,17 +126,17 @@ fn parts_that_do_not_tile_the_faces_are_refused() {
     assert_eq!(told(&ring(), |parts| parts[3].t[1] = 0.5), refused);
     assert_eq!(told(&ring(), |parts| parts[2].face = 1), refused);
     // A part that is missing in the file as well, and one that is there twice.
-    let both = |change: fn(&mut Vec<FacePart>, &mut Vec<FileFace>)| {
+    let both = |change: fn(&mut Vec<FacePlan>, &mut Vec<FileFace>)| {
         checked(&ring(), |file, bodies| {
             change(&mut file.written.shells[0][0].faces, &mut bodies[0].shells[0].faces);
         })
     };
     let missing = both(|parts, faces| drop((parts.pop(), faces.pop())));
     let doubled = both(|parts, faces| {
-        parts.push(parts[0]);
+        parts.push(parts[0].clone());
         faces.push(faces[0].clone());
     });
-    let replaced = both(|parts, faces| (parts[1], faces[1]) = (parts[0], faces[0].clone()));
+    let replaced = both(|parts, faces| (parts[1], faces[1]) = (parts[0].clone(), faces[0].clone()));
     assert_eq!([missing, doubled, replaced], [(); 3].map(|()| refused.clone()));
     assert_eq!(told(&ring(), |parts| parts.truncate(3)), refused);
 }
@@ -105,10 +167,12 @@ fn a_wrong_middle_is_found() {
     let whole = model(SurfaceObject::Patch(strip(&[0.0, 2.0], 0.0).patch(0, 0)));
     let off = |height: f64| {
         let cut = model(SurfaceObject::Net(strip(&[0.0, 1.0, 2.0], height)));
-        let mut file = Exporter::new(&cut).unwrap().export(Format::Step, &ExportOptions::default()).unwrap();
+        let split = ExportOptions { step_faces: StepFaces::Split, ..ExportOptions::default() };
+        let mut file = Exporter::new(&cut).unwrap().export(Format::Step, &split).unwrap();
         // Told as halves of the one face.
-        file.written.shells[0][0].faces =
-            [[0.0, 0.5], [0.5, 1.0]].map(|s| FacePart { face: 0, s, t: [0.0, 1.0] }).to_vec();
+        for (face, s) in file.written.shells[0][0].faces.iter_mut().zip([[0.0, 0.5], [0.5, 1.0]]) {
+            face.parts = vec![FacePart { face: 0, s, t: [0.0, 1.0] }];
+        }
         let bodies = read(&file.bytes).unwrap().bodies;
         let ready = Exporter::new(&whole).unwrap().ready;
         bodies_deviation(&Made { ready: &ready, file: &file }, &bodies).unwrap()[0]
