@@ -20,12 +20,13 @@ const GAIN: f64 = 1e-5;
 /// Newton steps onto the ends.
 const CLOSING_STEPS: usize = 6;
 
-/// A point that a piece stands for, and how much farther than the tolerance the curve may be from it. Those with more than 0 are
-/// places between samples: they bind, and are not fitted.
+/// A point that a piece stands for, and how much farther than the tolerance the curve may be from it. Places between samples bind
+/// and are not fitted.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Matched {
     pub at: Point2,
     pub slack: f64,
+    pub fitted: bool,
 }
 
 /// A piece of constant curvature (positive to the left) and the points that it stands for.
@@ -99,6 +100,7 @@ struct Foot {
     /// Of the point, to the left of the curve.
     distance: f64,
     slack: f64,
+    fitted: bool,
 }
 
 impl Foot {
@@ -134,7 +136,7 @@ impl Bends {
             let turn = a.atan2(b);
             (turn + 2.0 * PI * ((middle - turn) / (2.0 * PI)).round()) / k
         };
-        Foot { piece, along, state: state.along(k, along), distance, slack: point.slack }
+        Foot { piece, along, state: state.along(k, along), distance, slack: point.slack, fitted: point.fitted }
     }
 
     /// The foot of a point, on a neighbour of its piece where it is beyond the end.
@@ -317,7 +319,7 @@ impl Bends {
             let feet = chain.feet();
             let largest = feet.iter().map(Foot::bound).fold(0.0, f64::max);
             let scale = if largest > 0.0 { largest } else { 1.0 };
-            let fitted = feet.iter().filter(|f| f.slack == 0.0);
+            let fitted = feet.iter().filter(|f| f.fitted);
             let sum = fitted.map(|f| (f.distance / scale).abs().powi(power)).sum::<f64>();
             (sum.powf(1.0 / f64::from(power)) * scale, largest)
         };
@@ -356,7 +358,7 @@ impl Bends {
         let mut normal = vec![vec![0.0; columns]; columns];
         let mut gradient = vec![0.0; columns];
         let mut row = Vec::new();
-        for foot in feet.iter().filter(|f| f.slack == 0.0) {
+        for foot in feet.iter().filter(|f| f.fitted) {
             let weight = (foot.distance / largest).abs().powi(power - 2);
             self.motion(states, (foot.piece, foot.along), foot.state.at, foot.state.tangent().left(), &mut row);
             for i in 0..columns {
@@ -388,7 +390,7 @@ mod tests {
     }
 
     fn exact(at: Point2) -> Matched {
-        Matched { at, slack: 0.0 }
+        Matched { at, slack: 0.0, fitted: true }
     }
 
     /// Line, arc, arc, line with points on them, and the place and direction at the end.

@@ -7,7 +7,7 @@
 
 use super::bends::{Bend, Bends, Ends, Matched, State};
 use super::certificate::certify;
-use super::options::ArcFitOptions;
+use super::options::{ArcFitOptions, FitTarget};
 use super::piece::{Piece, Place, Span, joined};
 use super::trace::Trace;
 use crate::base::frame::Frame;
@@ -87,7 +87,8 @@ impl Polish<'_> {
             let (from, to) = (piece.span.from, piece.span.to);
             let matched = |i: usize| {
                 let at = self.frame.to_local(self.trace.point(i)).0;
-                Matched { at, slack: self.trace.slack[i % n] }
+                let fitted = self.options.target == FitTarget::Polyline || self.trace.vertex[i % n].is_some();
+                Matched { at, slack: self.trace.slack[i % n], fitted }
             };
             let points = (from.index + 1..=to.index).map(matched).collect();
             Bend { curvature: if straight { 0.0 } else { sweep / length }, length, straight, points }
