@@ -67,7 +67,14 @@ impl Polish<'_> {
         if pieces.len() < if is_loop { 3 } else { 2 } {
             return None;
         }
-        let spans = pieces.iter().map(|p| p.span).collect();
+        // One after the other, each in the lap of the one before it or the next.
+        let mut spans: Vec<Span> = vec![pieces[0].span];
+        for piece in &pieces[1..] {
+            let both = joined(spans[spans.len() - 1], piece.span, self.trace.points.len());
+            let laps = both.to.index - piece.span.to.index;
+            let from = Place { index: piece.span.from.index + laps, ..piece.span.from };
+            spans.push(Span { from, to: both.to });
+        }
         let mut chain = Spanned { bends: self.bends(pieces, is_loop)?, spans };
         self.merge(&mut chain);
         self.refine(&mut chain);
