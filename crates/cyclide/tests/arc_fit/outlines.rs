@@ -280,3 +280,18 @@ fn limits_of_machines_are_kept_or_refused_with_the_place() {
         assert_eq!(fit(None, Some(bad)).unwrap_err().reason(), "parameter-out-of-range");
     }
 }
+
+#[test]
+fn a_closed_slot_has_the_radii_of_its_samples() {
+    let mut random = Random(3);
+    for _ in 0..10 {
+        let made = slot(&mut random);
+        let radius = made.points[0][1].abs();
+        let points = placed(&made.points, &mut random);
+        let fit = fitted(&points, &closed(TOLERANCE));
+        for arc in fit.path().arcs().iter().filter(|arc| !arc.is_straight()) {
+            // The samples are exact; steps of least squares end where they gain a hundred-thousandth.
+            assert!((arc.radius().unwrap() - radius).abs() < 1e-3, "{:?} for {radius}", arc.radius());
+        }
+    }
+}

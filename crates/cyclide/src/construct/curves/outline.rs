@@ -461,6 +461,30 @@ mod tests {
     }
 
     #[test]
+    fn uneven_samples_of_waves_are_curves_too() {
+        // A fixed sequence in [-1/2, 1/2).
+        let mut state = 7_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
+        };
+        for _ in 0..100 {
+            let waves = [2.0, 3.0, 4.0, 5.0].map(|n| [n, 0.4 / n * random(), 2.0 * PI * random()]);
+            let n = (150.0 + 100.0 * random()) as usize;
+            let mut at = |i: usize| {
+                let a = 2.0 * PI * (i as f64 + 0.6 * random()) / n as f64;
+                let r = 50.0 * waves.iter().fold(1.0, |r, [n, depth, phase]| r + depth * (n * a + phase).cos());
+                Point3::new(r * a.cos(), r * a.sin(), 0.0)
+            };
+            let points: Vec<_> = (0..n).map(&mut at).collect();
+            for tolerance in [0.1, 0.01, 0.001] {
+                let outline = Outline::read(&points, true, tolerance, None, &[]);
+                assert!(outline.corners.is_empty() && !outline.straight.contains(&true), "{n} points");
+            }
+        }
+    }
+
+    #[test]
     fn an_angle_that_is_given_is_obeyed() {
         let points = polygon(24, 10.0);
         let corners = |angle: f64| Outline::read(&points, true, 0.02, Some(angle), &[]).corners.len();

@@ -1,6 +1,7 @@
 //! A tangent-continuous chain of arcs and lines in the plane as curvatures and lengths, and its least squares against the
 //! points that its pieces stand for (`docs/math/arc-fitting.md#least-deviation`).
 
+use super::constrained_step::constrained_step;
 use super::options::ArcLimits;
 use crate::base::planar::{Point2, Vec2};
 use std::f64::consts::PI;
@@ -12,8 +13,6 @@ const SMALL_SWEEP: f64 = 1e-2;
 /// Damping at first, of the normal equations with unit diagonal, and the factor by which it changes.
 const DAMPING: f64 = 1e-4;
 const DAMPING_STEP: f64 = 10.0;
-/// Unknowns that matter less than this part of the others are held by the damping.
-const FLAT: f64 = 1e-3;
 /// Dampings tried for one step.
 const TRIES: usize = 5;
 /// A step that gains less than this part ends the iteration.
@@ -21,12 +20,13 @@ const GAIN: f64 = 1e-5;
 /// Newton steps onto the ends.
 const CLOSING_STEPS: usize = 6;
 
-/// A point that a piece stands for, and how much farther than the tolerance the curve may be from it. Those with more than 0 are
-/// places between samples: they bind, and are not fitted.
+/// A point that a piece stands for, and how much farther than the tolerance the curve may be from it. Places between samples bind
+/// and are not fitted.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Matched {
     pub at: Point2,
     pub slack: f64,
+    pub fitted: bool,
 }
 
 /// A piece of constant curvature (positive to the left) and the points that it stands for.
@@ -100,6 +100,7 @@ struct Foot {
     /// Of the point, to the left of the curve.
     distance: f64,
     slack: f64,
+    fitted: bool,
 }
 
 impl Foot {
@@ -135,7 +136,7 @@ impl Bends {
             let turn = a.atan2(b);
             (turn + 2.0 * PI * ((middle - turn) / (2.0 * PI)).round()) / k
         };
-        Foot { piece, along, state: state.along(k, along), distance, slack: point.slack }
+        Foot { piece, along, state: state.along(k, along), distance, slack: point.slack, fitted: point.fitted }
     }
 
     /// The foot of a point, on a neighbour of its piece where it is beyond the end.
@@ -305,7 +306,7 @@ impl Bends {
             let columns = units.len();
             let mut normal = vec![vec![0.0; columns]; columns];
             (0..columns).for_each(|j| normal[j][j] = units[j] * units[j]);
-            self = self.moved(&constrained(normal, &vec![0.0; columns], &rows, &units, 0.0)?);
+            self = self.moved(&constrained_step(normal, &vec![0.0; columns], &rows, &units, 0.0)?);
         }
         let rows = self.misses(&self.states());
         (rows.iter().all(|r| r.0.abs() <= 1e-12 * size.max(1.0)) && self.is_valid()).then_some(self)
@@ -318,7 +319,7 @@ impl Bends {
             let feet = chain.feet();
             let largest = feet.iter().map(Foot::bound).fold(0.0, f64::max);
             let scale = if largest > 0.0 { largest } else { 1.0 };
-            let fitted = feet.iter().filter(|f| f.slack == 0.0);
+            let fitted = feet.iter().filter(|f| f.fitted);
             let sum = fitted.map(|f| (f.distance / scale).abs().powi(power)).sum::<f64>();
             (sum.powf(1.0 / f64::from(power)) * scale, largest)
         };
@@ -330,7 +331,7 @@ impl Bends {
             let units = self.units();
             let (normal, gradient) = self.normal_equations(&states, units.len(), power);
             let step = (0..TRIES).find_map(|_| {
-                let step = constrained(normal.clone(), &gradient, &rows, &units, damping);
+                let step = constrained_step(normal.clone(), &gradient, &rows, &units, damping);
                 let moved = step.and_then(|step| self.moved(&step).closed());
                 let better = moved.filter(|m| {
                     let (sum, largest) = measure(m);
@@ -357,7 +358,7 @@ impl Bends {
         let mut normal = vec![vec![0.0; columns]; columns];
         let mut gradient = vec![0.0; columns];
         let mut row = Vec::new();
-        for foot in feet.iter().filter(|f| f.slack == 0.0) {
+        for foot in feet.iter().filter(|f| f.fitted) {
             let weight = (foot.distance / largest).abs().powi(power - 2);
             self.motion(states, (foot.piece, foot.along), foot.state.at, foot.state.tangent().left(), &mut row);
             for i in 0..columns {
@@ -380,71 +381,6 @@ impl Bends {
     }
 }
 
-/// The step that lowers the quadratic form, damped on its diagonal, and takes the misses to zero.
-fn constrained(
-    mut normal: Vec<Vec<f64>>,
-    gradient: &[f64],
-    rows: &[(f64, Vec<f64>)],
-    units: &[f64],
-    damping: f64,
-) -> Option<Vec<f64>> {
-    let columns = gradient.len();
-    // Unit diagonal, but for unknowns that hardly matter: sliding a joint between arcs of one circle.
-    let strength = |i: usize| normal[i][i].sqrt() / units[i];
-    let floor = FLAT * (0..columns).map(strength).fold(0.0, f64::max);
-    let scale: Vec<f64> = (0..columns).map(|i| units[i] * strength(i).max(floor).max(f64::MIN_POSITIVE)).collect();
-    let size = columns + rows.len();
-    let mut system = vec![vec![0.0; size + 1]; size];
-    for i in 0..columns {
-        for j in 0..columns {
-            normal[i][j] /= scale[i] * scale[j];
-        }
-        system[i][..columns].copy_from_slice(&normal[i]);
-        system[i][i] += damping + 1e-12;
-        system[i][size] = -gradient[i] / scale[i];
-    }
-    for (k, (miss, row)) in rows.iter().enumerate() {
-        let scaled: Vec<f64> = row.iter().zip(&scale).map(|(a, s)| a / s).collect();
-        let norm = scaled.iter().map(|a| a * a).sum::<f64>().sqrt();
-        if !(norm > 0.0) {
-            return None;
-        }
-        for (j, a) in scaled.iter().enumerate() {
-            system[columns + k][j] = a / norm;
-            system[j][columns + k] = a / norm;
-        }
-        system[columns + k][size] = -miss / norm;
-    }
-    let solution = solved(system)?;
-    Some(solution[..columns].iter().zip(&scale).map(|(x, s)| x / s).collect())
-}
-
-/// Gaussian elimination with partial pivoting; the last column is the right side.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let n = rows.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs()))?;
-        rows.swap(k, pivot);
-        let (above, below) = rows.split_at_mut(k + 1);
-        let top = &above[k];
-        if !(top[k].abs() > f64::MIN_POSITIVE) {
-            return None;
-        }
-        for row in below {
-            let factor = row[k] / top[k];
-            if factor != 0.0 {
-                row[k..].iter_mut().zip(&top[k..]).for_each(|(a, b)| *a -= factor * b);
-            }
-        }
-    }
-    let mut x = vec![0.0; n];
-    for k in (0..n).rev() {
-        let sum: f64 = (k + 1..n).map(|j| rows[k][j] * x[j]).sum();
-        x[k] = (rows[k][n] - sum) / rows[k][k];
-    }
-    x.iter().all(|v| v.is_finite()).then_some(x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -454,7 +390,7 @@ mod tests {
     }
 
     fn exact(at: Point2) -> Matched {
-        Matched { at, slack: 0.0 }
+        Matched { at, slack: 0.0, fitted: true }
     }
 
     /// Line, arc, arc, line with points on them, and the place and direction at the end.

@@ -61,7 +61,7 @@ pub(super) fn read_as_curve(
     distance: f64,
 ) -> Option<Warning> {
     let doubtful = outline.bound.contains(&true) || points.len() < FEW_POINTS;
-    if options.target != FitTarget::Points || options.corner_angle.is_some() || !doubtful {
+    if options.target != FitTarget::Points || !doubtful {
         return None;
     }
     let n = points.len();

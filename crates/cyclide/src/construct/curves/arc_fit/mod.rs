@@ -8,6 +8,7 @@ mod bulge_interval;
 mod certificate;
 mod chord;
 mod closing;
+mod constrained_step;
 pub(super) mod corners;
 mod curvature_interval;
 mod doubts;

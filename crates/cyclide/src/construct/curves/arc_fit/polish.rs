@@ -7,7 +7,7 @@
 
 use super::bends::{Bend, Bends, Ends, Matched, State};
 use super::certificate::certify;
-use super::options::ArcFitOptions;
+use super::options::{ArcFitOptions, FitTarget};
 use super::piece::{Piece, Place, Span, joined};
 use super::trace::Trace;
 use crate::base::frame::Frame;
@@ -67,7 +67,14 @@ impl Polish<'_> {
         if pieces.len() < if is_loop { 3 } else { 2 } {
             return None;
         }
-        let spans = pieces.iter().map(|p| p.span).collect();
+        // One after the other, each in the lap of the one before it or the next.
+        let mut spans: Vec<Span> = vec![pieces[0].span];
+        for piece in &pieces[1..] {
+            let both = joined(spans[spans.len() - 1], piece.span, self.trace.points.len());
+            let laps = both.to.index - piece.span.to.index;
+            let from = Place { index: piece.span.from.index + laps, ..piece.span.from };
+            spans.push(Span { from, to: both.to });
+        }
         let mut chain = Spanned { bends: self.bends(pieces, is_loop)?, spans };
         self.merge(&mut chain);
         self.refine(&mut chain);
@@ -87,7 +94,8 @@ impl Polish<'_> {
             let (from, to) = (piece.span.from, piece.span.to);
             let matched = |i: usize| {
                 let at = self.frame.to_local(self.trace.point(i)).0;
-                Matched { at, slack: self.trace.slack[i % n] }
+                let fitted = self.options.target == FitTarget::Polyline || self.trace.vertex[i % n].is_some();
+                Matched { at, slack: self.trace.slack[i % n], fitted }
             };
             let points = (from.index + 1..=to.index).map(matched).collect();
             Bend { curvature: if straight { 0.0 } else { sweep / length }, length, straight, points }
