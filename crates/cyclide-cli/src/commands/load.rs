@@ -184,6 +184,11 @@ pub fn input_files(document: &Document, folder: &Path) -> Vec<PathBuf> {
     document.input_files().map(place).collect()
 }
 
+/// Outliers are bad rows of a file: each is shown, as far as the kernel names them.
+fn most_shown(reason: &str) -> usize {
+    if reason == "outlier" { usize::MAX } else { SHOWN_WARNINGS }
+}
+
 fn show_warnings(built: &BuiltObject) {
     for note in &built.notes {
         terminal::note(note);
@@ -192,7 +197,7 @@ fn show_warnings(built: &BuiltObject) {
     for remark in &built.remarks {
         let count = counts.entry(remark.reason).or_default();
         *count += 1;
-        if *count <= SHOWN_WARNINGS {
+        if *count <= most_shown(remark.reason) {
             let name = &built.item.name;
             let place = remark.place.as_ref().map_or_else(|| name.clone(), |place| format!("{place}: {name}"));
             terminal::warning(&format!("{place}: {} [{}]", remark.message, remark.reason));
@@ -201,12 +206,12 @@ fn show_warnings(built: &BuiltObject) {
     // In the order of their first appearance, so that equal runs print equal text.
     let mut rest: Vec<&str> = Vec::new();
     for remark in &built.remarks {
-        if counts[remark.reason] > SHOWN_WARNINGS && !rest.contains(&remark.reason) {
+        if counts[remark.reason] > most_shown(remark.reason) && !rest.contains(&remark.reason) {
             rest.push(remark.reason);
         }
     }
     for reason in rest {
-        let more = counts[reason] - SHOWN_WARNINGS;
+        let more = counts[reason] - most_shown(reason);
         terminal::warning(&format!("{}: {more} more of these (--json reports all) [{reason}]", built.item.name));
     }
 }

@@ -50,7 +50,7 @@ fn the_strength_follows_the_noise_of_a_gps_track() {
     let error = rms(&truth, &curve(&folder, "g.csv"));
     assert!(error < 0.5, "{error}");
     let report = folder.json("curve gps.csv --closed --smooth auto -o h.csv --json");
-    let fit = &report["objects"][0]["fit"];
+    let fit = &report["objects"]["gps"]["fit"];
     // The deviation of 1.5, from 600 points: 3 % of it by chance.
     let noise = fit["noise"].as_f64().unwrap();
     assert!((noise - 1.5).abs() < 0.15, "{fit}");
@@ -61,7 +61,7 @@ fn the_strength_follows_the_noise_of_a_gps_track() {
 fn a_deviation_that_is_given_is_obeyed() {
     let folder = Folder::with(&[("gps.csv", &case("gps_noise.csv"))]);
     let report = folder.json("curve gps.csv --closed --smooth auto --noise 2.5 -o h.csv --json");
-    let rms = report["objects"][0]["fit"]["rms"].as_f64().unwrap();
+    let rms = report["objects"]["gps"]["fit"]["rms"].as_f64().unwrap();
     assert!((rms - 2.5).abs() < 0.4, "{rms}");
     let said = folder.fails(2, "curve gps.csv --closed --smooth 5 --noise 1 -o h.csv");
     assert!(said.contains("--noise"), "{said}");
@@ -107,7 +107,7 @@ fn a_stop_is_one_point() {
         assert!(number("points ").abs_diff(300) <= 2 && number(" to ").abs_diff(359) <= 2, "{said}");
         let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
         // The least radius of the figure itself is 40 m.
-        let curvature = report["objects"][0]["curvature"]["max"].as_f64().unwrap();
+        let curvature = report["objects"]["gps"]["curvature"]["max"].as_f64().unwrap();
         assert!(curvature < 1.0 / 20.0, "{strength}: {curvature}");
     }
 }

@@ -323,6 +323,13 @@ pub enum Warning {
         /// `None` where there are too few points to a node to tell noise from shape.
         scatter: Option<f64>,
     },
+    /// A curve within a tolerance leaves out more of its points than their noise.
+    BeyondNoise {
+        /// Root mean square of the distances of the points from the curve.
+        rms: f64,
+        /// Standard deviation of the noise across the curve, estimated from the points.
+        noise: f64,
+    },
     /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
     WideTolerance {
         /// The tolerance asked for.

@@ -250,7 +250,7 @@ impl std::fmt::Display for Warning {
                 match *scatter {
                     Some(scatter) if scatter > SCATTER * limit => write!(
                         f,
-                        "the points scatter by {} from one to the next: for noise, 3 to 4 times that as tolerance with centre 1 comes nearer to what was measured",
+                        "the points scatter by {} from one to the next: if that is noise, `--smooth auto` (in a document `\"tolerance\": \"auto\"`) follows it and comes nearer to what was measured",
                         ShortNumber(scatter)
                     ),
                     Some(scatter) => write!(
@@ -261,6 +261,14 @@ impl std::fmt::Display for Warning {
                     None => f.write_str("a smaller tolerance, or a centre of 1, comes nearer to the points"),
                 }
             }
+            Self::BeyondNoise { rms, noise } => write!(
+                f,
+                "the curve leaves out more than noise: the root mean square of the distances is {}, and the noise of the points has a standard \
+                 deviation of about {}, so the curve may be farther from what was measured than the points are; `--smooth auto` (in a document \
+                 `\"tolerance\": \"auto\"`) follows the noise",
+                ShortNumber(*rms),
+                ShortNumber(*noise)
+            ),
             Self::WideTolerance { tolerance, used } if used >= tolerance => write!(
                 f,
                 "the tolerance {} is wide against the figure: bends and corners smaller than it may be gone",

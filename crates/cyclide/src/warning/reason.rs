@@ -40,6 +40,7 @@ impl Warning {
             Self::ManyNodes { points, changes, .. } if as_noise(*changes, *points) => "tolerance-below-noise",
             Self::ManyNodes { .. } => "many-nodes",
             Self::LeansOnWalls { .. } => "leans-on-walls",
+            Self::BeyondNoise { .. } => "beyond-noise",
             Self::WideTolerance { .. } => "wide-tolerance",
             Self::ShapeSmoothedAway { .. } => "shape-smoothed-away",
             Self::NodesNotReached { .. } => "nodes-not-reached",
@@ -144,6 +145,7 @@ impl Warning {
             | Self::OpenSeam { .. }
             | Self::ManyNodes { .. }
             | Self::LeansOnWalls { .. }
+            | Self::BeyondNoise { .. }
             | Self::WideTolerance { .. }
             | Self::ShapeSmoothedAway { .. }
             | Self::NodesNotReached { .. }

@@ -213,12 +213,12 @@ fn a_hundred_thousand_points_are_no_trouble() {
 
 #[test]
 fn a_star_does_not_swing_out_in_silence() {
-    // Ten straight sides with twenty points each and sharp tips: the points alone do not hold the curve at the tips.
+    // Ten straight sides with twenty points each and sharp tips: smooth, the points alone do not hold the curve there.
     let corner = |k: usize| {
         let (radius, angle) = (if k.is_multiple_of(2) { 50.0 } else { 20.0 }, std::f64::consts::PI * k as f64 / 5.0);
         [radius * angle.sin(), radius * angle.cos()]
     };
-    let (tolerance, mut held) = (0.2, 0);
+    let (tolerance, mut kept) = (0.2, 0);
     for seed in 100..106 {
         let g = deviates(seed, 400);
         let points: Vec<Point3> = (0..200)
@@ -236,8 +236,8 @@ fn a_star_does_not_swing_out_in_silence() {
             _ => None,
         });
         assert!(within || warned == Some(false), "{seed}: {:?}", fit.certificate());
-        held += usize::from(within && warned == Some(true));
+        kept += usize::from(fit.spline().kinks().len() >= 5);
     }
-    // Without the places on the edges several of the six stars have a loop of 5 to 24 at a tip.
-    assert!(held >= 1, "{held}");
+    // The five tips turn by 128 degrees between straight sides: corners of an outline, whatever the noise.
+    assert_eq!(kept, 6);
 }

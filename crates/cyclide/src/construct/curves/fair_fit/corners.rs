@@ -8,6 +8,8 @@ use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
 /// Places on a straight side, at least and at most.
 const PLACES: [f64; 2] = [3.0, 64.0];
 
+/// Edges of an outline are at least this many tolerances long, half of them.
+const LONG: f64 = 6.0;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
 const LEGS: f64 = 8.0;
@@ -17,11 +19,15 @@ const SHARP: f64 = 0.75;
 /// Corners in ascending order, with their turn, and the straight sides. The ends of an open polyline are no corners.
 ///
 /// `forced` are asked for by index, ascending. The others are corners at the scale of the tolerance too, and no bends:
-/// else every dense noisy line would have some. Within an infinite tolerance there are none.
+/// else every dense noisy line would have some. Points closer together than
+/// some tolerances hold a curve themselves, and their turns may be noise: of them none are corners but those asked for.
 pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOptions, tolerance: f64) -> Outline {
     let is_forced = |i: usize| forced.binary_search(&i).is_ok();
     let mut outline = Outline::read(points, options.closed, tolerance.min(f64::MAX), options.corner_angle, forced);
-    if tolerance == f64::INFINITY {
+    let n = points.len();
+    let mut lengths: Vec<f64> = (0..n - 1).map(|i| points[i].distance(points[i + 1])).collect();
+    let usual = *lengths.select_nth_unstable_by((n - 1) / 2, f64::total_cmp).1;
+    if options.corner_angle.is_none() && usual < LONG * tolerance {
         outline.corners.retain(|(i, _)| is_forced(*i));
         outline.straight.fill(false);
         return outline;

@@ -10,7 +10,7 @@ use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 
 /// The curve keeps this near to the points without their noise, in deviations of these from what was measured,
-const NEARNESS: f64 = 0.5;
+const NEARNESS: f64 = 0.4;
 /// and not nearer than this part of the size of the data.
 const NEAREST: f64 = 1e-7;
 /// Where it cannot, this many times as near will do, so often.

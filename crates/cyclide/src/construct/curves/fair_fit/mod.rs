@@ -59,6 +59,13 @@ const WIDE: [f64; 4] = [1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0];
 /// A narrower tolerance is tried if it is below this part of the one asked for.
 const NARROWER: f64 = 0.75;
 
+/// A tolerance up to this many standard deviations is there for the noise,
+const OF_THE_ORDER: f64 = 8.0;
+/// and a root mean square of the distances above this many is more than that; below this part of the tolerance it is not
+/// looked at.
+const MORE_THAN_NOISE: f64 = 1.1;
+const LEAST_OF_TOLERANCE: f64 = 0.125;
+
 /// A narrower one is taken for a variation below this part, if that is any: `J` times the cubed size of the data.
 const FAIRER: f64 = 0.9;
 const NOTHING: f64 = 1e-9;
@@ -175,10 +182,26 @@ impl FairFit {
         }
         let mut fit =
             Self::near(&distinct, options, None).map_err(|e| Self::because_of_outliers(e, &distinct, options))?;
+        fit.warnings.extend(fit.beyond_noise(&distinct, options));
         fit.certificate.deviation_z = loose.map(|moved| moved + fit.certificate.deviation);
         warnings.append(&mut fit.warnings);
         fit.warnings = warnings;
         Ok(fit)
+    }
+
+    /// What is told of a tolerance of the order of the noise, where the curve leaves out more than that. (The fairest curve is
+    /// told of as it leans on its bounds.)
+    fn beyond_noise(&self, distinct: &Distinct, options: &FairFitOptions) -> Option<Warning> {
+        let rms = self.certificate.rms;
+        if options.centre == 0.0 || options.edge_points > 0 || rms < LEAST_OF_TOLERANCE * options.tolerance {
+            return None;
+        }
+        let cuts = Self::cuts(distinct, options, options.tolerance);
+        let found = read(distinct, options, &cuts)?;
+        let noise = found.deviation;
+        let across = noise * (found.directions as f64).sqrt();
+        let noisy = options.tolerance <= OF_THE_ORDER * noise;
+        (noisy && rms > MORE_THAN_NOISE * across).then_some(Warning::BeyondNoise { rms, noise })
     }
 
     /// What is told of a tolerance that is not reached: the outliers, where some are why.

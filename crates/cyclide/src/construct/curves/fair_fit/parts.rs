@@ -74,7 +74,13 @@ impl<'a> Parts<'a> {
     pub fn add(&mut self, numbers: &[usize], closed: bool, fixed: [bool; 2]) -> Result<()> {
         let (frame, options) = (self.frame, self.options);
         let points: Vec<Point3> = numbers.iter().map(|i| self.data[*i]).collect();
-        let on_edges: Vec<usize> = numbers.iter().map(|i| self.on_edges[*i]).collect();
+        // The edge to the next point begins at that one where the data run backwards.
+        let count = self.data.len();
+        let edge = |k: usize| {
+            let (i, next) = (numbers[k], numbers[(k + 1) % numbers.len()]);
+            if next == (i + 1) % count { i } else { next }
+        };
+        let on_edges: Vec<usize> = (0..numbers.len()).map(|k| self.on_edges[edge(k)]).collect();
         let (bound, own) = with_edge_points(&points, closed, &on_edges);
         let local: Vec<Point3> = bound.iter().map(|p| frame.to_local(*p)).collect();
         let fixed = if closed { [false; 2] } else { fixed };

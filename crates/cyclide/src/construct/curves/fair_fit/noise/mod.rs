@@ -14,7 +14,7 @@ use crate::base::vector::{Point3, Vec3};
 use outliers::cleaned;
 use smoother::{Series, Smoothed, smoothed};
 
-/// An outlier that is kept counts as one this many deviations away.
+/// An outlier that is kept has the share of one this many deviations away in the sum of squares.
 const INFLUENCE: f64 = 2.0;
 /// Fewer points than this are not smoothed.
 pub(super) const FEWEST: usize = smoother::FEWEST;
@@ -54,6 +54,8 @@ pub(super) struct Denoised {
     pub uncertainty: f64,
     /// Data that do not belong to the others, and how far each is from the curve of these.
     pub outliers: Vec<(usize, f64)>,
+    /// Directions across the curve.
+    pub directions: usize,
 }
 
 /// Sums over the runs.
@@ -116,10 +118,13 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
             (found.kept, found.smoothed.points)
         } else {
             let mut weights = vec![1.0; points.len()];
+            // Each of them adds the square of its influence.
+            let share = found.outliers.len() as f64 / points.len() as f64;
+            let noise = found.smoothed.deviation * (1.0 + INFLUENCE * INFLUENCE * share).sqrt();
             for (i, far) in &found.outliers {
-                weights[*i] = (INFLUENCE * found.smoothed.deviation / far).min(1.0);
+                weights[*i] = (INFLUENCE * found.smoothed.deviation / far).min(1.0).powi(2);
             }
-            let all = smoothed(&Series { weights: Some(&weights), noise: Some(found.smoothed.deviation), ..series })?;
+            let all = smoothed(&Series { weights: Some(&weights), noise: Some(noise), ..series })?;
             ((0..points.len()).collect(), all.points)
         };
         if reading.heights {
@@ -159,5 +164,6 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
         heights: heights_of_runs.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
         uncertainty: (sums.uncertain / sums.count).sqrt() / unit,
         outliers,
+        directions: if frame.planar() { 1 } else { 2 },
     })
 }

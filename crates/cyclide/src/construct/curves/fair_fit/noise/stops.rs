@@ -15,7 +15,7 @@ const ALIKE: f64 = 0.25;
 /// Part of the data that may stand still for the speed of the others to be known.
 const MOVING: f64 = 0.6;
 /// Points this many times the scatter away from the middle are on their way.
-const REACH: f64 = 3.0;
+const REACH: f64 = 2.2;
 
 /// A run of points that is one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
