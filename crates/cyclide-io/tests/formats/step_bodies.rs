@@ -2,7 +2,8 @@
 
 use cyclide::{CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
 use cyclide_io::{
-    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepFaces, StepProducts, export, file_deviation, read_back,
+    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepFaces, StepProducts, export,
+    file_deviation, read_back,
 };
 
 fn model(items: Vec<(&str, SurfaceObject)>) -> Model {
