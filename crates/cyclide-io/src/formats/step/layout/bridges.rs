@@ -2,10 +2,11 @@
 //! where a hole has faces of its own round it. It ends at vertices, or anywhere on a whole circle, whose vertex is then there.
 
 use super::chains::{ChainCurve, joined};
+use super::file_edges::Chains;
 use super::half_edges::HalfEdge;
 use super::parameters::{Developed, angle_between, place};
 use super::regions::Region;
-use super::{Chains, Draft, Drafts, EdgeForm, LayoutEdge, LoopEdge, turned};
+use super::{Draft, Drafts, EdgeForm, LayoutEdge, LoopEdge, turned};
 use cyclide::{Arc, Circle, PatchKind, Point3, Shell};
 use std::collections::{HashMap, HashSet};
 
