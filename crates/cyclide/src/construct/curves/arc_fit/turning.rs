@@ -171,7 +171,8 @@ mod tests {
         };
         let points: Vec<_> = (0..30).map(at).collect();
         let options = ArcFitOptions::new(0.01);
-        let data = Data::new(&points, &read(&points), &options);
+        let outline = read(&points);
+        let data = Data::new(&points, &outline, &options);
         let trace = Trace::of_points(&points, false);
         let source: Vec<_> = (0..30).collect();
         let circle =
