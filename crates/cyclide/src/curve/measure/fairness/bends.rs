@@ -77,7 +77,7 @@ impl Bend {
         let own = || turns[self.first..=self.last].iter().copied().flatten();
         let least = STRAIGHT * own().map(Vec3::length).fold(0.0, f64::max);
         let is_clear = |turn: &Vec3| turn.length() >= least;
-        [own().find(is_clear), own().filter(is_clear).last()].map(Option::unwrap_or_default)
+        [own().find(is_clear), own().rfind(is_clear)].map(Option::unwrap_or_default)
     }
 }
 
