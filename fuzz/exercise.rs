@@ -4,7 +4,10 @@
 
 use std::path::Path;
 
-use cyclide_io::{Document, Format, ModelBuilder, PointColumns, Report, read_back, read_points, read_quad_grid};
+use cyclide_io::{
+    Document, Format, MeshFormat, ModelBuilder, PointColumns, Report, escaped_lines, read_back, read_points,
+    read_quad_grid,
+};
 
 /// The points that any file a document refers to holds.
 const FILE: &[u8] =
@@ -69,6 +72,39 @@ pub fn obj(data: &[u8]) {
     }
 }
 
+/// Reads a mesh of any program, and makes it smooth.
+pub fn mesh(format: MeshFormat, data: &[u8]) {
+    let word = format.word();
+    with_file(&format!(r#"{{"type": "smooth-mesh", "mesh": {{"{word}": "fuzz.{word}"}}}}"#), data);
+}
+
+/// Reads a table of poses, and moves through them.
+pub fn poses(data: &[u8]) {
+    for kind in ["spline", "sclerp"] {
+        with_file(&format!(r#"{{"type": "motion", "kind": "{kind}", "poses": {{"csv": "fuzz.csv"}}}}"#), data);
+    }
+}
+
+/// Reads a grid of heights, and lays a grid on the surface.
+pub fn heights(data: &[u8]) {
+    with_file(
+        r#"{"type": "principal-grid", "edge_length": 0.5, "heights": {"csv": "fuzz.csv", "spacing": [1, 1]}}"#,
+        data,
+    );
+}
+
+/// Builds an object that reads a file. Its measures are left aside: they take a second of awkward surfaces.
+fn with_file(object: &str, data: &[u8]) {
+    let text = format!(r#"{{"cyclide": 1, "objects": {{"a": {object}}}}}"#);
+    let document = Document::parse("fuzz.json", text.as_bytes()).unwrap_or_else(|error| unreachable!("{error}"));
+    let read = |_: &Path| Ok(data.to_vec());
+    let built = ModelBuilder::new(&document, Path::new("folder"), &read).and_then(|mut b| b.build(0, &mut |_| {}));
+    match built {
+        Ok(built) => assert_eq!(built.item.name, "a"),
+        Err(error) => check_message(&error.to_string()),
+    }
+}
+
 /// Reads a file as if it were one of ours.
 pub fn written(format: Format, data: &[u8]) {
     match read_back(format, data) {
@@ -78,12 +114,14 @@ pub fn written(format: Format, data: &[u8]) {
             assert!(vertices <= data.len(), "{vertices} vertices of {} bytes", data.len());
             assert!(content.curves.len() <= data.len() && content.bodies.len() <= data.len());
         }
-        Err(error) => check_message(&error.to_string()),
+        // The checker alone shows it, and escapes what it prints.
+        Err(error) => assert!(!error.to_string().is_empty()),
     }
 }
 
-/// Messages are for terminals: no control characters but the line ends.
+/// Messages are for terminals: nothing that these act on or do not show, except for the line ends.
 fn check_message(message: &str) {
+    assert_eq!(escaped_lines(message), message);
     assert!(!message.is_empty());
     assert!(message.lines().count() <= 3 || message.contains("\\n"), "{message:?}");
 }

@@ -1,4 +1,7 @@
-"""Licences and sources of every crate in Cargo.lock against the lists of deny.toml, and what can be left out, by cargo alone."""
+"""Licences and sources of every crate in Cargo.lock against the lists of deny.toml, and what can be left out, by cargo alone.
+
+Advisories need a database from elsewhere: `cargo deny check` has it. Here it is checked only that none is ignored without a reason.
+"""
 
 import json
 import re
@@ -8,6 +11,27 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+
+
+def licences(expression):
+    """The licences that an SPDX expression names (`/` is the old spelling of OR)."""
+    return {licence.strip() for licence in re.split(r"\bOR\b|\bAND\b|/|[()]", expression)} - {""}
+
+
+def unused(rules, packages):
+    """Allowed licences that no crate names: a list that grows only allows what nobody has looked at."""
+    if rules["licenses"]["unused-allowed-license"] == "allow":
+        return ["deny.toml: unused licences are allowed silently"]
+    named = {licence for package in packages for licence in licences(package["license"] or "")}
+    return [f"deny.toml: licence {licence} is allowed, and no crate has it" for licence in rules["licenses"]["allow"] if licence not in named]
+
+
+def advisories(rules):
+    """What is wrong with the rules about advisories."""
+    rules = rules.get("advisories", {})
+    faults = [] if rules.get("yanked") == "deny" else ["deny.toml: advisories: crates that were withdrawn are not refused"]
+    silent = [entry for entry in rules.get("ignore", []) if not (isinstance(entry, dict) and entry.get("reason"))]
+    return faults + [f"deny.toml: advisories: {entry} is ignored without a reason" for entry in silent]
 
 
 def accepted(expression, allow):
@@ -56,6 +80,7 @@ def main():
         if package["name"] in banned:
             faults.append(f"{name}: banned")
     faults += [f"{package} needs {crate} without its features" for package, crate in OPTIONAL if is_needed(package, crate)]
+    faults += unused(rules, packages) + advisories(rules)
     print("\n".join(faults) or f"{len(packages)} crates: licences and sources as deny.toml allows")
     return 1 if faults else 0
 

@@ -19,7 +19,7 @@ TUBES = {
     "handle": (None, {"balls": [[0, 0, 0, 7], [30, 8, 0, 5], [70, 0, 9, 9], [95, 10, 0, 6]]}, {"b-spline", "plane"}, 8),
     "bottle": (None, {"balls": [[0, 0, 0, 7], [30, 8, 0, 5], [70, 0, 9, 9]], "wall": 1}, {"b-spline", "cone"}, 16),
     "constant": (RUN, {"radius": 6}, {"cylinder", "torus", "plane"}, 8),
-    "horn": (SPLINE, {"radius": [4, 5, 7, 13], "wall": 1.2, "tolerance": 0.05}, {"b-spline", "cone"}, 16),
+    "horn": (SPLINE, {"radius": [4, 5, 7, 13], "wall": 1.2, "tolerance": 0.05}, {"b-spline", "plane"}, 16),
     "closed": (RING, {"radius": [4, 7, 4], "tolerance": 0.02}, {"b-spline"}, 0),
 }
 

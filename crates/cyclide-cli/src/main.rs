@@ -14,9 +14,10 @@ use arguments::mistaken;
 use arguments::plan::Plan;
 use clap::Parser as _;
 use commands::{compare, gallery, inspect, make, manuals, sample, schedule, start};
+use output::terminal;
 
 fn main() -> ExitCode {
-    let typed = Args::try_parse().unwrap_or_else(|error| mistaken::explain(error).exit());
+    let typed = Args::try_parse().unwrap_or_else(|error| terminal::exit(&mistaken::explain(error)));
     let outcome = typed.plan().and_then(|plan| match plan {
         Plan::Make(plan) => make::run(&plan),
         Plan::Compare(plan) => compare::run(&plan),

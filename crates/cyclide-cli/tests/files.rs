@@ -266,7 +266,7 @@ mod unix {
         let begin = Instant::now();
         let temporaries = || {
             let names = fs::read_dir(folder.path(".")).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
-            names.filter(|name| name.starts_with(".a.step.cyclide-")).count()
+            names.filter(|name| name.starts_with(".cyclide-")).count()
         };
         while temporaries() == 0 && begin.elapsed() < Duration::from_secs(60) {
             std::thread::sleep(Duration::from_millis(5));

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cyclide::ShortNumber;
 
+use crate::text::escape::escaped;
 use crate::text::place::Diagnostic;
 
 /// Result of a fallible call of this crate.
@@ -39,7 +40,7 @@ pub enum Error {
         place: Option<Box<Diagnostic>>,
     },
     /// The kernel refused an object that was not made from a text.
-    #[error("{object}: {}{source} [{}]", of_contour(*contour), source.reason())]
+    #[error("{}: {}{source} [{}]", escaped(object), of_contour(*contour), source.reason())]
     Geometry {
         /// Name of the object.
         object: String,
@@ -49,7 +50,7 @@ pub enum Error {
         source: cyclide::Error,
     },
     /// A grid that was not made from a text is circular, but no patch fits into some of its quads.
-    #[error("{object}: {} [{CROSSING_QUAD}]", rejected_quads(quads, *steps, *moved))]
+    #[error("{}: {} [{CROSSING_QUAD}]", escaped(object), rejected_quads(quads, *steps, *moved))]
     RejectedQuads {
         /// Name of the object.
         object: String,
@@ -91,7 +92,7 @@ pub(crate) fn rejected_quads(quads: &[usize], steps: usize, moved: f64) -> Strin
 }
 
 fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> String {
-    place.map_or_else(|| format!("cannot read {}: {source}", path.display()), ToString::to_string)
+    place.map_or_else(|| format!("cannot read {}: {source}", escaped(&path.display().to_string())), ToString::to_string)
 }
 
 /// The words before what was refused of one contour of several.

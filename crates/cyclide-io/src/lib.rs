@@ -11,26 +11,27 @@
 //! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`], [`ObjectSpec`] and a description for every type of object, below; [`Comment`], [`TypeWord`], [`StepSpec`], [`CutSpec`] |
 //! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]), [`AnglePairs`], [`RatePairs`], [`FreeOr`], [`RadiiSpec`] |
 //! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`ContourFacts`], [`Fitted`], [`SmoothChoice`], [`RoundedPolyhedron`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
-//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
+//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`EllipseSpec`], [`HelixSpec`] ([`Hand`]), [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`] ([`FairTolerance`], [`AutoWord`]), [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
 //! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`] |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`LaidGrid`], [`FrameSpec`]), [`PrincipalGridSpec`] ([`NurbsSurfaceSpec`], [`HeightsSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
-//! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
+//! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`], [`RadiusOf`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`SweepSpec`] ([`SweepEnds`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`PositionCurve`], [`PoseTolerance`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
-//! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`]), [`MeshFormat`] |
-//! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
-//! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
+//! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`], [`MendedQuads`]), [`MeshFormat`] |
+//! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepFaces`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
+//! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileCurve`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
 //! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`], [`FrameTurn`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
-//! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
+//! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `ReadFolder`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `WriteError`, `NotDurable`, `Abandoned`, `is_folder_name`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
 //! | what is refused | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
+//! | what terminals act on, made visible | [`escaped`], [`escaped_lines`], [`escaped_json`] |
 
 mod check;
 mod compare;
@@ -47,26 +48,27 @@ mod report;
 mod schedule;
 mod text;
 
-pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
+pub use check::bodies::{FileBody, FileCurve, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
 pub use check::file_content::{FileContent, ReadError};
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
-    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
-    BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
+    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec,
+    BlendTubeSpec, BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
     CenterSurfaceSpec, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
     ContourFacts, CoordinatePlanesSpec, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
     CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec,
-    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GradedCellsSpec,
-    GridSource, HeightsSpec, LaidGrid, LayersSpec, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec,
-    PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
-    PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec, RadiiSpec, RadiusLawSpec,
-    RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
-    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EllipseSpec, EndsSpec, FairEndPair,
+    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance, FamilySpec, Fitted, FrameSpec,
+    FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec, Lists,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
+    NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
+    PoseTolerance, PositionCurve, PrincipalGridSpec, RadiiSpec, RadiusLawSpec, RadiusOf, RatePairs, Remark,
+    RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
+    SweepEnds, SweepSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
     TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
     WholeCyclideSpec, WindingSpec, document_schema,
@@ -80,34 +82,38 @@ pub use export::error::ExportError;
 pub use export::exported::Exported;
 pub use export::given_surface::{GivenSurface, LaidField};
 pub use export::options::{
-    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, PictureColour, StepEdges, StepProducts, VtuCells, VtuEncoding,
+    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells,
+    VtuEncoding,
 };
 pub use export::provenance::Provenance;
 #[cfg(feature = "files")]
 pub use file::{
-    NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,
-    write_files,
+    Abandoned, NotDurable, StagedFiles, WriteError, WriteOptions, is_folder_name, leads_to_standard_input,
+    leads_to_standard_output, same_file, write_file, write_files,
 };
 pub use formats::{
-    Exporter, Format, InputKind, MeshFormat, ObjGrid, ObjLayout, ObjQuads, export, file_deviation, read_back,
-    read_quad_grid, read_quads, vtk_multi_block,
+    Exporter, Format, InputKind, MendedQuads, MeshFormat, ObjGrid, ObjLayout, ObjQuads, export, file_deviation,
+    read_back, read_quad_grid, read_quads, vtk_multi_block,
 };
+#[cfg(feature = "files")]
+pub use input::confined::ReadFolder;
 #[cfg(feature = "files")]
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,
-    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, FASTER_THAN_LIMIT, FairnessReport,
-    FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, FrameTurn, GeometryReport,
-    GridPieceReport, JointReport, MotionReport, MotionSample, MotionSamples, ObjectReport, PartReport, PatchPlace,
-    PeakReport, PlaceReport, PolyhedronReport, PrincipalReport, QbReport, RangeReport, Report, ReversalReport,
-    RoundReport, SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport,
-    SmoothReport, Spacing, SpeedLimits, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport,
-    TightReport, TorusReport, TubeReport, UmbilicReport, UnrolledReport, VolumeReport, WarningReport, sample,
-    sample_cells,
+    CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, DeviationReport, FASTER_THAN_LIMIT,
+    FairnessReport, FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, FrameTurn,
+    GeometryReport, GridPieceReport, JointReport, MotionClosingReport, MotionReport, MotionSample, MotionSamples,
+    ObjectReport, OffChordsReport, PartReport, PatchPlace, PeakReport, PlaceReport, PolyhedronReport, PrincipalReport,
+    QbReport, RangeReport, Report, ReversalReport, RoundReport, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
+    ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits, SurfaceReport, TIGHTER_THAN_RADIUS,
+    TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UmbilicReport, UnrolledReport,
+    VolumeReport, WarningReport, sample, sample_cells,
 };
 pub use schedule::{NotScheduled, ScheduleError, ScheduleOptions, WorkshopSchedule};
+pub use text::escape::{escaped, escaped_json, escaped_lines};
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 

@@ -71,10 +71,10 @@
 //! |---|---|
 //! | points, directions, frames, boxes | [`Point3`], [`Vec3`], [`Point2`], [`Vec2`], [`Quat`], [`Frame`], [`Aabb`] |
 //! | maps | [`Mobius`] (inversions, similarities), [`Conformal`] (what they keep), [`HPoint`], [`Sphere`] |
-//! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`Biarc`] ([`BiarcRule`]), [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
+//! | circles and arcs | [`Circle`], [`Ellipse`], [`Helix`], [`Arc`], [`Arc4`], [`Biarc`] ([`BiarcRule`]), [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
 //! | curves through points | [`CircleSpline::fair`] ([`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`]), [`CircleSpline::from_points`] ([`CircleSplineOptions`], [`SplineEnds`]), [`ArcPath::spline`] ([`ArcSplineOptions`], [`estimate_tangents`]), [`ArcPath::rounded_polyline`], [`QbSpline::through_points`] ([`MoebiusSplineOptions`], [`circle_tangents`]), [`QbInterpolation`] ([`NodeParameters`], [`QbNode`]), [`BlendSegment`] ([`BlendVariant`], [`BlendLaw`]), [`corners_by_angle`] |
 //! | quotients of quaternion polynomials | [`QbCurve`] ([`QbReach`]), [`QbSpline`] |
-//! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
+//! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`Noise`], [`Outliers`], [`Heights`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
@@ -83,11 +83,11 @@
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`]), nets round extraordinary vertices [`NetLayout`], [`QuadLayout`] ([`LayoutPiece`], [`RoundVertex`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `ClosingChange`, `LineAngles`, `VertexMoves`; of meshes with extraordinary vertices `make_layout_circular`: `CircularLayout`, `RoundChange` |
-//! | grids along lines of curvature | `principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalField`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
+//! | grids along lines of curvature | `principal_grids`, `covering_principal_grids`, with the feature `circular-mesh`: `PrincipalGrids`, `FreeLayout`, `PrincipalGridOptions`, [`UmbilicRule`], [`GridBorder`], `PrincipalStage`, `PrincipalField`, `PrincipalGridReport`, `GridPiece`, `Umbilic` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, closed quartics, circles: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`RingBlend`] ([`BlendRing`]), [`BallCenters`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Sweep`] ([`SweepOptions`], [`SweepFrame`]), [`TaperedTube`] ([`RadiusLaw`]), [`Tube`] ([`Ball`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`RingBlend`] ([`BlendRing`]), [`BallCenters`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
 //! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`] ([`PoseTimes`]), [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`MotionPlace`], [`SpeedPeak`], [`MotionReversal`], [`FastPlace`], [`SpeedKind`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
@@ -130,7 +130,7 @@ pub use construct::{
     FairSplineOptions, FitCertificate, FitTarget, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents,
     feasible_bulges,
 };
-pub use construct::{Ball, RadiusLaw, Tube};
+pub use construct::{Ball, RadiusLaw, TaperedTube, Tube};
 pub use construct::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
@@ -139,14 +139,15 @@ pub use construct::{
 };
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing};
+pub use construct::{Ellipse, Helix, Sweep, SweepFrame, SweepOptions};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
-pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{GridBorder, UmbilicRule};
+pub use construct::{FairFit, FairFitCertificate, FairFitOptions, Heights, Noise, Outliers};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
-    GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic,
-    principal_grids,
+    FreeLayout, GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage,
+    Umbilic, covering_principal_grids, principal_grids,
 };
+pub use construct::{GridBorder, UmbilicRule};
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, SweptSurface, TorusSeam};
@@ -177,9 +178,9 @@ pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
 };
 pub use motion::{
-    BodyMesh, CubicMotions, DualQuat, FastPlace, Motion, MotionExtremes, MotionJet, MotionPlace, MotionReversal,
-    MovingBody, Pose, PoseTimes, RationalMotion, Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw,
-    TimedPose, Timing,
+    BodyMesh, CubicMotions, DecoupledMotion, DualQuat, FastPlace, Motion, MotionDeviation, MotionExtremes, MotionJet,
+    MotionPlace, MotionReversal, MotionTolerance, MovingBody, OffChords, Pose, PoseTimes, RationalForm, RationalMotion,
+    Schedule, ScrewMotion, SpeedKind, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
 };
 pub use panel::{CongruenceClass, Congruences, CongruentPanel};
 pub use panel::{CurvatureExtreme, FlatPattern, PanelMeasures, PanelSide, PanelSideForm};

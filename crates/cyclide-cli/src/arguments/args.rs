@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, Format, MoebiusContinuity, ParametersSpec, PictureColour, StepEdges, StepProducts,
-    StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, FairEndWord, FairTolerance, Format, MoebiusContinuity, ParametersSpec, PictureColour,
+    StepEdges, StepFaces, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -26,8 +26,8 @@ Exit codes:
   4  a file failed its check when read back and was not written (a fault of cyclide)
 
 All files of a run are made and checked before the first is written, and each is written whole or not at all: where the exit
-code is not 0 old files are left as they were, but for a disk that fails at the last step (the message then names what was
-written). Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
+code is not 0 old files are as they were, unless a disk fails for good in the last step (the message then names what was
+written). A signal ends the program without leaving a temporary file. Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
 standard output (docs/files.md).";
 
 const EXAMPLES: &str = "\
@@ -85,8 +85,8 @@ Examples:
       cyclide curve track.csv --closed --units m -o track.step -o track.png
   The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
       cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
-  Noisy or dense data, a fair curve with continuous curvature within 0.2 of the points:
-      cyclide curve survey.csv --closed --units m --smooth 0.2 --centre 1 -o survey.step -o survey.png
+  Measured points, a fair curve with continuous curvature without their noise:
+      cyclide curve survey.csv --closed --units m --smooth auto -o survey.step -o survey.png
   A logo with contours, its corners marked in a column, columns chosen by name:
       cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
 
@@ -191,6 +191,8 @@ pub struct BuildArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
+    pub read: ReadArgs,
+    #[command(flatten)]
     pub output: OutputArgs,
     /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
     /// 1e-5 of the model's size for curves, 1e-4 for meshes].
@@ -207,7 +209,7 @@ pub struct OutputArgs {
     /// The format of files whose names do not say it.
     #[arg(long, value_name = "FORMAT", value_parser = format_word())]
     pub format: Option<Format>,
-    /// A file for each object, FILE-NAME with the object's name; for VTU also FILE.vtm, which ParaView opens with the objects as blocks.
+    /// A file for each object, FILE-NAME with the object's name, all of them or none if their folder holds nothing else; for VTU also FILE.vtm, which ParaView opens with the objects as blocks.
     #[arg(long)]
     pub per_object: bool,
     #[command(flatten)]
@@ -215,7 +217,7 @@ pub struct OutputArgs {
     /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
-    /// Name the places of curves whose radius is below R, in the report and as warnings.
+    /// Name the places of curves whose radius is below R, in the report and as warnings; the arcs of --kind arc-fit keep to it.
     #[arg(long, value_name = "R", value_parser = positive, allow_hyphen_values = true)]
     pub min_radius: Option<f64>,
     /// What files and pictures call the model [default: the name of the only object, or of the document].
@@ -234,6 +236,9 @@ pub struct OutputArgs {
     /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
     #[arg(long, value_name = "CURVE", value_parser = word::<StepEdges>(), help_heading = "Formats")]
     pub step_edges: Option<StepEdges>,
+    /// STEP: which faces bodies have [default: merged].
+    #[arg(long, value_name = "FACES", value_parser = word::<StepFaces>(), help_heading = "Formats")]
+    pub step_faces: Option<StepFaces>,
     /// STEP: the products of several objects [default: auto].
     #[arg(long, value_name = "PRODUCTS", value_parser = word::<StepProducts>(), help_heading = "Formats")]
     pub step_products: Option<StepProducts>,
@@ -265,8 +270,8 @@ pub struct OutputArgs {
     /// PNG: what surfaces are coloured by, with one scale for all of them; curvatures are signed by the outer side [default: object].
     #[arg(long, visible_alias = "color", value_name = "WHAT", value_parser = word::<PictureColour>(), help_heading = "Pictures")]
     pub colour: Option<PictureColour>,
-    /// PNG: write the names of objects on them, and on the panels of nets and of solids over them row and column from 0 (r03-c07),
-    /// where they are seen and have room.
+    /// PNG: write the names of objects on them, on the panels of nets and of solids over them row and column from 0 (r03-c07),
+    /// and beside the points of curves what their table calls them, where they are seen and have room.
     #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub labels: bool,
     /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
@@ -277,6 +282,14 @@ pub struct OutputArgs {
     /// model's box.
     #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub axes: bool,
+}
+
+/// What a document may read.
+#[derive(Debug, Clone, Default, ClapArgs)]
+pub struct ReadArgs {
+    /// The document may name files below DIR only, for documents of people who are not trusted: `..` and links do not lead out of it.
+    #[arg(long, value_name = "DIR")]
+    pub read_below: Option<PathBuf>,
 }
 
 /// How files are written.
@@ -308,10 +321,20 @@ pub struct CurveArgs {
     /// The construction [default: fair-spline; fair-fit with --smooth].
     #[arg(long, value_enum)]
     pub kind: Option<Kind>,
-    /// Noisy or dense data: the fairest curve with continuous curvature within T of every point, with few nodes
-    /// (--kind fair-fit). It leans on the bounds of T; for noisy points take 3 to 4 standard deviations and --centre 1.
-    #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
-    pub smooth: Option<f64>,
+    /// Measured points: a curve with continuous curvature near to them, with few nodes (--kind fair-fit). With auto it leaves
+    /// out their noise and no more; the noise is estimated and reported. With a number T it is the fairest curve within T of
+    /// every point, which leaves out more than noise.
+    #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
+    pub smooth: Option<FairTolerance>,
+    /// With --smooth auto: the standard deviation of the noise across the curve [default: estimated from the points].
+    #[arg(long, value_name = "SIGMA", value_parser = positive, allow_hyphen_values = true)]
+    pub noise: Option<f64>,
+    /// Fair fit: what becomes of points that do not belong to the others [default: keep].
+    #[arg(long, value_parser = word::<Outliers>())]
+    pub outliers: Option<Outliers>,
+    /// Fair fit: a tolerance for the heights (z) alone, larger than T; auto with --smooth auto, by their own noise.
+    #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
+    pub smooth_z: Option<FairTolerance>,
     /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
@@ -320,14 +343,15 @@ pub struct CurveArgs {
     /// say, as x_m, else mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
+    /// easting, northing and height; numbers and names of points are none].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
     /// The column that tells contours apart [default: 'contour', else blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
-    /// arc fit].
+    /// Turns above this angle, in degrees, are corners, and others are not [default: none for splines and a fair fit; for an
+    /// arc fit those above 30 that no samples of a smooth curve explain].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
     /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
@@ -362,15 +386,18 @@ pub struct CurveArgs {
     /// Arc spline: how the joint between two points is chosen [default: equal-d].
     #[arg(long, value_parser = word::<BiarcRule>())]
     pub rule: Option<BiarcRule>,
-    /// Arc fit: what the points are [default: points].
+    /// Arc fit: what the points are: samples of a smooth curve, with corners and straight sides where they cannot be
+    /// samples, or a polyline all of whose edges are kept to [default: points].
     #[arg(long, value_parser = word::<FitTarget>())]
     pub target: Option<FitTarget>,
     /// Arc fit: how hard to search [default: default].
     #[arg(long, value_parser = word::<Effort>())]
     pub effort: Option<Effort>,
-    /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
-    /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
-    /// squares [default: 0].
+    /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be.
+    #[arg(long, value_name = "L", value_parser = positive, allow_hyphen_values = true)]
+    pub min_arc_length: Option<f64>,
+    /// Fair fit within a number T: how much the curve keeps to the middle of the points, 0 for the fairest curve, 10 and more
+    /// approach least squares; for noisy points use --smooth auto instead [default: 0].
     #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
     pub centre: Option<f64>,
     /// Fair fit: an open curve starts and ends exactly at the first and last point.
@@ -398,6 +425,8 @@ pub struct CurveArgs {
 pub struct ReportArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,
@@ -474,6 +503,16 @@ pub fn positive(text: &str) -> Result<f64, String> {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) => Err("it must be positive and finite".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A positive number, or the word auto.
+pub fn fair_tolerance(text: &str) -> Result<FairTolerance, String> {
+    match positive(text) {
+        _ if text == "auto" => Ok(FairTolerance::AUTO),
+        Ok(tolerance) => Ok(FairTolerance::Within(tolerance)),
+        Err(why) if text.parse::<f64>().is_ok() => Err(why),
+        Err(_) => Err("it is auto or a positive number".to_owned()),
     }
 }
 

@@ -11,7 +11,7 @@ use cyclide_io::{
 
 use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
 use super::effect::CLOSED_KINDS;
-use super::plan::{Input, refuse_overwriting};
+use super::plan::{Input, refuse_folder_name, refuse_overwriting};
 use super::words::word;
 use crate::output::failure::Failure;
 
@@ -42,7 +42,8 @@ pub struct CompareArgs {
     /// say, as x_m, else mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
+    /// easting, northing and height; numbers and names of points are none].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
     /// The column that tells contours apart [default: 'contour', else blank lines].
@@ -80,6 +81,7 @@ impl CompareArgs {
     pub fn plan(self) -> Result<ComparePlan, Failure> {
         let mut outputs: Vec<(PathBuf, ComparisonFile)> = Vec::new();
         for path in &self.output {
+            refuse_folder_name(path)?;
             refuse_overwriting(Some(path), &self.points)?;
             if outputs.iter().any(|(other, _)| same_file(other, path)) {
                 return Err(Failure::Usage(format!("{} is given twice as output", path.display())));
@@ -102,6 +104,7 @@ impl CompareArgs {
         let name = self.points.display().to_string();
         let document =
             Document::from_objects(&name, self.units.unwrap_or_default(), vec![("points".to_owned(), polygon)]);
+        let document = if self.units.is_some() { document } else { document.assuming_units() };
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         Ok(ComparePlan {
             input: Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() },
@@ -122,7 +125,7 @@ impl ComparePlan {
         let args = CurveArgs {
             closed: self.closed,
             tolerance: Some(tolerance),
-            smooth: Some(tolerance),
+            smooth: Some(cyclide_io::FairTolerance::Within(tolerance)),
             corner_angle_deg: self.corner_angle_deg,
             ..CurveArgs::default()
         };

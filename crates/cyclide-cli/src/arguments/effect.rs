@@ -8,7 +8,8 @@ use std::path::PathBuf;
 
 use cyclide::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
-    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepProducts,
+    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces,
+    StepProducts,
 };
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
@@ -24,6 +25,7 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
         ("--dxf-splines", args.dxf_splines, Format::Dxf),
         ("--dxf-version", args.dxf_version.is_some(), Format::Dxf),
         ("--step-edges", args.step_edges.is_some(), Format::Step),
+        ("--step-faces", args.step_faces.is_some(), Format::Step),
         ("--step-products", args.step_products.is_some(), Format::Step),
         ("--svg-comb", args.svg_comb, Format::Svg),
         ("--svg-points", args.svg_points, Format::Svg),
@@ -80,12 +82,16 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         ("--rule", args.rule.is_some(), &[Kind::ArcSpline]),
         ("--target", args.target.is_some(), &[Kind::ArcFit]),
         ("--effort", args.effort.is_some(), &[Kind::ArcFit]),
+        ("--min-arc-length", args.min_arc_length.is_some(), &[Kind::ArcFit]),
         (
             "--corner-angle-deg",
             args.corner_angle_deg.is_some(),
             &[Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcFit, Kind::FairFit],
         ),
         ("--smooth", args.smooth.is_some(), &[Kind::FairFit]),
+        ("--noise", args.noise.is_some(), &[Kind::FairFit]),
+        ("--outliers", args.outliers.is_some(), &[Kind::FairFit]),
+        ("--smooth-z", args.smooth_z.is_some(), &[Kind::FairFit]),
         ("--centre", args.centre.is_some(), &[Kind::FairFit]),
         ("--fix-ends", args.fix_ends, &[Kind::FairFit]),
         ("--max-fits", args.max_fits.is_some(), &[Kind::FairFit]),
@@ -101,7 +107,14 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
     }
     let no_fits = args.max_fits == Some(0);
     let by_directions = args.continuity == Some(MoebiusContinuity::G1);
+    let auto = args.smooth.is_some_and(|smooth| smooth.within().is_none());
+    let auto_z = args.smooth_z.is_some_and(|smooth| smooth.within().is_none());
+    if args.smooth_z.is_some() && auto_z != auto {
+        return Err(Failure::Usage("--smooth and --smooth-z take two numbers, or both auto".to_owned()));
+    }
     let idle = [
+        ("--noise", args.noise.is_some() && !auto, "it goes with --smooth auto"),
+        ("--centre", args.centre.is_some() && auto, "--smooth auto keeps to the middle of the points"),
         ("--knots", args.knots.is_some() && by_directions, "with --continuity g1 the curve has no knots"),
         ("--ends", args.ends.is_some() && args.closed, "a curve that is --closed has no ends"),
         ("--fix-ends", args.fix_ends && args.closed, "a curve that is --closed has no ends"),
@@ -126,6 +139,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
     let faces = model.items.iter().any(|item| item.surfaces().iter().any(|surface| surface.as_triangles().is_none()));
     let names = model.items.iter().filter(|item| item.motion().is_none()).count() > 1;
+    let called = provenance.iter().any(|own| !own.point_names.is_empty());
     let of_nets = |surfaces: &[SurfaceObject]| matches!(surfaces, [one] if !one.nets().is_empty());
     let panels =
         model.items.iter().any(|item| of_nets(item.surfaces())) || provenance.iter().any(|own| of_nets(&own.skin));
@@ -150,8 +164,8 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         ),
         (
             "--labels",
-            options.png_labels && colour != PictureColour::Field && !names && !panels,
-            "one object has its name as title, and no panels",
+            options.png_labels && colour != PictureColour::Field && !names && !panels && !called,
+            "one object has its name as title, no panels, and no points that a table names",
         ),
         (
             "--tolerance",
@@ -160,6 +174,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         ),
         ("--dxf-splines", options.dxf_splines && no_spline, "all curves are arcs and lines, which DXF holds exactly"),
         ("--step-edges", options.step_edges == StepEdges::Rational && no_surface, "there are no surfaces"),
+        ("--step-faces", options.step_faces == StepFaces::Split && no_surface, "there are no surfaces"),
         (
             "--step-products",
             options.step_products != StepProducts::Auto && model.items.len() == 1,

@@ -7,7 +7,7 @@ use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
     FairFitSpec, FairSplineSpec, Format, MoebiusSplineSpec, ObjectSpec, PointColumns, PointFile, PointSource,
-    QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions, leads_to_standard_input, same_file,
+    QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions, is_folder_name, leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
@@ -46,6 +46,8 @@ pub struct NewPlan {
 /// Build a model and write files.
 pub struct MakePlan {
     pub input: Input,
+    /// The folder below which all files are that the document may name.
+    pub read_below: Option<PathBuf>,
     /// Files and their formats; the name `-`, alone, is standard output.
     pub outputs: Vec<(PathBuf, Format)>,
     /// Each object has files of its own, named after it.
@@ -76,6 +78,7 @@ pub enum Input {
 /// Report on a model.
 pub struct ReportPlan {
     pub input: Input,
+    pub read_below: Option<PathBuf>,
     pub json: bool,
     /// Places of curves tighter than this are named.
     pub min_radius: Option<f64>,
@@ -104,19 +107,22 @@ impl Args {
             Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
         }
         match self.command {
-            Command::Build(BuildArgs { model, output, tolerance }) => {
-                output.plan(Input::File(model), tolerance).map(Plan::Make)
+            Command::Build(BuildArgs { model, read, output, tolerance }) => {
+                let plan = output.plan(Input::File(model), tolerance)?;
+                Ok(Plan::Make(MakePlan { read_below: read.read_below, ..plan }))
             }
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Compare(args) => args.plan().map(Plan::Compare),
             Command::Schedule(args) => args.plan().map(Plan::Schedule),
             Command::Sample(args) => args.plan().map(Plan::Sample),
-            Command::Report(ReportArgs { model, json, min_radius, max_speed, max_angular_speed }) => {
+            Command::Report(ReportArgs { model, read, json, min_radius, max_speed, max_angular_speed }) => {
                 let limits = SpeedLimits { speed: max_speed, angular_speed: max_angular_speed };
-                Ok(Plan::Report(ReportPlan { input: Input::File(model), json, min_radius, limits }))
+                let (input, read_below) = (Input::File(model), read.read_below);
+                Ok(Plan::Report(ReportPlan { input, read_below, json, min_radius, limits }))
             }
             Command::New(NewArgs { kind, output }) => {
                 let output = output.filter(|path| !is_standard_output(path));
+                output.as_deref().map_or(Ok(()), refuse_folder_name)?;
                 output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
                 Ok(Plan::New(NewPlan { kind, output }))
             }
@@ -144,6 +150,7 @@ impl OutputArgs {
             return Err(Failure::Usage("--per-object writes several files: standard output takes one".to_owned()));
         }
         for path in &self.output {
+            refuse_folder_name(path)?;
             let format = format_of(path, self.format)?;
             if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, path)) {
                 let (path, other) = (path.display(), other.display());
@@ -161,6 +168,7 @@ impl OutputArgs {
             dxf_splines: self.dxf_splines,
             dxf_version: self.dxf_version.unwrap_or_default(),
             step_edges: self.step_edges.unwrap_or_default(),
+            step_faces: self.step_faces.unwrap_or_default(),
             step_products: self.step_products.unwrap_or_default(),
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
@@ -179,6 +187,7 @@ impl OutputArgs {
         let write = self.write.options();
         Ok(MakePlan {
             input,
+            read_below: None,
             outputs,
             per_object: self.per_object,
             options,
@@ -223,6 +232,7 @@ impl CurveArgs {
         }
         let units = self.units.unwrap_or_default();
         let document = Document::from_objects(&self.points.display().to_string(), units, objects);
+        let document = if self.units.is_some() { document } else { document.assuming_units() };
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
         let plan = self.output.plan(input, self.tolerance)?;
@@ -298,6 +308,8 @@ impl CurveArgs {
                     target: self.target.unwrap_or_default(),
                     effort: self.effort.unwrap_or_default(),
                     corner_angle,
+                    min_radius: self.output.min_radius,
+                    min_arc_length: self.min_arc_length,
                 })
             }
             Kind::FairFit => {
@@ -309,6 +321,9 @@ impl CurveArgs {
                     points,
                     closed,
                     tolerance: self.smooth.ok_or_else(needed)?,
+                    noise: self.noise,
+                    outliers: self.outliers.unwrap_or_default(),
+                    tolerance_z: self.smooth_z,
                     centre: self.centre.unwrap_or_default(),
                     fix_ends: self.fix_ends,
                     corner_angle,
@@ -330,6 +345,15 @@ pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), 
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses the name of a folder (`out/`) where a file is meant: the separator would be dropped without a word.
+pub fn refuse_folder_name(path: &Path) -> Result<(), Failure> {
+    if is_folder_name(path) {
+        let path = path.display();
+        return Err(Failure::Usage(format!("{path} is the name of a folder: the name of a file is needed")));
+    }
+    Ok(())
 }
 
 /// Refuses the name of a file where a folder is meant.

@@ -6,8 +6,8 @@ use clap::{Args as ClapArgs, ValueEnum};
 use cyclide::{ClosedTwist, FrameRule, Point3, Vec3};
 use cyclide_io::{SamplePlaces, Spacing, WriteOptions};
 
-use super::args::{WriteArgs, positive};
-use super::plan::{Input, refuse_other_suffix, refuse_overwriting};
+use super::args::{ReadArgs, WriteArgs, positive};
+use super::plan::{Input, refuse_folder_name, refuse_other_suffix, refuse_overwriting};
 use crate::output::failure::Failure;
 use crate::output::standard::is_standard_output;
 
@@ -35,6 +35,8 @@ steps of time, or every so many seconds (--step) and at the end; JSON has poses 
 pub struct SampleArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
@@ -90,6 +92,7 @@ pub enum FrameKind {
 /// Sample one object of a model.
 pub struct SamplePlan {
     pub input: Input,
+    pub read_below: Option<PathBuf>,
     pub object: Option<String>,
     pub places: SamplePlaces,
     pub frames: Option<FrameRule>,
@@ -103,6 +106,7 @@ pub struct SamplePlan {
 
 impl SampleArgs {
     pub fn plan(self) -> Result<SamplePlan, Failure> {
+        self.output.as_deref().map_or(Ok(()), refuse_folder_name)?;
         refuse_overwriting(self.output.as_deref(), &self.model)?;
         let frames = self.frame_rule()?;
         let output = self.output.filter(|path| !is_standard_output(path));
@@ -116,7 +120,17 @@ impl SampleArgs {
             (None, count) => SamplePlaces::Count { count: count.unwrap_or(2) as usize, spacing },
         };
         let (input, write) = (Input::File(self.model), self.write.options());
-        Ok(SamplePlan { input, object: self.object, places, frames, cells: self.cells, json, output, write })
+        Ok(SamplePlan {
+            input,
+            read_below: self.read.read_below,
+            object: self.object,
+            places,
+            frames,
+            cells: self.cells,
+            json,
+            output,
+            write,
+        })
     }
 
     fn frame_rule(&self) -> Result<Option<FrameRule>, Failure> {

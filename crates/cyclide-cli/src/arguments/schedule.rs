@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgAction, Args as ClapArgs};
 use cyclide_io::{ScheduleOptions, WriteOptions};
 
-use super::args::{WriteArgs, positive};
+use super::args::{ReadArgs, WriteArgs, positive};
 use super::plan::{Input, refuse_file_name};
 use crate::output::failure::Failure;
 
@@ -23,6 +23,8 @@ explains every column.";
 pub struct ScheduleArgs {
     /// The model document (JSON), - for standard input.
     pub model: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// The folder for the files, made if it does not exist.
     #[arg(short, long = "output", value_name = "FOLDER")]
     pub output: PathBuf,
@@ -49,6 +51,7 @@ pub struct ScheduleArgs {
 /// Schedule a model.
 pub struct SchedulePlan {
     pub input: Input,
+    pub read_below: Option<PathBuf>,
     pub folder: PathBuf,
     pub options: ScheduleOptions,
     pub write: WriteOptions,
@@ -57,9 +60,10 @@ pub struct SchedulePlan {
 impl ScheduleArgs {
     pub fn plan(self) -> Result<SchedulePlan, Failure> {
         refuse_file_name(&self.output)?;
-        let Self { model, output, thickness, beam_depth, tolerance, congruent_within, objects, write } = self;
+        let Self { model, read, output, thickness, beam_depth, tolerance, congruent_within, objects, write } = self;
         let options = ScheduleOptions { thickness, beam_depth, tolerance, congruent_within, objects };
-        Ok(SchedulePlan { input: Input::File(model), folder: output, options, write: write.options() })
+        let (input, read_below) = (Input::File(model), read.read_below);
+        Ok(SchedulePlan { input, read_below, folder: output, options, write: write.options() })
     }
 }
 

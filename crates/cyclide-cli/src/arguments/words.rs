@@ -26,8 +26,8 @@ mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
     use cyclide_io::{
-        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepProducts, StraightWord, VtuCells,
-        VtuEncoding,
+        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepFaces, StepProducts, StraightWord,
+        VtuCells, VtuEncoding,
     };
 
     /// The words of an enum, each read back and explained.
@@ -50,6 +50,7 @@ mod tests {
         assert_eq!(words::<StraightWord>(), ["auto", "off"]);
         assert_eq!(words::<DxfVersion>(), ["r2000", "r12"]);
         assert_eq!(words::<StepEdges>(), ["circle", "rational"]);
+        assert_eq!(words::<StepFaces>(), ["merged", "split"]);
         assert_eq!(words::<StepProducts>(), ["auto", "assembly", "one"]);
         assert_eq!(words::<VtuCells>(), ["bezier", "linear"]);
         assert_eq!(words::<PictureColour>(), ["object", "gaussian", "mean", "k1", "k2", "deviation", "field"]);

@@ -11,7 +11,7 @@ use crate::output::terminal;
 
 /// Reports on the objects of a model.
 pub fn report(plan: &ReportPlan) -> Result<(), Failure> {
-    let inputs = Inputs::default();
+    let inputs = Inputs::below(plan.read_below.as_deref())?;
     let (document, folder) = load::document(&plan.input, &inputs)?;
     let progress = Progress::new(document.objects.len());
     let loaded = load::build(&document, &folder, &inputs, &progress)?;

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use cyclide::{Model, Units};
 use cyclide_io::{
-    BuiltObject, Document, ModelBuilder, PointColumns, Provenance, read_head, read_input, read_standard_input,
-    unit_of_columns,
+    BuiltObject, Document, ModelBuilder, PointColumns, Provenance, ReadFolder, read_head, read_input,
+    read_standard_input, unit_of_columns,
 };
 
 use crate::arguments::mistaken::{Wanted, refuse_content};
@@ -43,9 +43,25 @@ impl Loaded {
 #[derive(Default)]
 pub struct Inputs {
     standard: RefCell<Option<Vec<u8>>>,
+    /// What files a document may name.
+    below: Option<ReadFolder>,
 }
 
 impl Inputs {
+    /// Inputs of documents that may name files below one folder only.
+    pub fn below(folder: Option<&Path>) -> Result<Self, Failure> {
+        let open = |path: &Path| ReadFolder::open(path).map_err(|error| Failure::read(path, &error));
+        Ok(Self { below: folder.map(open).transpose()?, ..Self::default() })
+    }
+
+    /// All bytes of an input that a document names.
+    fn read_named(&self, path: &Path) -> io::Result<Vec<u8>> {
+        match &self.below {
+            Some(folder) if !is_standard(path) => folder.read(path),
+            _ => self.read(path),
+        }
+    }
+
     /// All bytes of an input.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         if is_standard(path) { self.standard(usize::MAX) } else { read_input(path) }
@@ -113,7 +129,7 @@ const HEAD: usize = 1 << 16;
 
 /// Builds the document's objects one by one and shows their warnings.
 pub fn build(document: &Document, folder: &Path, inputs: &Inputs, progress: &Progress) -> Result<Loaded, Failure> {
-    let read = |path: &Path| inputs.read(path);
+    let read = |path: &Path| inputs.read_named(path);
     let mut builder = ModelBuilder::new(document, folder, &read)?;
     let mut objects = Vec::with_capacity(document.objects.len());
     for index in 0..document.objects.len() {
@@ -130,13 +146,13 @@ pub fn build_one(
     inputs: &Inputs,
     progress: &Progress,
 ) -> Result<BuiltObject, Failure> {
-    let read = |path: &Path| inputs.read(path);
+    let read = |path: &Path| inputs.read_named(path);
     build_next(&mut ModelBuilder::new(document, folder, &read)?, document, index, progress)
 }
 
 /// Builds one object without a word; what is wrong with it in one line.
 pub fn build_quietly(document: &Document, folder: &Path, index: usize, inputs: &Inputs) -> Result<BuiltObject, String> {
-    let read = |path: &Path| inputs.read(path);
+    let read = |path: &Path| inputs.read_named(path);
     let built = ModelBuilder::new(document, folder, &read).and_then(|mut builder| builder.build(index, &mut |_| ()));
     built.map_err(|error| match error {
         cyclide_io::Error::Input(found) => {
@@ -169,6 +185,9 @@ pub fn input_files(document: &Document, folder: &Path) -> Vec<PathBuf> {
 }
 
 fn show_warnings(built: &BuiltObject) {
+    for note in &built.notes {
+        terminal::note(note);
+    }
     let mut counts: HashMap<&str, usize> = HashMap::new();
     for remark in &built.remarks {
         let count = counts.entry(remark.reason).or_default();

@@ -1,10 +1,10 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cyclide_io::{
     CheckError, ExportError, ExportOptions, Exporter, FileReport, GeometryReport, NO_EFFECT, ObjectReport, Report,
-    TIGHTER_THAN_RADIUS, VtuCells,
+    TIGHTER_THAN_RADIUS, VtuCells, escaped_json,
 };
 
 use crate::arguments::effect;
@@ -79,7 +79,9 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         terminal::print_aside(&report);
         return terminal::print_bytes(bytes);
     }
-    files::write(&files, plan.write, &report)
+    // A folder that is not there is an error here: it may be a slip.
+    let is_set = plan.per_object && files.iter().all(|(path, _)| path.parent().is_some_and(Path::is_dir));
+    if is_set { files::write_set(&files, plan.write, &report) } else { files::write(&files, plan.write, &report) }
 }
 
 /// Makes and checks the files of a model.
@@ -117,7 +119,7 @@ fn push_files(
 
 /// Builds the objects; the document and what was read for it are not needed any more then.
 fn load(plan: &MakePlan) -> Result<(Loaded, Progress), Failure> {
-    let inputs = Inputs::default();
+    let inputs = Inputs::below(plan.read_below.as_deref())?;
     let (document, folder) = load::document(&plan.input, &inputs)?;
     let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
     let loaded = load::build(&document, &folder, &inputs, &progress)?;
@@ -150,10 +152,10 @@ pub fn report_text(report: &Report, json: bool) -> Result<String, Failure> {
     if !json {
         return Ok(report.to_string());
     }
-    let text = serde_json::to_string_pretty(report);
-    Ok(text.map_err(|error| Failure::Check(error.to_string()))? + "\n")
+    let text = serde_json::to_string_pretty(report).map_err(|error| Failure::Check(error.to_string()))?;
+    Ok(escaped_json(&text).into_owned() + "\n")
 }
 
-fn refused(path: &std::path::Path, error: &ExportError) -> Failure {
+fn refused(path: &Path, error: &ExportError) -> Failure {
     Failure::Refused(format!("{}: {error} [{}]", path.display(), error.reason()))
 }

@@ -16,7 +16,7 @@ use crate::output::terminal;
 pub fn completions(shell: Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Args::command(), "cyclide", &mut script);
-    terminal::print(&String::from_utf8_lossy(&script))
+    terminal::print_bytes(&script)
 }
 
 /// Writes the manual pages to a folder: one of the program and one per command.

@@ -2,13 +2,14 @@
 
 use cyclide::{Body, CurveObject, Geometry, MovingBody, length};
 use cyclide_io::{
-    BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean, write_file,
+    BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean,
 };
 
 use crate::arguments::plan::refuse_overwriting;
 use crate::arguments::sample::SamplePlan;
 use crate::commands::load::{self, Inputs};
 use crate::output::failure::Failure;
+use crate::output::files;
 use crate::output::progress::Progress;
 use crate::output::terminal;
 
@@ -17,7 +18,7 @@ const MOST_ROWS: f64 = 1e7;
 
 /// Samples one object.
 pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
-    let inputs = Inputs::default();
+    let inputs = Inputs::below(plan.read_below.as_deref())?;
     let (document, folder) = load::document(&plan.input, &inputs)?;
     let names = || document.objects.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     let index = match &plan.object {
@@ -42,10 +43,8 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
         Geometry::Motion(_) => motion(plan, &object)?,
     };
     match &plan.output {
-        None => terminal::print(&text),
-        Some(path) => {
-            write_file(path, text.as_bytes(), plan.write).map_err(|error| Failure::write(path.display(), &error))
-        }
+        None => terminal::print_bytes(text.as_bytes()),
+        Some(path) => files::write(&[(path, text)], plan.write, ""),
     }
 }
 

@@ -20,7 +20,7 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
     if plan.folder.exists() && !plan.folder.is_dir() {
         return Err(Failure::write(plan.folder.display(), &io::ErrorKind::NotADirectory.into()));
     }
-    let inputs = Inputs::default();
+    let inputs = Inputs::below(plan.read_below.as_deref())?;
     let (document, folder) = load::document(&plan.input, &inputs)?;
     for name in &plan.options.objects {
         let names = || document.objects.iter().map(|(name, _)| name.as_str());
@@ -44,11 +44,9 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
     if !schedule.has_beams() {
         terminal::note("beams.csv and beams.dxf are empty: --beam-depth says how far beams reach from the edges");
     }
-    std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
     let names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     let text = format!("{}{}: {}\n", schedule.text(), plan.folder.display(), names.join(", "));
-    let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
-    files::write(&files, plan.write, &text)
+    files::write_folder(&plan.folder, &files, plan.write, &text)
 }
 
 fn failure(error: ScheduleError) -> Failure {

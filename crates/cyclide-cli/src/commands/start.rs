@@ -14,7 +14,7 @@ use crate::output::terminal;
 pub fn run(plan: &NewPlan) -> Result<(), Failure> {
     let Some(kind) = &plan.kind else { return terminal::print(&list()) };
     let text = text(kind);
-    let Some(path) = &plan.output else { return terminal::print(text) };
+    let Some(path) = &plan.output else { return terminal::print_bytes(text.as_bytes()) };
     if path.exists() {
         return Err(Failure::Usage(format!("{} exists: it will not be written over", path.display())));
     }

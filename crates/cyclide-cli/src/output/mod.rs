@@ -3,5 +3,6 @@
 pub mod failure;
 pub mod files;
 pub mod progress;
+pub mod signals;
 pub mod standard;
 pub mod terminal;

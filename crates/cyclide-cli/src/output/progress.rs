@@ -36,7 +36,7 @@ impl Progress {
 
     /// Says what is being done now.
     pub fn doing(&self, what: String) {
-        self.bar.set_message(what);
+        self.bar.set_message(cyclide_io::escaped(&what).into_owned());
     }
 
     /// One step is done.

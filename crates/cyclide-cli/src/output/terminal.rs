@@ -1,6 +1,9 @@
-//! Standard output and standard error: colour only on a terminal, a closed pipe is no error.
+//! Standard output and standard error: colour only on a terminal, a closed pipe is no error, and of names and pieces of files
+//! nothing that a terminal acts on or does not show.
 
 use std::io::{self, Write as _};
+
+use cyclide_io::{escaped, escaped_lines};
 
 use crate::output::failure::Failure;
 
@@ -8,12 +11,12 @@ const RED: &str = "\x1b[1;31m";
 const YELLOW: &str = "\x1b[1;33m";
 const PLAIN: &str = "\x1b[0m";
 
-/// Writes a result to standard output. Nobody reading on (`cyclide … | head`) is no failure.
+/// Writes a text for people, or JSON, to standard output. Nobody reading on (`cyclide … | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
-    print_bytes(text.as_bytes())
+    print_bytes(escaped_lines(text).as_bytes())
 }
 
-/// The same for the content of a file.
+/// The same for the content of a file, as it is.
 pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
@@ -25,7 +28,7 @@ pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
 /// Writes a report to standard error, where standard output is taken.
 pub fn print_aside(text: &str) {
     // There is no one left to tell that standard error is closed.
-    let _ = io::stderr().lock().write_all(text.as_bytes());
+    let _ = io::stderr().lock().write_all(escaped_lines(text).as_bytes());
 }
 
 /// Says what was chosen.
@@ -46,5 +49,16 @@ pub fn warning(message: &str) {
 /// The stream takes the colours out where they are not wanted: no terminal, `NO_COLOR`, `TERM=dumb`.
 fn show(colour: &str, label: &str, message: &str) {
     // There is no one left to tell that standard error is closed.
-    let _ = writeln!(anstream::stderr().lock(), "{colour}{label}:{PLAIN} {message}");
+    let _ = writeln!(anstream::stderr().lock(), "{colour}{label}:{PLAIN} {}", escaped_lines(message));
+}
+
+/// Ends the run with what the argument parser says: help, the version, or an error.
+pub fn exit(error: &clap::Error) -> ! {
+    let is_plain = |argument: std::ffi::OsString| escaped(&argument.to_string_lossy()) == argument.to_string_lossy();
+    if std::env::args_os().all(is_plain) {
+        error.exit();
+    }
+    // It quotes what was typed: then without colours, which are escapes too.
+    print_aside(&error.render().to_string());
+    std::process::exit(error.exit_code())
 }

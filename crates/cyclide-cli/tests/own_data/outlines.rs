@@ -1,1 +1,81 @@
 //! Outlines whose points are corners: rectangles, slots, combs, printed layers.
+
+use super::case;
+use super::common::Folder;
+use serde_json::Value;
+
+/// Report of an arc fit of a closed outline, in a folder with its file.
+fn fit(folder: &Folder, name: &str, options: &str) -> Value {
+    folder.write(&format!("{name}.csv"), &case(&format!("{name}.csv")));
+    folder.json(&format!("curve {name}.csv --kind arc-fit {options} -o {name}.dxf --json"))["objects"][name].clone()
+}
+
+fn counts(report: &Value) -> (u64, u64) {
+    (report["fit"]["lines"].as_u64().unwrap(), report["fit"]["arcs"].as_u64().unwrap())
+}
+
+#[test]
+fn an_outline_of_corners_is_lines() {
+    let folder = Folder::with(&[]);
+    // The perimeters of a rectangle of 60 x 40 and of a U of the same size with a slot of 20 x 20.
+    for (name, lines, length) in [("rect", 4, 200.0), ("ushape", 8, 240.0)] {
+        let report = fit(&folder, name, "--closed --tolerance 0.02");
+        assert_eq!(counts(&report), (lines, 0), "{name}");
+        assert!((report["length"].as_f64().unwrap() - length).abs() < 1e-9, "{name}");
+        assert_eq!(report["fit"]["polyline_deviation"], 0.0, "{name}");
+        let corners: Vec<_> = report["warnings"].as_array().unwrap().iter().collect();
+        assert_eq!(corners.len(), 1, "one line for all corners: {corners:?}");
+    }
+}
+
+#[test]
+fn a_slot_is_two_lines_and_two_half_circles() {
+    let report = fit(&Folder::with(&[]), "slot", "--closed --tolerance 0.02");
+    assert_eq!(counts(&report), (2, 2));
+    assert!(report["fit"]["polyline_deviation"].as_f64().unwrap() <= 0.02);
+    // Two sides of 22 and a circle of radius 4, whose points are rounded to a thousandth.
+    let length = 2.0 * 22.0 + 8.0 * std::f64::consts::PI;
+    assert!((report["length"].as_f64().unwrap() - length).abs() < 0.02);
+    assert!((report["curvature"]["max"].as_f64().unwrap() - 0.25).abs() < 1e-3);
+}
+
+#[test]
+fn a_cul_de_sac_is_symmetric_at_any_tolerance() {
+    for tolerance in ["0.5", "0.1", "0.02"] {
+        let folder = Folder::with(&[]);
+        let report = fit(&folder, "culdesac", &format!("--tolerance {tolerance}"));
+        assert_eq!(counts(&report), (2, 3), "{tolerance}");
+        // The points are rounded to centimetres.
+        assert!(report["fit"]["deviation"].as_f64().unwrap() < 0.02, "{tolerance}");
+        let tightest = 1.0 / report["curvature"]["max"].as_f64().unwrap();
+        assert!((tightest - 7.5).abs() < 0.05, "radius {tightest} at {tolerance}");
+    }
+}
+
+#[test]
+fn a_typed_angle_is_obeyed_and_the_remedy_works() {
+    let folder = Folder::with(&[]);
+    // Above the turns nothing is a corner: the circle through four points, which is said with what mends it.
+    let report = fit(&folder, "rect", "--closed --tolerance 0.02 --corner-angle-deg 100");
+    assert_eq!(counts(&report), (0, 2));
+    let said: Vec<&str> = report["warnings"].as_array().unwrap().iter().filter_map(|w| w["message"].as_str()).collect();
+    assert!(said.iter().any(|message| message.contains("target `polyline`")), "{said:?}");
+    let report = fit(&folder, "rect", "--closed --tolerance 0.02 --corner-angle-deg 100 --target polyline");
+    assert!(report["fit"]["polyline_deviation"].as_f64().unwrap() <= 0.02);
+    let report = fit(&folder, "ushape", "--closed --tolerance 0.02 --corner-angle-deg 30");
+    assert_eq!(counts(&report), (8, 0));
+}
+
+#[test]
+fn limits_of_a_machine_are_kept_or_refused_with_the_place() {
+    let folder = Folder::with(&[]);
+    let kept = fit(&folder, "culdesac", "--tolerance 0.02 --min-arc-length 6 --min-radius 7");
+    assert_eq!(counts(&kept), (2, 3));
+    for (limit, word) in [("--min-radius 9", "`min_radius` 9"), ("--min-arc-length 9", "`min_arc_length` 9")] {
+        let message = folder.fails(1, &format!("curve culdesac.csv --kind arc-fit --tolerance 0.02 {limit} -o c.dxf"));
+        assert!(message.contains(word) && message.contains("arc-limit-not-kept"), "{message}");
+        assert!(!folder.has("c.dxf"));
+    }
+    let message = folder.fails(2, "curve culdesac.csv --kind fair-spline --min-arc-length 9 -o c.dxf");
+    assert!(message.contains("--min-arc-length goes with --kind arc-fit"), "{message}");
+}

@@ -1,1 +1,200 @@
-//! Tubes and swept sections as solids.
+//! Tubes and swept sections as solids; ellipses and helices; what is said of what cannot be made.
+
+use crate::case;
+use crate::common::Folder;
+use serde_json::{Value, json};
+use std::f64::consts::PI;
+
+/// The report on a document of these objects, in millimetres.
+fn report(objects: &Value) -> Value {
+    let folder = Folder::with(&[("d.json", &json!({"cyclide": 1, "units": "mm", "objects": objects}).to_string())]);
+    folder.json("report d.json --json")
+}
+
+/// Standard error of a document that is refused.
+fn refused(name: &str) -> String {
+    Folder::with(&[("d.json", &case(name))]).fails(1, "build d.json -o d.step")
+}
+
+/// The extents of the vertices of an OBJ file.
+fn extents(obj: &str) -> [[f64; 2]; 3] {
+    let mut all = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    for line in obj.lines().filter_map(|line| line.strip_prefix("v ")) {
+        for (range, word) in all.iter_mut().zip(line.split_whitespace()) {
+            let x: f64 = word.parse().unwrap();
+            *range = [range[0].min(x), range[1].max(x)];
+        }
+    }
+    all
+}
+
+fn frustum(a: f64, b: f64, height: f64) -> f64 {
+    PI / 3.0 * height * (a * a + a * b + b * b)
+}
+
+#[test]
+fn a_reducer_is_the_frustum_between_the_ends_of_its_path() {
+    let folder = Folder::with(&[("t.json", &case("tube_reducer.json"))]);
+    let built = folder.json("build t.json -o t.step -o t.obj --json");
+    let volume = built["objects"]["solid"]["volume"].as_f64().unwrap();
+    assert!((volume / frustum(60.0, 30.0, 100.0) - 1.0).abs() < 1e-12, "{volume}");
+    let [x, _, z] = extents(&String::from_utf8(folder.read("t.obj")).unwrap());
+    assert!(z[0].abs() < 1e-9 && (z[1] - 100.0).abs() < 1e-9 && (x[1] - 60.0).abs() < 1e-9, "{x:?} {z:?}");
+    let tube = &built["objects"]["solid"]["tubes"][0];
+    assert_eq!((&tube["proof"], &tube["radius_of"]), (&json!("exact"), &json!("sections")));
+    // Hollow: the bore ends in the same planes, and nothing is said of rims.
+    let hollow = case("tube_reducer.json").replace(r#""radius":[60,30]"#, r#""radius":[60,30],"wall":3"#);
+    folder.write("h.json", &hollow);
+    let built = folder.json("build h.json -o h.step -o h.obj --json");
+    let object = &built["objects"]["solid"];
+    let wanted = frustum(60.0, 30.0, 100.0) - frustum(57.0, 27.0, 100.0);
+    assert!((object["volume"].as_f64().unwrap() / wanted - 1.0).abs() < 1e-12);
+    assert!(!hollow.is_empty() && !object.to_string().contains("rims-not-flat"));
+    let [_, _, z] = extents(&String::from_utf8(folder.read("h.obj")).unwrap());
+    assert!(z[0].abs() < 1e-9 && (z[1] - 100.0).abs() < 1e-9, "{z:?}");
+}
+
+/// Of a linear radius the volume is that of the frustum, however the path bends: each circle has its middle on it.
+#[test]
+fn a_hundred_random_tubes_have_the_volume_of_pappus() {
+    let mut seed = 5_u64;
+    let mut number = |from: f64, to: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * ((seed >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    let (mut objects, mut wanted) = (serde_json::Map::new(), Vec::new());
+    for k in 0..100 {
+        let [far, turn, lift] = [number(40.0, 90.0), number(-2.0, 2.0), number(-40.0, 40.0)];
+        let points = [[0.0, 0.0, 0.0], [far, 0.0, 0.0], [far + far * turn.cos(), far * turn.sin(), lift]];
+        let radius = [number(1.0, 9.0), number(1.0, 9.0)];
+        let wall = 0.3 * radius[0].min(radius[1]);
+        objects
+            .insert(format!("p{k}"), json!({"type": "polyline", "points": points, "radius": 12, "construction": true}));
+        objects.insert(format!("t{k}"), json!({"type": "tube", "of": format!("p{k}"), "radius": radius, "wall": wall}));
+        wanted.push((radius, wall));
+    }
+    let report = report(&Value::Object(objects));
+    for (k, ([a, b], wall)) in wanted.into_iter().enumerate() {
+        let length = report["objects"][format!("p{k}")]["contours"][0]["length"].as_f64();
+        let length = length.or_else(|| report["objects"][format!("p{k}")]["length"].as_f64()).unwrap();
+        let volume = report["objects"][format!("t{k}")]["volume"].as_f64().unwrap();
+        let wanted = frustum(a, b, length) - frustum(a - wall, b - wall, length);
+        // The bound is a hundred thousandth of the least radius, on both skins.
+        let allowed = 1e-5 * a.min(b) * 2.0 * PI * (a + b) * length + 1e-9 * wanted;
+        assert!((volume - wanted).abs() < allowed, "{k}: {volume} {wanted}");
+    }
+}
+
+#[test]
+fn sections_that_do_not_lie_across_their_path_are_told() {
+    let folder = Folder::with(&[("s.json", &case("section_not_across.json"))]);
+    let run = folder.run("build s.json -o s.step");
+    assert!(run.stderr.contains("[section-not-across]") && run.stderr.contains("`sweep`"), "{}", run.stderr);
+    // What is named works, and has the area of the section times the length: 0.4 by 0.5 by 21.217 m.
+    let sweep = case("section_not_across.json").replace(
+        r#""type": "swept-surface", "of": "way", "profile": "section""#,
+        r#""type": "sweep", "of": "fit", "section": "section""#,
+    );
+    folder.write("w.json", &sweep);
+    let built = folder.json("build w.json -o w.step --json");
+    let length = built["objects"]["fit"]["length"].as_f64().unwrap();
+    let volume = built["objects"]["conductor"]["volume"].as_f64().unwrap();
+    assert!((volume / (0.2 * length) - 1.0).abs() < 1e-6, "{volume} {length}");
+}
+
+#[test]
+fn swept_sections_are_solids_unless_their_ends_are_open() {
+    let objects = |ends: &str| {
+        json!({
+            "m": {"type": "motion", "poses": [{"position": [0, 0, 0]}, {"position": [0, 0, 50]}], "construction": true},
+            "p": {"type": "polyline", "points": [[0, 0], [4, 0], [4, 3], [0, 3]], "closed": true, "construction": true},
+            "s": {"type": "swept-surface", "of": "m", "profile": "p", "ends": ends},
+            "w": {"type": "polyline", "points": [[0, 0, 0], [30, 0, 0], [30, 0, 40]], "construction": true},
+            "t": {"type": "sweep", "of": "w", "section": "p", "ends": ends}
+        })
+    };
+    let solid = report(&objects("flat"));
+    assert!((solid["objects"]["s"]["volume"].as_f64().unwrap() / 600.0 - 1.0).abs() < 1e-12);
+    // y of the section is up at first, and the path bends up: its middle is 1.5 on the inner side.
+    let volume = solid["objects"]["t"]["volume"].as_f64().unwrap();
+    assert!((volume / (12.0 * (70.0 - 2.0 * 1.5)) - 1.0).abs() < 1e-12, "{volume}");
+    let open = report(&objects("open"));
+    assert!(open["objects"]["s"]["volume"].is_null() && open["objects"]["t"]["volume"].is_null());
+    assert_eq!(open["objects"]["s"]["closed"], json!(false));
+}
+
+#[test]
+fn the_corner_where_a_rail_should_start_is_named_and_makes_the_surface() {
+    let error = refused("ruled_shifted.json");
+    assert!(
+        error.contains("2 of its 4 pieces later, at (-12, -12, 30)") && error.contains(r#"`"shift": 2`"#),
+        "{error}"
+    );
+    let mended = case("ruled_shifted.json").replace(r#""rails":["low","top"]"#, r#""rails":["low","top"],"shift":2"#);
+    let folder = Folder::with(&[("r.json", &mended)]);
+    let built = folder.json("build r.json -o r.step --json");
+    // Four trapezoids of 40 and 24 at the slant height.
+    let area = 4.0 * 32.0 * 30.0_f64.hypot(8.0);
+    assert!((built["objects"]["loft"]["area"].as_f64().unwrap() / area - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn remedies_that_are_named_work() {
+    // A noisy run: the fit and both tolerances that are named build.
+    let error = refused("noisy_run.json");
+    let number = |after: &str| {
+        let (_, rest) = error.rsplit_once(after).unwrap_or_else(|| panic!("{error}"));
+        rest.trim_start().split([',', '`']).next().unwrap().trim().parse::<f64>().unwrap()
+    };
+    let (fit, arcs) = (number(r#""fair-fit", "tolerance": "#), number(r#"the `"tolerance": "#));
+    let mended = case("noisy_run.json")
+        .replace(r#""type":"polyline""#, &format!(r#""type":"fair-fit","tolerance":{fit}"#))
+        .replace(r#""radius":0.008"#, &format!(r#""radius":0.008,"tolerance":{arcs}"#));
+    let folder = Folder::with(&[("n.json", &mended)]);
+    let built = folder.json("build n.json -o n.step --json");
+    let volume = built["objects"]["rod"]["volume"].as_f64().unwrap();
+    assert!((volume / (PI * 0.008_f64.powi(2) * 1.4) - 1.0).abs() < 0.05, "{volume}");
+    // A wedge that begins on its axis: the order of the corners that is named makes it.
+    let document: Value = serde_json::from_str(&case("wedge_on_axis.json")).unwrap();
+    folder.write("w.json", &document.to_string());
+    let error = folder.fails(1, "build w.json -o w.vtu");
+    let (_, order) = error.split_once("in the order ").unwrap_or_else(|| panic!("{error}"));
+    let order: Vec<usize> =
+        order.split(" [").next().unwrap().split(", ").map(|word| word.trim().parse().unwrap()).collect();
+    let mut mended = document;
+    let corners = mended["objects"]["b"]["corners"].as_array().unwrap().clone();
+    mended["objects"]["b"]["corners"] = order.iter().map(|k| corners[*k].clone()).collect();
+    folder.write("w.json", &mended.to_string());
+    folder.ok("build w.json -o w.vtu");
+}
+
+#[test]
+fn radii_are_not_called_their_sum() {
+    let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [60.0, 9.0, 0.0], [0.0, 9.0, 0.0]];
+    let document = json!({"cyclide": 1, "units": "mm", "objects": {
+        "p": {"type": "polyline", "points": points, "radius": 4.5, "construction": true},
+        "t": {"type": "pipe", "of": "p", "radius": 4.4},
+        "u": {"type": "pipe", "of": "p", "radius": 5}}});
+    let folder = Folder::with(&[("d.json", &document.to_string())]);
+    let error = folder.fails(1, "build d.json --object u -o d.step");
+    assert!(!error.contains("both radii are"), "{error}");
+    let mesh = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "faces": [[0,2,1],[0,1,3],[1,2,3],[0,3,2]]}}}"#;
+    folder.write("m.json", mesh);
+    let run = folder.run("build m.json -o m.step");
+    assert!(run.stderr.contains("`principal-grid`") || !run.stderr.contains("[no-exact-form]"), "{}", run.stderr);
+}
+
+#[test]
+fn ellipses_and_helices_are_curves_of_their_own() {
+    let report = report(&json!({
+        "e": {"type": "ellipse", "center": [1, 2], "semi_axes": [5, 3]},
+        "a": {"type": "ellipse", "center": [1, 2], "semi_axes": [5, 3], "start": {"degrees": 90}, "sweep": {"degrees": -90}},
+        "h": {"type": "helix", "radius": 10, "pitch": 5, "turns": 4, "hand": "left"},
+        "g": {"type": "helix", "radius": 10, "height": 20, "turns": 4}
+    }));
+    let length = |name: &str| report["objects"][name]["length"].as_f64().unwrap();
+    // The complete elliptic integral to ten digits.
+    assert!((length("e") - 25.526_998_863_4).abs() < 1e-9 && (length("a") - 0.25 * length("e")).abs() < 1e-9);
+    let helix = 4.0 * (20.0 * PI).hypot(5.0);
+    assert!((length("h") - helix).abs() < 1e-6 && (length("g") - helix).abs() < 1e-6);
+}

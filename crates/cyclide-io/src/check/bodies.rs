@@ -1,6 +1,6 @@
 //! Bodies as a file holds them.
 
-use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface, RationalBezierVolume};
+use cyclide::{ChainPiece, Circle, NurbsCurve, PatchKind, Point3, RationalBezierSurface, RationalBezierVolume};
 
 /// A rational patch of a file of surfaces.
 ///
@@ -97,7 +97,8 @@ pub struct FileShell {
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
 /// let content = read_back(Format::Step, &file.bytes)?;
 /// let faces = &content.bodies[0].shells[0].faces;
-/// assert!(faces.iter().all(|face| face.edges.len() == 4));
+/// // A whole torus: both of its seams, each there and back.
+/// assert!(faces.len() == 1 && faces[0].edges.len() == 4 && faces[0].holes.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -106,8 +107,17 @@ pub struct FileFace {
     pub surface: FileSurface,
     /// True if the face's normal is that of its surface.
     pub same_sense: bool,
-    /// The loop, counter-clockwise against the face's normal.
+    /// The outer loop, counter-clockwise against the face's normal.
     pub edges: Vec<FileEdge>,
+    /// The loops round its holes, clockwise.
+    pub holes: Vec<Vec<FileEdge>>,
+}
+
+impl FileFace {
+    /// All loops, the outer one first.
+    pub fn loops(&self) -> impl Iterator<Item = &[FileEdge]> {
+        std::iter::once(self.edges.as_slice()).chain(self.holes.iter().map(Vec::as_slice))
+    }
 }
 
 /// The surface of a face of a file.
@@ -141,8 +151,9 @@ pub enum FileSurface {
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
 /// let content = read_back(Format::Step, &file.bytes)?;
-/// let edges = content.bodies[0].shells[0].faces.iter().flat_map(|face| &face.edges);
-/// assert!(edges.clone().count() > 0 && edges.clone().all(|edge| edge.vertices[0] != edge.vertices[1]));
+/// let edges = &content.bodies[0].shells[0].faces[0].edges;
+/// // Whole circles from their only vertex.
+/// assert!(edges.iter().all(|edge| edge.vertices[0] == edge.vertices[1]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -156,10 +167,32 @@ pub struct FileEdge {
     /// True if the loop runs along the edge, false if against it.
     pub forward: bool,
     /// The curve from start to end.
-    pub curve: ChainPiece,
+    pub curve: FileCurve,
     /// The same in the parameters of the face's surface (the third coordinate is 0), over the angle of a circle or the
     /// length of a line; `None` if the file leaves it to readers.
     pub parameter_curve: Option<NurbsCurve>,
+}
+
+/// The curve of an edge of a file.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, FileCurve, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// let edges = &content.bodies[0].shells[0].faces[0].edges;
+/// assert!(edges.iter().all(|edge| matches!(edge.curve, FileCurve::Circle(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FileCurve {
+    /// A line, an arc or a spline.
+    Piece(ChainPiece),
+    /// A whole circle, from its only vertex.
+    Circle(Circle),
 }
 
 impl FileEdge {

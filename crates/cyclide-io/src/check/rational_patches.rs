@@ -28,7 +28,7 @@ pub(crate) fn patches_deviation(
     let mut expected: Vec<(usize, usize, FacePart)> = Vec::new();
     for index in 0..bodies.len() {
         let of_body = plans.get(index).into_iter().flatten();
-        expected.extend(of_body.flat_map(|plan| plan.faces.iter().map(move |part| (index, plan.shell, *part))));
+        expected.extend(of_body.flat_map(|plan| plan.parts().map(move |part| (index, plan.shell, *part))));
     }
     if expected.len() != read.len() {
         return Err(ReadError::PatchCount { found: read.len(), expected: expected.len() });
@@ -60,7 +60,7 @@ pub(crate) fn patches_deviation(
 /// Every face of the body is there, each part of it once.
 fn check_complete(index: usize, body: &BodyOf<'_>, plans: &[ShellPlan]) -> Result<(), ReadError> {
     let is_tiled = |(number, shell): (usize, &Shell)| {
-        tile_faces(shell, plans.iter().filter(|plan| plan.shell == number).flat_map(|plan| &plan.faces))
+        tile_faces(shell, plans.iter().filter(|plan| plan.shell == number).flat_map(ShellPlan::parts))
     };
     match body.body.shells().enumerate().all(is_tiled) {
         true => Ok(()),

@@ -3,7 +3,7 @@
 use cyclide::{
     Arc, ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, CurvePlace,
     ErrorItem, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget,
-    ParamCurve, Point3, SplineEnds, Torus, Vec3, Warning, corners_by_angle, flatten_within,
+    Heights, Noise, ParamCurve, Point3, SplineEnds, Torus, Vec3, Warning, corners_by_angle, flatten_within,
 };
 
 use super::angle::Angle;
@@ -11,7 +11,7 @@ use super::coordinates::Coordinates;
 use super::interpolate::InterpolationFacts;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, StraightWord,
+    FairFitSpec, FairSplineSpec, FairTolerance, PolylineSpec, RadiiSpec, StraightWord,
 };
 use crate::input::points::PointList;
 
@@ -115,7 +115,9 @@ fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     options.closed = spec.closed;
     options.target = spec.target;
     options.effort = spec.effort;
-    options.corner_angle = spec.corner_angle.map_or(options.corner_angle, Angle::radians);
+    options.corner_angle = spec.corner_angle.map(Angle::radians);
+    options.min_radius = spec.min_radius;
+    options.min_arc_length = spec.min_arc_length;
     options
 }
 
@@ -240,7 +242,16 @@ pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
 }
 
 pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
-    let mut options = FairFitOptions::new(spec.tolerance);
+    let mut options = match spec.tolerance {
+        FairTolerance::Within(tolerance) => FairFitOptions::new(tolerance),
+        FairTolerance::Auto(_) => FairFitOptions::by_noise(spec.noise.map_or(Noise::Estimated, Noise::Known)),
+    };
+    options.outliers = spec.outliers;
+    options.heights = match spec.tolerance_z {
+        None => Heights::AsAll,
+        Some(FairTolerance::Within(tolerance)) => Heights::Within(tolerance),
+        Some(FairTolerance::Auto(_)) => Heights::ByNoise,
+    };
     options.closed = spec.closed;
     options.centre = spec.centre;
     options.fix_ends = spec.fix_ends;

@@ -38,19 +38,20 @@ pub use objects::{
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
-    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
+    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
     BorderCurves, BorderSpec, BorderWord, BridgeArcs, CellLaw, CellsAlongSpec, CellsSpec, CenterSurfaceSpec,
     CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, CoordinatePlanesSpec,
     CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclideGridSpec,
-    CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
-    FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr,
-    GradedCellsSpec, GridSource, HeightsSpec, LaidGrid, LayersSpec, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec,
-    OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, PrincipalGridSpec,
-    QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
-    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EllipseSpec,
+    EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance,
+    FamilySpec, FrameSpec, FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec,
+    NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
+    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile,
+    PoseSource, PoseSpec, PoseTolerance, PositionCurve, PrincipalGridSpec, QbInterpolationSpec, RadiiSpec,
+    RadiusLawSpec, RadiusOf, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
+    SweepEnds, SweepSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
     TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
 };
@@ -80,6 +81,8 @@ pub struct Document {
     pub units: Units,
     /// The objects with their names, in the document's order.
     pub objects: Vec<(String, ObjectSpec)>,
+    /// True if nobody said the units: they are the default, or what a file says.
+    units_assumed: bool,
     name: String,
     /// Empty if the document was not made from a text.
     text: String,
@@ -95,8 +98,7 @@ struct Root<'a> {
     _comment: Comment,
     #[serde(rename = "cyclide")]
     _version: serde::de::IgnoredAny,
-    #[serde(default)]
-    units: Units,
+    units: Option<Units>,
     #[serde(borrow)]
     objects: Entries<'a>,
 }
@@ -105,7 +107,13 @@ impl Document {
     /// Document of objects made by a program instead of a text; `name` is what messages call it.
     #[must_use]
     pub fn from_objects(name: &str, units: Units, objects: Vec<(String, ObjectSpec)>) -> Self {
-        Self { units, objects, name: name.to_owned(), text: String::new() }
+        Self { units, objects, units_assumed: false, name: name.to_owned(), text: String::new() }
+    }
+
+    /// The same, of which nobody said the units: a file of points whose coordinates look like those of another one is warned of.
+    #[must_use]
+    pub fn assuming_units(self) -> Self {
+        Self { units_assumed: true, ..self }
     }
 
     /// Parses a document from the bytes of a file; `name` is what messages call it.
@@ -128,7 +136,13 @@ impl Document {
             .map(|entry| entry.and_then(|(name, raw)| parse_object(source, &name, raw).map(|spec| (name, spec))))
             .collect::<Result<Vec<_>, _>>()?;
         check_no_null(source)?;
-        Ok(Self { units: root.units, objects, name: name.to_owned(), text: text.to_owned() })
+        Ok(Self {
+            units: root.units.unwrap_or_default(),
+            objects,
+            units_assumed: root.units.is_none(),
+            name: name.to_owned(),
+            text: text.to_owned(),
+        })
     }
 
     fn source(&self) -> Source<'_> {

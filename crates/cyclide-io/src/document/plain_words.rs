@@ -103,7 +103,7 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "interpolation" | "lagrange" | "rational-interpolation" => {
             "a rational curve of lowest degree through points is a `qb-interpolation`"
         }
-        "ellipse" | "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
+        "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
         "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
             "a spline by its control points is a `nurbs`"
         }
@@ -113,7 +113,11 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "groove" | "bead" | "weld" | "weld-seam" => "a raised or sunk seam along a curve of a torus is a `torus-seam`",
         "villarceau" | "villarceau-circle" => "a circle of a torus is a `torus-circle`",
         "quartic" => "a closed quartic of one type is a `torus-quartic`",
-        "knot" | "trefoil" | "winding" | "helix" | "filament" => "a curve round a torus is a `torus-knot`",
+        "spring" | "coil" | "thread" | "spiral" | "screw" => "a curve that rises as it turns is a `helix`",
+        "extrude" | "extrusion" | "loft" | "linear-extrude" | "profile" | "follow-me" => {
+            "a section along a path is a `sweep`, straight lines between two curves are `ruled`"
+        }
+        "knot" | "trefoil" | "winding" | "filament" => "a curve round a torus is a `torus-knot`",
         "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
         "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",

@@ -86,7 +86,7 @@ pub enum ExportError {
     /// sampled, not proved.
     #[error(
         "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ, PLY or STL, which hold a mesh \
-         within the tolerance, or leave it out with `\"construction\": true`"
+         within the tolerance, or lay a `principal-grid` on the mesh, whose `cyclidic-net` is exact; or leave the object out with `\"construction\": true`"
     )]
     NoExactForm {
         /// Name of the object.

@@ -54,6 +54,32 @@ pub enum StepEdges {
     Rational,
 }
 
+/// Which faces bodies have in STEP.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, StepFaces, export};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let faces = |step_faces| {
+///     let file = export(&model, Format::Step, &ExportOptions { step_faces, ..Default::default() })?;
+///     Ok::<usize, cyclide_io::ExportError>(String::from_utf8_lossy(&file.bytes).matches("ADVANCED_FACE").count())
+/// };
+/// assert_eq!([faces(StepFaces::Merged)?, faces(StepFaces::Split)?], [1, 16]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StepFaces {
+    /// One face for each plane, cylinder, cone, sphere and torus of a body where its loops allow: the default.
+    ///
+    /// Arcs of one circle between two such faces are one edge, and faces that go all the way round have a seam.
+    #[default]
+    Merged,
+    /// A face for each patch.
+    Split,
+}
+
 /// The products of several objects in STEP.
 ///
 /// ```
@@ -200,6 +226,8 @@ pub struct ExportOptions {
     pub glb_edges: bool,
     /// STEP: the curves of the edges between faces.
     pub step_edges: StepEdges,
+    /// STEP: which faces bodies have.
+    pub step_faces: StepFaces,
     /// STEP: the products of several objects.
     pub step_products: StepProducts,
     /// SVG: draw the curvature comb.

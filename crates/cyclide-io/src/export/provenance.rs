@@ -24,6 +24,8 @@ pub struct Provenance {
     pub data: Vec<Point3>,
     /// Points that a curve was laid through where none of its pieces ends, as all those of a `qb-interpolation`: pictures show them as they show joints.
     pub nodes: Vec<Point3>,
+    /// Points that its table calls something, and what: pictures write it beside them.
+    pub point_names: Vec<(Point3, String)>,
     /// The parameters along s, t and u at which the cells end that blocks are divided into, if they are: of a
     /// [`StructuredGrid`](cyclide::StructuredGrid).
     pub places: Option<[Vec<f64>; 3]>,
@@ -90,6 +92,12 @@ impl<'a> Provenances<'a> {
     /// The points that the objects were laid through besides their joints.
     pub(crate) fn nodes(&self) -> impl Iterator<Item = Point3> + use<'a> {
         self.given.iter().flat_map(|given| given.nodes.iter().copied())
+    }
+
+    /// What the points of the objects are called.
+    #[cfg(feature = "png")]
+    pub(crate) fn point_names(&self) -> impl Iterator<Item = (Point3, &'a str)> + use<'a> {
+        self.given.iter().flat_map(|given| given.point_names.iter().map(|(point, name)| (*point, name.as_str())))
     }
 
     /// The points that the objects were made near.

@@ -20,6 +20,9 @@ pub(crate) type Node = ([f64; 3], f64);
 /// Parts of all blocks of an object at most, where all are cut alike: some two kilobytes of text each.
 const MOST_PARTS: usize = 1 << 17;
 
+/// Largest number among the tags of a file that is read: sums and small multiples of it do not overflow.
+pub(crate) const MOST_TAG: usize = 1 << 24;
+
 /// What a cell belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Tags {
@@ -158,7 +161,7 @@ fn push_faces(cells: &mut Vec<RationalCell>, body: &BodyOf<'_>) -> cyclide::Resu
             let tags = Tags { object: body.item, part: body.index, shell: index, flag };
             cells.push(RationalCell::of_surface(&face.surface.to_rational(), tags));
         }
-        plans.push(ShellPlan { shell: index, faces: cut.parts().to_vec() });
+        plans.push(ShellPlan::of_parts(index, cut.parts()));
     }
     Ok(plans)
 }

@@ -16,8 +16,24 @@ pub(super) enum Target {
     Stream(PathBuf),
 }
 
+/// True for a name that can be the name of a folder only: it ends in a separator (`out/`), which paths drop without a word.
+///
+/// ```
+/// use std::path::Path;
+/// assert!(cyclide_io::is_folder_name(Path::new("out.step/")) && !cyclide_io::is_folder_name(Path::new("out.step")));
+/// ```
+#[must_use]
+pub fn is_folder_name(path: &Path) -> bool {
+    let name = path.as_os_str().as_encoded_bytes();
+    let name = name.strip_suffix(b".").unwrap_or(name);
+    name.last().is_some_and(|last| std::path::is_separator(char::from(*last)))
+}
+
 impl Target {
     pub(super) fn of(path: &Path) -> io::Result<Self> {
+        if is_folder_name(path) {
+            return Err(io::ErrorKind::IsADirectory.into());
+        }
         let old = match fs::metadata(path) {
             Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
             Ok(found) if !found.is_file() => return Ok(Self::Stream(path.to_path_buf())),
@@ -39,7 +55,7 @@ pub(super) fn folder_of(path: &Path) -> &Path {
 
 /// The path that links lead to, whether there is a file or not; `None` if they go through the open files of a process
 /// (`/dev/stdout`), which have no place of their own.
-fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
+pub(super) fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
     let mut path = path.to_path_buf();
     for _ in 0..MOST_LINKS {
         if path.starts_with("/proc") || path.starts_with("/dev/fd") {

@@ -39,12 +39,31 @@ fn all_are_complete_before_the_first_takes_its_place() {
     assert_eq!((fs::read(&a).unwrap(), b.exists()), (b"old".to_vec(), false));
     drop(staged);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "what is not committed leaves nothing");
-    // One of them gets into the way of the second rename: the first has been written, and the message is about the second.
+    // Something gets into the way of the second rename: the first takes its old content again.
     let staged = StagedFiles::new(&files, WriteOptions::default()).unwrap();
     fs::create_dir(&b).unwrap();
-    let (index, _) = staged.commit().unwrap_err();
-    assert_eq!((index, fs::read(&a).unwrap()), (1, b"new a".to_vec()));
+    let failed = staged.commit().unwrap_err();
+    assert_eq!((failed.index, failed.written.len(), fs::read(&a).unwrap()), (1, 0, b"old".to_vec()));
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "no temporary file is left");
+    // A new one is gone again.
+    fs::remove_file(&a).unwrap();
+    let failed = StagedFiles::new(&files[..1], WriteOptions::default()).unwrap().commit();
+    assert!(failed.is_ok());
+    let new = folder.path().join("new");
+    let files = [(&new, b"new a"), (&b, b"new b")];
+    fs::remove_dir(&b).unwrap();
+    let staged = StagedFiles::new(&files, WriteOptions::default()).unwrap();
+    fs::create_dir(&b).unwrap();
+    assert!(staged.commit().is_err() && !new.exists());
+}
+
+#[test]
+fn a_name_that_ends_in_a_separator_is_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.step/", "a.step/."] {
+        assert_eq!(plain(&folder.path().join(name), b"x").unwrap_err().kind(), io::ErrorKind::IsADirectory, "{name}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 #[cfg(unix)]
@@ -52,7 +71,7 @@ fn all_are_complete_before_the_first_takes_its_place() {
 fn a_folder_that_cannot_be_synced_leaves_the_files_written_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let gone = folder.path().join("gone");
-    let error = sync_folders(&[folder.path().to_path_buf(), gone.clone()]).unwrap_err();
+    let error = sync_folder(&gone).unwrap_err();
     assert!(error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()));
     let start = format!(
         "all files are written, but it is not sure that they survive a loss of power: folder {}: ",
@@ -173,24 +192,62 @@ mod unix {
     fn temporary_files_that_nobody_holds_are_removed() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
-        let stays = [".a.cyclide-short", ".a.cyclide-12-45678", ".b.cyclide-ABCD1234", "a.cyclide-ABCD1234", ".a.old"];
+        let stays = [".cyclide-short", ".cyclide-12-45678", "cyclide-ABCD1234", ".other-ABCD1234"];
         for name in stays {
-            fs::write(at(name), b"").unwrap();
+            fs::create_dir(at(name)).unwrap();
         }
-        fs::write(at(".a.cyclide-ABCD1234"), b"left by a run that was killed").unwrap();
+        fs::write(at(".cyclide-abcd1234"), b"no folder").unwrap();
+        fs::create_dir(at(".cyclide-ABCD1234")).unwrap();
+        fs::write(at(".cyclide-ABCD1234/new-0"), b"left by a run that was killed").unwrap();
         let files = [(at("a"), b"held")];
         let held = StagedFiles::new(&files, WriteOptions::default()).unwrap();
+        assert!(!at(".cyclide-ABCD1234").exists());
         plain(&at("a"), b"new").unwrap();
-        assert!(!at(".a.cyclide-ABCD1234").exists());
         // The file of a run that is under way stays, and takes its place.
         held.commit().unwrap();
         assert_eq!(fs::read(at("a")).unwrap(), b"held");
         let mut left: Vec<_> =
             fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
         left.sort();
-        let mut expected = [&stays[..], &["a"]].concat();
+        let mut expected = [&stays[..], &["a", ".cyclide-abcd1234"]].concat();
         expected.sort_unstable();
         assert_eq!(left, expected);
+    }
+
+    #[test]
+    fn a_folder_is_exchanged_as_one_and_keeps_its_rights() {
+        let all = tempfile::tempdir().unwrap();
+        let at = |name: &str| all.path().join(name);
+        let files = ["a", "b"].map(|name| (at("set").join(name), name));
+        let write = |files: &[(PathBuf, &str)]| StagedFiles::whole_folder(files, WriteOptions::default())?.commit();
+        let number = || fs::metadata(at("set")).unwrap().ino();
+        write(&files).unwrap();
+        fs::set_permissions(at("set"), fs::Permissions::from_mode(0o2750)).unwrap();
+        fs::set_permissions(at("set/a"), fs::Permissions::from_mode(0o640)).unwrap();
+        let first = number();
+        write(&files[..1]).unwrap();
+        assert_eq!((number(), at("set/b").exists()), (first, true), "b is not of this set: one by one");
+        write(&files).unwrap();
+        assert_eq!((mode(&at("set")), mode(&at("set/a"))), (0o2750, 0o640));
+        // A link to the folder stays one.
+        symlink("set", at("link")).unwrap();
+        let linked = ["a", "b"].map(|name| (at("link").join(name), "new"));
+        write(&linked).unwrap();
+        assert!(fs::symlink_metadata(at("link")).unwrap().is_symlink());
+        assert_eq!(fs::read(at("set/b")).unwrap(), b"new");
+        // A link in it, a file with two names, or a read-only file.
+        fs::hard_link(at("set/a"), at("second")).unwrap();
+        let before = number();
+        write(&files).unwrap();
+        assert_eq!((number(), fs::read(at("second")).unwrap()), (before, b"new".to_vec()));
+        fs::remove_file(at("set/b")).unwrap();
+        symlink("../second", at("set/b")).unwrap();
+        write(&files).unwrap();
+        assert!(fs::symlink_metadata(at("set/b")).unwrap().is_symlink());
+        assert_eq!(fs::read(at("second")).unwrap(), b"b");
+        fs::set_permissions(at("set/a"), fs::Permissions::from_mode(0o440)).unwrap();
+        assert_eq!(write(&files).unwrap_err().error.kind(), io::ErrorKind::PermissionDenied);
+        assert_eq!(fs::read_dir(all.path()).unwrap().count(), 3);
     }
 
     #[test]

@@ -31,7 +31,7 @@ pub use exporter::{Exporter, export};
 pub use input_kind::InputKind;
 pub use mesh_format::MeshFormat;
 pub(crate) use mesh_format::ReadMesh;
-pub use obj::{ObjGrid, ObjLayout, ObjQuads, read_quad_grid, read_quads};
+pub use obj::{MendedQuads, ObjGrid, ObjLayout, ObjQuads, read_quad_grid, read_quads};
 pub(crate) use read_back::deviations_of;
 pub use read_back::{file_deviation, read_back};
 pub use vtu::vtk_multi_block;

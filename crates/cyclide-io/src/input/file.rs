@@ -1,6 +1,6 @@
 //! Reading input: regular files of a size that can be worked with, and standard input.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -28,7 +28,7 @@ pub const MOST_INPUT_BYTES: u64 = 1 << 29;
 /// # Errors
 /// Those of the file system; a folder, a pipe or a device; more than [`MOST_INPUT_BYTES`].
 pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
-    read(open(path)?)
+    open(path)?.read()
 }
 
 /// The first bytes of a file, at most `count`.
@@ -44,9 +44,7 @@ pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
 /// # Errors
 /// As of [`read_input`].
 pub fn read_head(path: &Path, count: u64) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    open(path)?.take(count).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    open(path)?.read_head(count)
 }
 
 /// The bytes of standard input, to its end.
@@ -63,19 +61,79 @@ pub fn read_standard_input() -> io::Result<Vec<u8>> {
 }
 
 /// Opens a regular file: a pipe would wait for somebody to write, and some devices never end.
-fn open(path: &Path) -> io::Result<File> {
-    let found = fs::metadata(path)?;
+fn open(path: &Path) -> io::Result<RegularFile> {
+    // Before it is opened: opening is an action on some devices.
+    refuse_irregular(&fs::metadata(path)?)?;
+    let mut options = OpenOptions::new();
+    options.read(true);
+    // What has become a pipe since does not wait for a writer.
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, rustix::fs::OFlags::NONBLOCK.bits().cast_signed());
+    RegularFile::new(options.open(path)?)
+}
+
+/// A regular file, open, of a size that can be worked with.
+pub(super) struct RegularFile {
+    file: File,
+    len: u64,
+}
+
+impl RegularFile {
+    /// Refuses an open file that is something else.
+    pub(super) fn new(file: File) -> io::Result<Self> {
+        let found = file.metadata()?;
+        refuse_irregular(&found)?;
+        let len = found.len();
+        if len == 0 && is_made_by_the_system(&file) {
+            let message = "it is not a regular file: the system makes its content as it is read";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
+        Ok(Self { file, len })
+    }
+
+    /// All bytes.
+    pub(super) fn read(self) -> io::Result<Vec<u8>> {
+        // Some file systems show queues as files without a length: reading waits for the next entry, and takes it out.
+        if self.len == 0 { Ok(Vec::new()) } else { read(self.file) }
+    }
+
+    /// The first bytes, at most `count`.
+    pub(super) fn read_head(self, count: u64) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        if self.len > 0 {
+            self.file.take(count).read_to_end(&mut bytes)?;
+        }
+        Ok(bytes)
+    }
+}
+
+pub(super) fn not_regular() -> io::Error {
+    let message = "it is not a regular file but a pipe or a device; as standard input its name is `-`";
+    io::Error::new(io::ErrorKind::InvalidInput, message)
+}
+
+fn refuse_irregular(found: &Metadata) -> io::Result<()> {
     if found.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
     }
     if !found.is_file() {
-        let message = "it is not a regular file but a pipe or a device; as standard input its name is `-`";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        return Err(not_regular());
     }
     if found.len() > MOST_INPUT_BYTES {
         return Err(too_large(&format!("it has {} bytes", found.len())));
     }
-    File::open(path)
+    Ok(())
+}
+
+/// True for the files of processes and of the kernel (`/proc`), whose length is not known: reading some of them never ends.
+#[cfg(target_os = "linux")]
+fn is_made_by_the_system(file: &File) -> bool {
+    rustix::fs::fstatfs(file).is_ok_and(|found| found.f_type == rustix::fs::PROC_SUPER_MAGIC)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn is_made_by_the_system(_: &File) -> bool {
+    false
 }
 
 fn read(input: impl Read) -> io::Result<Vec<u8>> {
@@ -111,6 +169,17 @@ mod tests {
         if Path::new("/dev/zero").exists() {
             assert!(read_input(Path::new("/dev/zero")).unwrap_err().to_string().contains("not a regular file"));
         }
+        for queue in ["/proc/kmsg", "/proc/self/status", "/proc/self/mem"] {
+            if Path::new(queue).exists() {
+                // Some are not for every user.
+                let error = read_input(Path::new(queue)).unwrap_err();
+                let denied = error.kind() == io::ErrorKind::PermissionDenied;
+                assert!(denied || error.to_string().contains("not a regular file"), "{queue}: {error}");
+            }
+        }
+        fs::write(&path, b"").unwrap();
+        assert_eq!(read_input(&path).unwrap(), b"");
+        assert_eq!(read_head(&path, 2).unwrap(), b"");
     }
 
     #[test]

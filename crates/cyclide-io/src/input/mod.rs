@@ -1,6 +1,9 @@
 //! What is read of users: files and standard input as bytes, lists of points, meshes.
 
 #[cfg(feature = "files")]
+pub(crate) mod confined;
+pub(crate) mod exported_faces;
+#[cfg(feature = "files")]
 pub(crate) mod file;
 pub(crate) mod points;
 pub(crate) mod polygon_mesh;

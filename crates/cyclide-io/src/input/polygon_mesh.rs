@@ -10,4 +10,6 @@ pub(crate) struct PolygonMesh {
     /// Normals, and for every face those of its corners; both empty if the file does not have one for each.
     pub(crate) normals: Vec<Vec3>,
     pub(crate) corner_normals: Vec<Vec<usize>>,
+    /// The line of each face in its file, from 1; empty where faces have none.
+    pub(crate) lines: Vec<usize>,
 }

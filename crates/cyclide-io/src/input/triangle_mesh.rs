@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use cyclide::{Point3, Vec3};
 
+use crate::input::exported_faces::{Counted, doubled, turned_over};
 use crate::input::polygon_mesh::PolygonMesh;
 
 /// Polygons with more corners are not cut: the work grows with the cube of their number.
@@ -27,42 +28,31 @@ pub(crate) struct TriangleMesh {
     /// Polygons that were cut, and those of which two corners at most are different, with the first of each.
     pub(crate) cut: Counted,
     pub(crate) collapsed: Counted,
+    /// Polygons that were turned over, to agree with most of their neighbours.
+    pub(crate) turned: Counted,
 }
 
-/// How many there are, and the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Counted {
-    pub(crate) first: usize,
-    pub(crate) count: usize,
-}
-
-impl Counted {
-    fn add(&mut self, index: usize) {
-        if self.count == 0 {
-            self.first = index;
-        }
-        self.count += 1;
-    }
-}
-
-/// A polygon that cannot be cut into triangles.
+/// Polygons that do not make a mesh of triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Uncut {
-    pub(crate) polygon: usize,
-    pub(crate) corners: usize,
+pub(crate) enum BadPolygons {
+    /// One that cannot be cut into triangles.
+    Uncut { polygon: usize, corners: usize },
+    /// Two with the same vertices.
+    Doubled([usize; 2]),
 }
 
 impl TriangleMesh {
     /// Cuts polygons into triangles, makes equal points one, and leaves out what has no area for want of different corners.
     ///
     /// # Errors
-    /// A polygon that crosses itself, or has more than 256 corners.
-    pub(crate) fn new(given: &PolygonMesh) -> Result<Self, Uncut> {
+    /// A polygon that crosses itself, or has more than 256 corners; one that is there twice.
+    pub(crate) fn new(given: &PolygonMesh) -> Result<Self, BadPolygons> {
         let (points, same) = distinct(&given.points);
         let mut mesh = Self { merged: given.points.len() - points.len(), ..Self::default() };
         let with_normals = given.corner_normals.len() == given.faces.len() && !given.normals.is_empty();
         let mut normals = Vec::new();
         let mut triangles: Vec<[usize; 3]> = Vec::new();
+        let mut loops = Vec::with_capacity(given.faces.len());
         for (index, face) in given.faces.iter().enumerate() {
             // Corners by their place in the polygon, without those at the same point as the one before.
             let mut loop_of: Vec<usize> = (0..face.len()).collect();
@@ -72,13 +62,27 @@ impl TriangleMesh {
             }
             if loop_of.len() < 3 {
                 mesh.collapsed.add(index);
-                continue;
+            } else {
+                loops.push((index, loop_of));
+            }
+        }
+        let corners_of =
+            |(index, loop_of): &(usize, Vec<usize>)| loop_of.iter().map(|k| same[given.faces[*index][*k]]).collect();
+        let corners: Vec<Vec<usize>> = loops.iter().map(corners_of).collect();
+        if let Some(twice) = doubled(&corners) {
+            return Err(BadPolygons::Doubled(twice.map(|k| loops[k].0)));
+        }
+        for ((index, mut loop_of), turned) in loops.into_iter().zip(turned_over(&corners)) {
+            let face = &given.faces[index];
+            if turned {
+                loop_of.reverse();
+                mesh.turned.add(index);
             }
             if loop_of.len() > 3 {
                 mesh.cut.add(index);
             }
             let place = |k: usize| points[same[face[loop_of[k]]]];
-            let uncut = Uncut { polygon: index, corners: loop_of.len() };
+            let uncut = BadPolygons::Uncut { polygon: index, corners: loop_of.len() };
             for ear in cut(&(0..loop_of.len()).map(place).collect::<Vec<_>>()).ok_or(uncut)? {
                 let corners = ear.map(|k| loop_of[k]);
                 triangles.push(corners.map(|k| same[face[k]]));
@@ -218,7 +222,8 @@ mod tests {
         let points = plane(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]]);
         let normals = [1.0, 2.0, 3.0].map(|z| Vec3::new(0.0, 0.0, z)).to_vec();
         let (faces, corner_normals) = (vec![vec![0, 3, 1, 2]], vec![vec![0, 1, 2, 1]]);
-        let mesh = TriangleMesh::new(&PolygonMesh { points, faces, normals, corner_normals }).unwrap();
+        let mesh =
+            TriangleMesh::new(&PolygonMesh { points, faces, normals, corner_normals, lines: Vec::new() }).unwrap();
         let at = |t: [usize; 3], n: [Vec3; 3]| t.into_iter().zip(n.map(|n| n.z as usize)).collect::<Vec<_>>();
         let mut corners = at(mesh.triangles[0], mesh.normals.unwrap()[0]);
         corners.sort_unstable();

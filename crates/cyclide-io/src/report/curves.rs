@@ -125,14 +125,15 @@ pub struct CurvatureReport {
 /// let built = document.build()?;
 /// let report = cyclide_io::ObjectReport::new(&built[0], None);
 /// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
-/// assert!(found.fit.is_some_and(|fit| fit.deviation <= fit.tolerance));
+/// assert!(found.fit.is_some_and(|fit| fit.tolerance.is_some_and(|tolerance| fit.deviation <= tolerance)));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct FitReport {
-    /// The bound that was asked for.
-    pub tolerance: f64,
+    /// The bound that was asked for, if one was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
     /// The deviation it binds: of the points from the curve, or of an arc fit also both ways between arcs and polyline.
     pub deviation: f64,
     /// Bound on the distance between the curve and the polyline of the points, both ways; of a fair fit that is not
@@ -179,6 +180,15 @@ pub enum FitPieces {
         nodes: usize,
         /// Largest root mean square of a contour's distances of points from the curve.
         rms: f64,
+        /// Standard deviation of the noise of the points, where the curve follows it.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        noise: Option<f64>,
+        /// That of their heights, where these have one of their own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        noise_z: Option<f64>,
+        /// Bound on the deviation in z, where that has a tolerance of its own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        deviation_z: Option<f64>,
     },
 }
 
@@ -245,7 +255,7 @@ fn weights(contours: &[CurveObject], tolerance: Option<f64>) -> Option<RangeRepo
 }
 
 fn fit(built: &BuiltObject) -> Option<FitReport> {
-    let tolerance = built.tolerance.unwrap_or_default();
+    let tolerance = built.tolerance;
     built
         .contours
         .iter()
@@ -254,9 +264,14 @@ fn fit(built: &BuiltObject) -> Option<FitReport> {
         .reduce(FitReport::with)
 }
 
+/// The larger of two figures that may not be known.
+fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    a.into_iter().chain(b).reduce(f64::max)
+}
+
 impl FitReport {
     /// The report on one contour.
-    fn new(tolerance: f64, fit: &Fitted) -> Self {
+    fn new(tolerance: Option<f64>, fit: &Fitted) -> Self {
         match fit {
             Fitted::Arcs(c) => Self {
                 tolerance,
@@ -276,7 +291,13 @@ impl FitReport {
                 deviation: c.deviation,
                 polyline_deviation: c.polyline_deviation,
                 monotone: c.monotone,
-                made: FitPieces::Fair { nodes: c.nodes, rms: c.rms },
+                made: FitPieces::Fair {
+                    nodes: c.nodes,
+                    rms: c.rms,
+                    noise: c.noise,
+                    noise_z: c.noise_z,
+                    deviation_z: c.deviation_z,
+                },
             },
         }
     }
@@ -294,9 +315,16 @@ impl FitReport {
                 turning: turning + t,
                 turning_limit: turning_limit + limit,
             },
-            (FitPieces::Fair { nodes, rms }, FitPieces::Fair { nodes: n, rms: r }) => {
-                FitPieces::Fair { nodes: nodes + n, rms: rms.max(r) }
-            }
+            (
+                FitPieces::Fair { nodes, rms, noise, noise_z, deviation_z },
+                FitPieces::Fair { nodes: n, rms: r, noise: of_other, noise_z: z_of_other, deviation_z: off },
+            ) => FitPieces::Fair {
+                nodes: nodes + n,
+                rms: rms.max(r),
+                noise: larger(noise, of_other),
+                noise_z: larger(noise_z, z_of_other),
+                deviation_z: larger(deviation_z, off),
+            },
             (made, _) => made,
         };
         Self {

@@ -206,7 +206,8 @@ impl FileReport {
             };
             notes.push(format!("the file is off by {deviation}, the model is {size} large: {remedy}"));
         }
-        let asked = exported.written.asked;
+        // A picture is as fine as its pixels, whatever tolerance was asked for, of a fit often.
+        let asked = exported.written.asked.filter(|_| format.entry().reading.is_some());
         if let Some(asked) = asked.filter(|asked| !exact && bound > (1.0 + ABOVE_ASKED) * asked) {
             let (bound, asked) = (ShortNumber(bound), ShortNumber(asked));
             notes.push(format!("the tolerance {asked} is not reached: with the rounding of the numbers it is {bound}"));

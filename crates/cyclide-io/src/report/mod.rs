@@ -10,6 +10,7 @@ mod fast;
 mod file;
 mod frame_turns;
 mod motion;
+mod motion_poses;
 mod motion_sample;
 mod polyhedron;
 mod principal;
@@ -40,6 +41,7 @@ pub use fast::{FASTER_THAN_LIMIT, FastPlaceReport, FastReport, SpeedLimits};
 pub use file::{CheckError, FileReport};
 pub use frame_turns::FrameTurn;
 pub use motion::{MotionReport, PeakReport, PlaceReport, ReversalReport};
+pub use motion_poses::{DeviationReport, MotionClosingReport, OffChordsReport};
 pub use motion_sample::{MotionSample, MotionSamples};
 pub use polyhedron::PolyhedronReport;
 pub use principal::{GridPieceReport, PrincipalReport, UmbilicReport};
@@ -98,6 +100,9 @@ pub struct ObjectReport {
     pub geometry: GeometryReport,
     /// What the user should know.
     pub warnings: Vec<WarningReport>,
+    /// How files were read, where that is not plain.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// What is said about an object's geometry, by its kind.
@@ -239,7 +244,13 @@ impl ObjectReport {
             Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();
-        Self { r#type: built.provenance.kind.to_owned(), construction: built.construction, geometry, warnings }
+        Self {
+            r#type: built.provenance.kind.to_owned(),
+            construction: built.construction,
+            geometry,
+            warnings,
+            notes: built.notes.clone(),
+        }
     }
 }
 

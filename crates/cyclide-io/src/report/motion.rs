@@ -1,12 +1,14 @@
 //! What is reported of motions.
 
 use cyclide::{
-    Motion, MotionJet, MotionPlace, MotionReversal, MovingBody, PoseTimes, Schedule, SpeedPeak, TimeLaw, Vec3,
+    Motion, MotionDeviation, MotionJet, MotionPlace, MotionReversal, MovingBody, OffChords, PoseTimes, Schedule,
+    SpeedPeak, TimeLaw, Vec3,
 };
 use serde::Serialize;
 
 use super::RangeReport;
 use super::fast::FastReport;
+use super::motion_poses::{DeviationReport, MotionClosingReport, OffChordsReport};
 use super::text::{Line, plural, short};
 
 /// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
@@ -17,6 +19,10 @@ const POSES_SHOWN: usize = 12;
 const PLACES_SHOWN: usize = 12;
 /// Turns up to this, in radians, close a motion.
 const CLOSES: f64 = 1e-9;
+/// Turns of the way where a motion closes up to this, in radians, are no corner,
+const CORNER: f64 = 1e-6;
+/// and jumps up to this part of the largest speed are none.
+const NO_JUMP: f64 = 1e-6;
 /// A figure that varies by no more than this part of itself is the largest nowhere.
 const CONSTANT: f64 = 1e-9;
 
@@ -33,6 +39,8 @@ const CONSTANT: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MotionReport {
+    /// How it goes from pose to pose: `rational`, `screws`, or `place and turn apart`.
+    pub form: &'static str,
     /// True if points run on rational curves.
     pub rational: bool,
     /// Degree of these curves.
@@ -51,6 +59,15 @@ pub struct MotionReport {
     /// By which angle the body is turned in the end against how it began, radians, if its origin comes back to where it began.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closing_turn: Option<f64>,
+    /// How it goes on from the end to the beginning, if it closes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closing: Option<MotionClosingReport>,
+    /// The largest distance of the origin of the body from the straight lines between its poses; of motions through poses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub off_chords: Option<OffChordsReport>,
+    /// How far it is from its poses, if it was smoothed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deviation: Option<DeviationReport>,
     /// Speed of the tool.
     pub speed: RangeReport,
     /// Where it is the largest.
@@ -159,10 +176,26 @@ impl MotionReport {
         let motion = body.motion();
         let degree = match motion {
             Motion::Rational(motion) => Some(2 * motion.degree()),
-            Motion::Screw(_) => None,
+            // The origin at least runs on polynomials: paths of points have the degree of their form.
+            Motion::Decoupled(motion) if motion.is_rational() => {
+                body.motion().to_rational().ok().map(|form| 2 * form.motion().degree())
+            }
+            Motion::Screw(_) | Motion::Decoupled(_) => None,
+        };
+        let deviation = match motion {
+            Motion::Decoupled(motion) => {
+                motion.deviation().map(|MotionDeviation { place, angle }| DeviationReport { place, angle })
+            }
+            _ => None,
         };
         let spans = motion.times().len() - 1;
+        let form = match motion {
+            Motion::Rational(_) => "rational",
+            Motion::Screw(_) => "screws",
+            Motion::Decoupled(_) => "place and turn apart",
+        };
         let mut report = Self {
+            form,
             rational: degree.is_some(),
             degree,
             spans,
@@ -171,6 +204,9 @@ impl MotionReport {
             length: motion.way(body.tool()),
             turn: motion.turn(),
             closing_turn: motion.closing_turn(),
+            closing: None,
+            off_chords: None,
+            deviation,
             speed: RangeReport::EMPTY,
             speed_at: PlaceReport::default(),
             angular_speed: RangeReport::EMPTY,
@@ -189,6 +225,13 @@ impl MotionReport {
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
             report.measure(&schedule);
+            if report.closing_turn.is_some_and(|turn| turn <= CLOSES) {
+                report.closing = Some(MotionClosingReport::new(&schedule, body));
+            }
+            let seconds = |time: f64| schedule.timing().fraction_at(time) * body.duration();
+            report.off_chords = motion
+                .off_chords()
+                .map(|OffChords { distance, time }| OffChordsReport { distance, time: seconds(time) });
             let [first, last] = motion.domain();
             let as_given = body.law() == TimeLaw::AsGiven && (last - first - body.duration()).abs() <= 0.0;
             let times = motion.pose_times();
@@ -244,8 +287,35 @@ impl MotionReport {
     }
 
     pub(super) fn facts(&self, facts: &mut Vec<String>) {
-        facts.push(if self.rational { "rational" } else { "screws" }.to_owned());
+        facts.push(self.form.to_owned());
         facts.push(plural(self.spans, "span"));
+    }
+
+    /// How it goes on where it closes.
+    fn closing_words(&self, units: &str) -> String {
+        let mut words = "as it began".to_owned();
+        let Some(MotionClosingReport { corner, velocity_jump, angular_velocity_jump }) = self.closing else {
+            return words;
+        };
+        let [speed, turning] = [self.speed.max, self.angular_speed.max].map(|most| NO_JUMP * most);
+        let mut faults = Vec::new();
+        if corner > CORNER {
+            faults.push(format!("a corner of {} rad", short(corner)));
+        }
+        if velocity_jump > speed {
+            faults.push(format!("a jump of the velocity by {} {units}/s", short(velocity_jump)));
+        }
+        if angular_velocity_jump > turning {
+            faults.push(format!("a jump of the angular velocity by {} rad/s", short(angular_velocity_jump)));
+        }
+        if !faults.is_empty() {
+            words.push_str(", with ");
+            words.push_str(&faults.join(", "));
+            if self.off_chords.is_some() {
+                words.push_str(" (`closed` joins it smoothly)");
+            }
+        }
+        words
     }
 
     pub(super) fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
@@ -258,12 +328,22 @@ impl MotionReport {
         line("way", format!("{} {units}, turns by {} rad", short(self.length), short(self.turn)))?;
         if let Some(turn) = self.closing_turn {
             let (word, text) = match turn {
-                turn if turn <= CLOSES => ("closes", "as it began".to_owned()),
+                turn if turn <= CLOSES => ("closes", self.closing_words(units)),
                 turn => {
                     ("comes back", format!("its origin, the body turned by {} rad against how it began", short(turn)))
                 }
             };
             line(word, text)?;
+        }
+        if let Some(OffChordsReport { distance, time }) = self.off_chords {
+            let when = if distance > 0.0 { format!(" (at {} s)", short(time)) } else { String::new() };
+            line(
+                "off chords",
+                format!("up to {} {units} from the straight lines between the poses{when}", short(distance)),
+            )?;
+        }
+        if let Some(DeviationReport { place, angle }) = self.deviation {
+            line("smoothed", format!("up to {} {units} and {} rad from the poses", short(place), short(angle)))?;
         }
         let of_range = |range: &RangeReport, unit: &str, at: PlaceReport| {
             let text = match range {
@@ -322,6 +402,6 @@ impl MotionReport {
 }
 
 /// The larger one. What is not finite is no figure: a law that goes by the way passes no place in no time where the way stands still.
-fn larger(most: f64, value: f64) -> f64 {
+pub(super) fn larger(most: f64, value: f64) -> f64 {
     if value.is_finite() { most.max(value) } else { most }
 }

@@ -31,6 +31,8 @@ pub struct PrincipalReport {
     pub pieces: Vec<GridPieceReport>,
     /// The part of the surface's area that they cover.
     pub coverage: f64,
+    /// How far they go: the word of the field `border`.
+    pub border: &'static str,
     /// Distance of the vertices from a smooth surface: the median over fits to neighbours.
     pub noise: f64,
     /// Whether that was smoothed away.
@@ -98,6 +100,16 @@ pub struct UmbilicReport {
     pub index: f64,
 }
 
+/// The document's word for how far grids go.
+#[cfg(feature = "circular-mesh")]
+const fn border_word(border: cyclide::GridBorder) -> &'static str {
+    match border {
+        cyclide::GridBorder::Inside => "inside",
+        cyclide::GridBorder::Staircase => "staircase",
+        cyclide::GridBorder::Cover => "cover",
+    }
+}
+
 /// So many umbilics are shown as text.
 const SHOWN: usize = 6;
 
@@ -118,6 +130,7 @@ impl PrincipalReport {
         Some(Box::new(Self {
             pieces: built.grids.iter().zip(&found.pieces).map(piece).collect(),
             coverage: found.coverage,
+            border: border_word(found.border),
             noise: found.noise,
             denoised: found.denoised,
             smoothing: found.smoothing,

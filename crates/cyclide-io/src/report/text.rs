@@ -97,6 +97,9 @@ impl CurvesReport {
             facts.push(plural(self.points, "point"));
         }
         facts.push(plural(self.pieces, "piece"));
+        if let Some(principal) = &self.principal {
+            facts.push(format!("{} % of the surface covered", short((1000.0 * principal.coverage).round() / 10.0)));
+        }
     }
 
     fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
@@ -160,16 +163,21 @@ impl CurvesReport {
                 FitPieces::Arcs { arcs, lines, .. } => format!("{} and {}", plural(arcs, "arc"), plural(lines, "line")),
                 FitPieces::Fair { nodes, .. } => plural(nodes, "node"),
             };
-            let (deviation, tolerance) = (short(fit.deviation), short(fit.tolerance));
+            let deviation = short(fit.deviation);
+            let mut known: Vec<String> = Vec::new();
+            known.extend(fit.tolerance.map(|t| format!("tolerance {} {units}", short(t))));
+            if let FitPieces::Fair { rms, noise, noise_z, deviation_z, .. } = fit.made {
+                let of = |word: &str, x: Option<f64>| x.map(|x| format!("{word} {} {units}", short(x)));
+                known.extend(of("root mean square", noise.map(|_| rms)));
+                known.extend(of("noise", noise));
+                known.extend(of("noise in z", noise_z));
+                known.extend(of("in z at most", deviation_z));
+            }
+            let known = known.join(", ");
             let polyline = short(fit.polyline_deviation);
             // One way only where points and curve do not advance together.
             let from = if fit.monotone { "from the polyline" } else { "at most from the curve to the polyline" };
-            line(
-                "fit",
-                format!(
-                    "{made}: deviation {deviation} {units} (tolerance {tolerance} {units}), {polyline} {units} {from}"
-                ),
-            )?;
+            line("fit", format!("{made}: deviation {deviation} {units} ({known}), {polyline} {units} {from}"))?;
         }
         Ok(())
     }

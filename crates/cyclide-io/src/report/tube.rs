@@ -4,7 +4,7 @@ use cyclide::{Exactness, ShortNumber};
 use serde::Serialize;
 
 use super::RangeReport;
-use crate::document::TubeFacts;
+use crate::document::{RadiusOf, TubeFacts};
 
 /// What is known of a tube.
 ///
@@ -20,9 +20,11 @@ use crate::document::TubeFacts;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct TubeReport {
-    /// The radii of its balls.
+    /// The radii of its balls or sections.
     pub radius: RangeReport,
-    /// Arcs of balls that it consists of.
+    /// What has these: `sections` across its curve, or `balls`.
+    pub radius_of: RadiusOf,
+    /// Pieces that it consists of: arcs of balls, or of sections.
     pub arcs: usize,
     /// Its distance from the tube of the law along the curve.
     pub within: f64,
@@ -38,7 +40,13 @@ impl From<&TubeFacts> for TubeReport {
             Exactness::Proved(_) => "proved",
             Exactness::Sampled(_) => "sampled",
         };
-        Self { radius: RangeReport { min, max }, arcs: facts.arcs, within: facts.within.bound(), proof }
+        Self {
+            radius: RangeReport { min, max },
+            radius_of: facts.radius_of,
+            arcs: facts.arcs,
+            within: facts.within.bound(),
+            proof,
+        }
     }
 }
 
@@ -50,6 +58,11 @@ impl TubeReport {
             "exact" => "exact".to_owned(),
             proof => format!("within {within} {units} of its law, {proof}"),
         };
-        format!("radius {min} to {max} {units}, {} arcs of balls, {off}", self.arcs)
+        let pieces = match self.radius_of {
+            RadiusOf::Balls => format!("{} arcs of balls", self.arcs),
+            RadiusOf::Sections if self.arcs == 1 => "1 piece of circles across its curve".to_owned(),
+            RadiusOf::Sections => format!("{} pieces of circles across its curve", self.arcs),
+        };
+        format!("radius {min} to {max} {units}, {pieces}, {off}")
     }
 }

@@ -114,7 +114,17 @@ pub(super) fn choose(
         }
         let skins = skins_of(built);
         if !skins.is_empty() {
-            let thickness = thickness.or_else(|| own_thickness(name));
+            let thickness_of = |name: &str| thickness.or_else(|| own_thickness(name));
+            if let ObjectSpec::Offset(OffsetSpec { of, distance, .. }) = spec
+                && only.is_empty()
+                && own_thickness(name).is_none()
+                && by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty())
+                && thickness_of(of).is_some_and(|thickness| thickness.to_bits() == distance.to_bits())
+            {
+                leave(format!("the other side of the panels of `{of}`, which are scheduled"));
+                continue;
+            }
+            let thickness = thickness_of(name);
             chosen.push(Chosen { name: name.clone(), skins, thickness });
             continue;
         }

@@ -1,6 +1,8 @@
 //! Text in and out: numbers as the formats write them, places in a text and the messages that show them.
 
 pub(crate) mod csv;
+pub(crate) mod encoding;
+pub(crate) mod escape;
 pub(crate) mod lines;
 pub(crate) mod number;
 pub(crate) mod place;

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
+use crate::text::escape::escaped;
 use crate::text::lines::line_ends;
 
 /// A text with the name under which messages speak of it.
@@ -77,15 +78,25 @@ impl<'a> Source<'a> {
         let after = self.text[end..line_end.max(end)].chars();
         let width = piece.len().min(MAX_UNDERLINE);
         let tail = if piece.len() > width { 0 } else { CONTEXT };
-        let text = shown.iter().rev().chain(&piece[..width]).copied().chain(after.take(tail));
+        let [before_it, piece, after] = [
+            shown.iter().rev().copied().collect::<String>(),
+            piece[..width].iter().collect(),
+            after.take(tail).collect(),
+        ]
+        .map(|part| on_the_line(&part));
+        let count = |part: &str| part.chars().count();
         Box::new(Diagnostic {
             file: self.name.to_owned(),
             line: 1 + line_ends(&self.text[..line_start]),
             column: 1 + before.chars().count(),
             path: path.to_owned(),
-            message: message.into().chars().map(printable).collect(),
+            message: escaped(&message.into()).into_owned(),
             reason: None,
-            snippet: Snippet { text: text.map(printable).collect(), skip: shown.len(), width: width.max(1) },
+            snippet: Snippet {
+                skip: count(&before_it),
+                width: count(&piece).max(1),
+                text: before_it + &piece + &after,
+            },
         })
     }
 
@@ -123,9 +134,9 @@ impl Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}:{}: ", self.file, self.line, self.column)?;
+        write!(f, "{}:{}:{}: ", escaped(&self.file), self.line, self.column)?;
         if !self.path.is_empty() {
-            write!(f, "{}: ", self.path)?;
+            write!(f, "{}: ", escaped(&self.path))?;
         }
         write!(f, "{}", self.message)?;
         if let Some(reason) = self.reason {
@@ -144,9 +155,9 @@ impl fmt::Display for Diagnostic {
 
 impl std::error::Error for Diagnostic {}
 
-/// Control characters, line ends too, would move the caret, or the reader's terminal.
-fn printable(c: char) -> char {
-    if c.is_control() { ' ' } else { c }
+/// A part of a line as it is shown: a tab takes one column, and nothing moves the caret or is not seen.
+fn on_the_line(text: &str) -> String {
+    escaped(&text.replace('\t', " ")).into_owned()
 }
 
 /// What messages quote of an input at most, in characters.
@@ -260,7 +271,16 @@ mod tests {
     #[test]
     fn messages_are_one_line_whatever_they_quote() {
         let d = Source { name: "f", text: "a" }.diagnostic(0..1, "", "`\u{1b}[2J\n` is no word");
-        assert_eq!(d.message, "` [2J ` is no word");
+        assert_eq!(d.message, "`\\u{1b}[2J\\n` is no word");
+    }
+
+    #[test]
+    fn carets_stand_under_pieces_with_hidden_characters() {
+        let source = Source { name: "gnp.\u{202e}csv", text: "\u{202e}1,\u{200b}x,2" };
+        let at = source.text.find('\u{200b}').unwrap();
+        let d = source.diagnostic(at..at + 4, "a\u{1b}b", "wrong");
+        let shown = "gnp.\\u{202e}csv:1:4: a\\u{1b}b: wrong\n  1 | \\u{202e}1,\\u{200b}x,2\n    |           ^^^^^^^^^";
+        assert_eq!(d.to_string(), shown);
     }
 
     #[test]

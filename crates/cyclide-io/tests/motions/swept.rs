@@ -54,8 +54,11 @@ fn rests_are_no_part_of_what_is_swept() {
         is_written(&objects(poses, profile));
     }
     for (poses, area) in [(&turned, None), (&straight, Some(40.0 * std::f64::consts::PI))] {
-        let built = build_all(&objects(poses, CIRCLE), "").unwrap().pop().unwrap();
-        assert!(built.remarks.is_empty(), "{:?}", built.remarks.iter().map(|r| r.reason).collect::<Vec<_>>());
+        let open = objects(poses, CIRCLE).replace(r#""profile": "p""#, r#""profile": "p", "ends": "open""#);
+        let built = build_all(&open, "").unwrap().pop().unwrap();
+        let reasons: Vec<&str> = built.remarks.iter().map(|r| r.reason).collect();
+        // The body turns other than its path does.
+        assert!(reasons == if area.is_some() { vec![] } else { vec!["section-not-across"] }, "{reasons:?}");
         let outer = &built.bodies[0].outer;
         assert!(outer.faces().len().is_multiple_of(2));
         assert!(area.is_none_or(|area| (outer.area() - area).abs() < 1e-9));

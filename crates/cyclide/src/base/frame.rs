@@ -102,6 +102,12 @@ impl Frame {
         self.origin + self.x * p.x + self.y * p.y
     }
 
+    /// Plane components of a vector of space.
+    #[must_use]
+    pub fn vector_to_local(&self, v: Vec3) -> Vec2 {
+        Vec2::new(v.dot(self.x), v.dot(self.y))
+    }
+
     /// The vector of space with plane components `v`.
     #[must_use]
     pub fn vector_to_world(&self, v: Vec2) -> Vec3 {

@@ -14,7 +14,8 @@ mod sparse_solver;
 pub use bodies::{
     Ball, ConvexPolyhedron, CrossingPipe, CrossingSide, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody,
     NeckSide, NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface,
-    Revolution, SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
+    Revolution, SphericalPolygon, Sweep, SweepFrame, SweepOptions, SweptSurface, TaperedTube, TeeBlend, TeeBlendFacts,
+    TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
 pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
@@ -24,9 +25,10 @@ pub use circular_mesh::{
 };
 pub use curves::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,
-    FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
-    blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
+    FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, Heights, Noise,
+    Outliers, RationalRun, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
+pub use curves::{Ellipse, Helix};
 pub use curves::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use curves::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
@@ -34,7 +36,7 @@ pub use curves::{
 };
 #[cfg(feature = "circular-mesh")]
 pub use principal::{
-    GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage, Umbilic,
-    principal_grids,
+    FreeLayout, GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage,
+    Umbilic, covering_principal_grids, principal_grids,
 };
 pub use principal_rules::{GridBorder, UmbilicRule};

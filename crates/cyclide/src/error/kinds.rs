@@ -389,12 +389,33 @@ pub enum Error {
         /// The tolerance.
         tolerance: f64,
     },
+    /// Arcs within the tolerance were found, but none that keep a limit of the machine.
+    ArcLimitNotKept {
+        /// Point of the input where the arc is that misses the limit by most.
+        vertex: usize,
+        /// The limit: `min_radius` or `min_arc_length`.
+        name: ErrorItem,
+        /// What that arc has.
+        value: f64,
+        /// The limit's value.
+        limit: f64,
+    },
     /// No curve of the kind was found within the tolerance of these points.
     ToleranceNotReached {
         /// The points outside, in the user's numbering.
         points: Vec<usize>,
         /// Largest distance of one of them.
         deviation: f64,
+        /// The tolerance.
+        tolerance: f64,
+    },
+
+    /// A tolerance is not reached because of points that do not belong to the others.
+    OutliersOutside {
+        /// Each of them, in the user's numbering, and how far it is from the curve of the others.
+        points: Vec<(usize, f64)>,
+        /// Standard deviation of the noise of the others.
+        noise: f64,
         /// The tolerance.
         tolerance: f64,
     },
@@ -553,6 +574,20 @@ pub enum Error {
         radius: f64,
         /// Height along the axis, from its given point.
         height: f64,
+    },
+    /// A section leaves the plane that it should be in.
+    SectionNotPlane {
+        /// Which contour, from 0.
+        contour: usize,
+        /// Largest distance of a control point from the plane.
+        distance: f64,
+        /// Distances up to this are rounding.
+        limit: f64,
+    },
+    /// The contours of a section meet themselves or each other, or go round no area.
+    SectionMeetsItself {
+        /// Which contour, from 0.
+        contour: usize,
     },
     /// A profile in a plane across its axis that sweeps a part of the plane twice.
     FoldedProfile {

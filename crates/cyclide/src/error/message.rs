@@ -12,6 +12,9 @@ use crate::short_number::ShortNumber;
 /// What comes nearer to itself than this part of its width crosses itself.
 const CROSSING: f64 = 1e-6;
 
+/// Outliers that are named one by one.
+const NAMED_OUTLIERS: usize = 20;
+
 impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -492,6 +495,16 @@ impl std::fmt::Display for Error {
                 ShortNumber(*radius),
                 ShortNumber(*height)
             ),
+            Self::SectionNotPlane { contour, distance, limit } => write!(
+                f,
+                "contour {contour} of the section is up to {} off the plane of sections, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::SectionMeetsItself { contour } => write!(
+                f,
+                "contour {contour} of the section meets itself or another contour, or encloses no area: a solid needs contours that go once round an area"
+            ),
             Self::FoldedProfile { piece, distance } => write!(
                 f,
                 "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights along the axis",
@@ -565,7 +578,7 @@ impl std::fmt::Display for Error {
             ),
             Self::PipeMeetsItself { first, second, point: [x, y, z], distance, limit } => write!(
                 f,
-                "the pipe meets itself at {}, {}, {}: parts {first} and {second} of it, of the arcs and segments along it, come as near as {}, both radii are {}; {}",
+                "the pipe meets itself at {}, {}, {}: parts {first} and {second} of it, of the arcs and segments along it, come as near as {} from center to center, and the sum of their radii is {}; {}",
                 ShortNumber(*x),
                 ShortNumber(*y),
                 ShortNumber(*z),
@@ -598,9 +611,17 @@ impl std::fmt::Display for Error {
             Self::ParameterOutOfRange { name, value, min, max } => {
                 write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*name, *value, [*min, *max]))
             }
-            Self::NoG1SplineInTube { vertex, tolerance } => {
-                write!(f, "no G1 arc spline within {} of the polyline near vertex {vertex}", ShortNumber(*tolerance))
-            }
+            Self::NoG1SplineInTube { vertex, tolerance } => write!(
+                f,
+                "no G1 arc spline within {} of the polyline near vertex {vertex}: a larger tolerance, or a corner angle below the turn there",
+                ShortNumber(*tolerance)
+            ),
+            Self::ArcLimitNotKept { vertex, name, value, limit } => write!(
+                f,
+                "no arcs within the tolerance keep `{name}` {}: at point {vertex} it takes {}; a larger tolerance, or a smaller limit",
+                ShortNumber(*limit),
+                ShortNumber(*value)
+            ),
             Self::ToleranceNotReached { points, deviation, tolerance } => write!(
                 f,
                 "tolerance {} not reached: {} stay outside, up to {} away; a larger tolerance, or corners where the data turn sharply",
@@ -608,6 +629,27 @@ impl std::fmt::Display for Error {
                 points_in_words(points),
                 ShortNumber(*deviation)
             ),
+            Self::OutliersOutside { points, noise, tolerance } => {
+                write!(
+                    f,
+                    "tolerance {} not reached because of {} outlier(s): ",
+                    ShortNumber(*tolerance),
+                    points.len()
+                )?;
+                for (k, (point, distance)) in points.iter().take(NAMED_OUTLIERS).enumerate() {
+                    let before = if k == 0 { "" } else { ", " };
+                    write!(f, "{before}point {point} ({} away)", ShortNumber(*distance))?;
+                }
+                if points.len() > NAMED_OUTLIERS {
+                    write!(f, " and {} more", points.len() - NAMED_OUTLIERS)?;
+                }
+                write!(
+                    f,
+                    " from the curve of the other points, whose noise has a standard deviation of {}; leave them out with `--outliers drop` \
+                     (in a document `\"outliers\": \"drop\"`), or use a larger tolerance",
+                    ShortNumber(*noise)
+                )
+            }
             Self::Disconnected { piece, next, gap, limit } => write!(
                 f,
                 "pieces {piece} and {next} do not meet: gap {}, limit {}",

@@ -86,6 +86,8 @@ impl Error {
             Self::CrossesAxis { .. } => "crosses-axis",
             Self::ProfileOnAxis { .. } => "profile-on-axis",
             Self::ProfileMeetsItself { .. } => "profile-meets-itself",
+            Self::SectionNotPlane { .. } => "section-not-plane",
+            Self::SectionMeetsItself { .. } => "section-meets-itself",
             Self::AngleOutOfRange { .. } => "angle-out-of-range",
             Self::FoldedProfile { .. } => "folded-profile",
             Self::NotAFace { .. } => "not-a-face",
@@ -104,7 +106,9 @@ impl Error {
             Self::SeamMeetsItself { .. } => "seam-meets-itself",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
+            Self::ArcLimitNotKept { .. } => "arc-limit-not-kept",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
+            Self::OutliersOutside { .. } => "outliers",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
@@ -214,7 +218,7 @@ impl Error {
             Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
-            Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
+            Self::NoG1SplineInTube { vertex, .. } | Self::ArcLimitNotKept { vertex, .. } => Some(vertex),
             Self::Disconnected { piece, .. }
             | Self::NotWithinTolerance { piece, .. }
             | Self::CrossesAxis { piece, .. }
@@ -259,6 +263,7 @@ impl Error {
             Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
                 points.first().copied()
             }
+            Self::OutliersOutside { ref points, .. } => points.first().map(|p| p.0),
             _ => None,
         }
     }

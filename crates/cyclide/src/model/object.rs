@@ -41,13 +41,17 @@ pub enum Units {
     /// Feet.
     #[cfg_attr(feature = "serde", serde(rename = "ft"))]
     Foot,
+    /// US survey feet, 1200/3937 m, 2 parts in a million longer than a foot: those of older maps of the United States.
+    #[cfg_attr(feature = "serde", serde(rename = "us-ft"))]
+    UsSurveyFoot,
 }
 
 impl Units {
     /// Every unit.
-    pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
+    pub const ALL: [Self; 6] =
+        [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot, Self::UsSurveyFoot];
 
-    /// The symbol used in documents and on the command line: `mm`, `cm`, `m`, `in`, `ft`.
+    /// The symbol used in documents and on the command line: `mm`, `cm`, `m`, `in`, `ft`, `us-ft`.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -56,6 +60,7 @@ impl Units {
             Self::Metre => "m",
             Self::Inch => "in",
             Self::Foot => "ft",
+            Self::UsSurveyFoot => "us-ft",
         }
     }
 
@@ -68,6 +73,7 @@ impl Units {
             Self::Metre => 1000.0,
             Self::Inch => 25.4,
             Self::Foot => 304.8,
+            Self::UsSurveyFoot => 1_200_000.0 / 3937.0,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Any motion of the kernel.
 
+use super::decoupled::DecoupledMotion;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::rational_motion::RationalMotion;
@@ -31,6 +32,8 @@ pub enum Motion {
     Rational(RationalMotion),
     /// Screws, one after the other.
     Screw(ScrewMotion),
+    /// Place and turn each by its own rule.
+    Decoupled(DecoupledMotion),
 }
 
 impl Motion {
@@ -40,6 +43,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.times(),
             Self::Screw(motion) => motion.times(),
+            Self::Decoupled(motion) => motion.times(),
         }
     }
 
@@ -56,6 +60,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.pose(time),
             Self::Screw(motion) => motion.pose(time),
+            Self::Decoupled(motion) => motion.pose(time),
         }
     }
 
@@ -65,6 +70,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.jet(time, point),
             Self::Screw(motion) => motion.jet(time, point),
+            Self::Decoupled(motion) => motion.jet(time, point),
         }
     }
 
@@ -73,6 +79,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.jet_in_span(span, time, point),
             Self::Screw(motion) => motion.jet_in_span(span, time, point),
+            Self::Decoupled(motion) => motion.jet_in_span(span, time, point),
         }
     }
 
@@ -85,8 +92,8 @@ impl Motion {
     pub(super) fn velocities_in_span(&self, span: usize, time: f64, point: Point3) -> [Vec3; 2] {
         match self {
             Self::Rational(motion) => motion.velocities_in_span(span, time, point),
-            Self::Screw(motion) => {
-                let jet = motion.jet_in_span(span, time, point);
+            Self::Screw(_) | Self::Decoupled(_) => {
+                let jet = self.jet_in_span(span, time, point);
                 [jet.point.d1, jet.angular_velocity]
             }
         }
@@ -119,7 +126,7 @@ impl Motion {
         comes_back.then(|| first.angle_to(last))
     }
 
-    /// The times at which it takes the poses that it was made through, rising; none along a curve.
+    /// The times at which it takes the poses that it was made through, or passes them in a blend, rising; none along a curve.
     ///
     /// ```
     /// use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
@@ -133,6 +140,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.pose_times(),
             Self::Screw(motion) => motion.times(),
+            Self::Decoupled(motion) => motion.pose_times(),
         }
     }
 
@@ -142,17 +150,18 @@ impl Motion {
         match self {
             Self::Rational(motion) => motion.warnings(),
             Self::Screw(motion) => motion.warnings(),
+            Self::Decoupled(motion) => motion.warnings(),
         }
     }
 
-    /// The motion as one whose points run on rational curves.
+    /// The motion as one whose points run on rational curves exactly; [`to_rational`](Self::to_rational) takes others within a bound.
     ///
     /// # Errors
     /// `motion-not-rational`.
     pub fn rational(&self) -> Result<&RationalMotion> {
         match self {
             Self::Rational(motion) => Ok(motion),
-            Self::Screw(_) => Err(Error::MotionNotRational),
+            Self::Screw(_) | Self::Decoupled(_) => Err(Error::MotionNotRational),
         }
     }
 }
@@ -166,5 +175,11 @@ impl From<RationalMotion> for Motion {
 impl From<ScrewMotion> for Motion {
     fn from(motion: ScrewMotion) -> Self {
         Self::Screw(motion)
+    }
+}
+
+impl From<DecoupledMotion> for Motion {
+    fn from(motion: DecoupledMotion) -> Self {
+        Self::Decoupled(motion)
     }
 }

@@ -4,7 +4,9 @@
 //! `2 Im(r p̄)/|p|²`. In homogeneous coordinates a point x of the body is at `[2 Im(r p̄) + p x p̄, |p|²]`, of degree 2n
 //! (`docs/math/motions.md#fibre-projection`).
 
+use super::decoupled::angular_jet;
 use super::dual_quat::DualQuat;
+use super::leaves_chords::LeavesChords;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::span_of;
@@ -51,6 +53,8 @@ pub struct RationalMotion {
     pose_times: Vec<f64>,
     /// Of a spline through poses: where it runs beyond them.
     swings: Option<Swings>,
+    /// Of a spline through poses: where its turns carry it away from the chords.
+    leaves_chords: Option<LeavesChords>,
     /// Poses to which both ways round are as short, where the sign of a rotation decides.
     half_turns: Option<HalfTurns>,
 }
@@ -62,7 +66,17 @@ pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 impl RationalMotion {
     /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
-        Self { times, spans, centre, unit, left_out: 0.0, pose_times: Vec::new(), swings: None, half_turns: None }
+        Self {
+            times,
+            spans,
+            centre,
+            unit,
+            left_out: 0.0,
+            pose_times: Vec::new(),
+            swings: None,
+            leaves_chords: None,
+            half_turns: None,
+        }
     }
 
     /// The same, made through poses at these times.
@@ -71,9 +85,9 @@ impl RationalMotion {
         Self { pose_times, ..self }
     }
 
-    /// The same, a spline that swings there.
-    pub(super) fn swinging(self, swings: Option<Swings>) -> Self {
-        Self { swings, ..self }
+    /// The same, a spline that swings there and leaves its chords there.
+    pub(super) fn swinging(self, swings: Option<Swings>, leaves_chords: Option<LeavesChords>) -> Self {
+        Self { swings, leaves_chords, ..self }
     }
 
     /// The same, where the sign of a rotation decides which way round the body goes.
@@ -87,13 +101,15 @@ impl RationalMotion {
     }
 
     /// What should be known of it: that its poses are planar, spherical, translated or of one motion of degree 2 but for the digits they are
-    /// written with, and were taken for that (`poses-rounded`); that a spline swings out between its poses (`motion-swings`); or that a pose is half a
+    /// written with, and were taken for that (`poses-rounded`); that a spline swings out between its poses (`motion-swings`) or is carried away from the
+    /// straight lines between them by its turns (`leaves-chords`); or that a pose is half a
     /// turn away from the one before, and the sign of its rotation decides (`half-turn`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let rounded = (self.left_out > 0.0).then_some(Warning::PosesRounded { off: self.left_out, limit: ROUNDED });
         let half_turns = self.half_turns.map(HalfTurns::warning);
-        rounded.into_iter().chain(self.swings.map(Swings::warning)).chain(half_turns).collect()
+        let leaves = self.leaves_chords.map(LeavesChords::warning);
+        rounded.into_iter().chain(self.swings.map(Swings::warning)).chain(leaves).chain(half_turns).collect()
     }
 
     /// The times at which spans start, and the end.
@@ -165,16 +181,14 @@ impl RationalMotion {
         });
         let mut jet = jet_of_homogeneous(homogeneous).scaled(1.0 / duration);
         jet.point = jet.point + self.centre;
-        // With F_k = p⁽ᵏ⁾ p⁻¹: ω = 2 Im F_1, and F_1' = F_2 − F_1², F_1″ = F_3 − F_2 F_1 − F_1' F_1 − F_1 F_1'; p has length 1 here.
-        let [first, second, third] = [1, 2, 3].map(|k| p[k] * p[0].conj());
-        let turning = second - first * first;
+        // p has length 1 here.
+        let [omega, alpha, beta] = angular_jet(p);
         MotionJet {
             pose: self.span_pose(span, s),
             point: jet,
-            angular_velocity: first.vector() * (2.0 / duration),
-            angular_acceleration: turning.vector() * (2.0 / (duration * duration)),
-            angular_jerk: (third - second * first - turning * first - first * turning).vector()
-                * (2.0 / duration.powi(3)),
+            angular_velocity: omega / duration,
+            angular_acceleration: alpha / (duration * duration),
+            angular_jerk: beta / duration.powi(3),
         }
     }
 

@@ -18,6 +18,10 @@ const DAMPING: [f64; 2] = [1e-12, 1e-14];
 
 /// The first damping of a linearisation that went too far.
 const FIRST: f64 = 1e-3;
+/// A mould is given up where the least mean distance to first order is this many times the limit at its start, and the least largest
+/// distance this many times after least squares: what is of second order changes them by less.
+const GIVEN_UP_AT_START: f64 = 2.0;
+const GIVEN_UP: f64 = 1.05;
 
 /// Distances at points, with their derivatives by the free parameters.
 struct Linear {
@@ -61,6 +65,12 @@ impl Linear {
     /// Distances after a step, to first order.
     fn after(&self, step: &[f64; MOST]) -> impl Iterator<Item = f64> {
         self.rows.iter().map(move |(by, value)| value + by.iter().zip(step).map(|(a, b)| a * b).sum::<f64>())
+    }
+
+    /// The root of the mean square of the distances that is least to first order.
+    fn least_mean(&self, even: &[f64]) -> f64 {
+        let Some(step) = self.step(even, DAMPING) else { return 0.0 };
+        (self.after(&step).map(|distance| distance * distance).sum::<f64>() / self.rows.len() as f64).sqrt()
     }
 
     /// The step of the least largest distance, to first order, and a lower bound of that: weights are multiplied by the
@@ -119,13 +129,21 @@ impl BentPlane {
     /// then by linearised problems of the least maximum. What is above `limit` by the mean alone is left there, and nothing is done any
     /// more once the largest distance is at most `enough`.
     pub(super) fn least_maximum(self, points: &[Vec3], free: &[usize], [enough, limit]: [f64; 2]) -> (Self, f64) {
-        let (shape, mean) = self.least_squares(points, free);
+        let (shape, mean) = self.least_squares(points, free, f64::INFINITY);
         let best = (shape, shape.largest(points));
-        if mean > limit { best } else { best.0.levelled(points, free, enough) }
+        if mean > limit { best } else { best.0.levelled(points, free, [enough, f64::INFINITY]) }
     }
 
-    /// As [`least_maximum`](Self::least_maximum), from a surface that is near already.
-    pub(super) fn levelled(self, points: &[Vec3], free: &[usize], enough: f64) -> (Self, f64) {
+    /// As [`least_maximum`](Self::least_maximum) for a surface that is only placed: one that no placing near this one brings within
+    /// `limit` is left wherever that is seen.
+    pub(super) fn placed(self, points: &[Vec3], free: &[usize], [enough, limit]: [f64; 2]) -> (Self, f64) {
+        let (shape, mean) = self.least_squares(points, free, GIVEN_UP_AT_START * limit);
+        let best = (shape, shape.largest(points));
+        if mean > limit { best } else { best.0.levelled(points, free, [enough, GIVEN_UP * limit]) }
+    }
+
+    /// As [`least_maximum`](Self::least_maximum), from a surface that is near already; given up where the bound is above `most`.
+    pub(super) fn levelled(self, points: &[Vec3], free: &[usize], [enough, most]: [f64; 2]) -> (Self, f64) {
         let mut best = (self, self.largest(points));
         let even = vec![1.0 / points.len() as f64; points.len()];
         let (mut weights, mut damping) = (even.clone(), DAMPING[0]);
@@ -135,7 +153,7 @@ impl BentPlane {
             }
             let linear = Linear::new(&best.0, points, free);
             let Some((step, bound)) = linear.level(&mut weights, damping) else { break };
-            if damping <= DAMPING[0] && best.1 <= LEVEL * bound {
+            if damping <= DAMPING[0] && (best.1 <= LEVEL * bound || bound > most) {
                 break;
             }
             let trial = best.0.stepped(&step, 1.0, free);
@@ -158,14 +176,18 @@ impl BentPlane {
         best
     }
 
-    /// The surface of least squares near this one, by Levenberg-Marquardt steps; with the mean distance.
-    fn least_squares(self, points: &[Vec3], free: &[usize]) -> (Self, f64) {
+    /// The surface of least squares near this one, by Levenberg-Marquardt steps; with the mean distance. Given up where that is above
+    /// `most` to first order.
+    fn least_squares(self, points: &[Vec3], free: &[usize], most: f64) -> (Self, f64) {
         let even = vec![1.0 / points.len() as f64; points.len()];
         let (mut shape, mut damping) = (self, 1e-6);
         let mut cost = shape.mean_square(points);
         for _ in 0..STEPS {
             let linear = Linear::new(&shape, points, free);
             let before = cost;
+            if most < f64::INFINITY && linear.least_mean(&even) > most {
+                break;
+            }
             while damping < 1e6 {
                 let step = linear.step(&even, [damping, DAMPING[1].max(1e-6 * damping)]);
                 let trial = step.map(|step| shape.stepped(&step, 1.0, free));

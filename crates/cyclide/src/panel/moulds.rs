@@ -1,5 +1,8 @@
 //! Panels that one mould makes.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use super::bent_plane::Bend;
 use super::mould_shape::MouldShape;
 use super::nearest::{NearSurface, PanelFit, PanelPoints};
@@ -130,6 +133,9 @@ struct Workshop<'a> {
     /// By the places of [`KINDS`].
     fits: Vec<[Option<PanelFit>; KINDS.len()]>,
     tolerance: f64,
+    /// What was found already: rungs of the ladder differ in few panels. Members by panel and mould, ranges by panel and kind.
+    members: RefCell<HashMap<(usize, [u64; 3]), Option<MouldMember>>>,
+    ranges: RefCell<HashMap<(usize, u64), [f64; 3]>>,
 }
 
 /// A panel on a mould of some kind.
@@ -163,7 +169,8 @@ impl<'a> Workshop<'a> {
             let limit = tolerance / points.unit.size;
             KINDS.map(|bend| points.fit(bend, limit).filter(|fit| fit.max_distance <= tolerance))
         };
-        Self { panels, fits: panels.iter().map(fits).collect(), tolerance }
+        let fits = panels.iter().map(fits).collect();
+        Self { panels, fits, tolerance, members: RefCell::default(), ranges: RefCell::default() }
     }
 
     /// Tolerances for the kinds: the given one, and steps of a ladder that hangs on the panels only, so that what is good at a smaller tolerance is tried
@@ -207,6 +214,16 @@ impl<'a> Workshop<'a> {
 
     /// A panel on a mould, if it is within the tolerance of it.
     fn member(&self, job: &Job<'_>, shape: &MouldShape) -> Option<MouldMember> {
+        let key = (job.panel, shape.order().map(f64::to_bits));
+        if let Some(known) = self.members.borrow().get(&key) {
+            return *known;
+        }
+        let member = self.placed(job, shape);
+        self.members.borrow_mut().insert(key, member);
+        member
+    }
+
+    fn placed(&self, job: &Job<'_>, shape: &MouldShape) -> Option<MouldMember> {
         let (panel, points) = (job.panel, PanelPoints::new(&self.panels[job.panel]));
         if job.own == *shape {
             return Some(MouldMember { panel, near: points.near_surface(job.fit)? });
@@ -288,6 +305,15 @@ impl<'a> Workshop<'a> {
 
     /// The curvatures that are good for a panel of a cylinder or sphere.
     fn range<'b>(&self, job: Job<'b>) -> Range<'b> {
+        let key = (job.panel, job.own.order()[0].to_bits());
+        let known = self.ranges.borrow().get(&key).copied();
+        let [own, low, high] = known.unwrap_or_else(|| self.good_curvatures(&job));
+        self.ranges.borrow_mut().insert(key, [own, low, high]);
+        Range { job, own, low, high }
+    }
+
+    /// The curvature of a panel's own mould, the least and the largest that are good for it.
+    fn good_curvatures(&self, job: &Job<'_>) -> [f64; 3] {
         let points = PanelPoints::new(&self.panels[job.panel]);
         let size = points.unit.size;
         let own = job.fit.shape.across.abs() / size;
@@ -309,7 +335,7 @@ impl<'a> Workshop<'a> {
             }
             good
         };
-        Range { job, own, low: reach(-1.0), high: reach(1.0) }
+        [own, reach(-1.0), reach(1.0)]
     }
 }
 

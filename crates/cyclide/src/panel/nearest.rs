@@ -169,7 +169,7 @@ impl PanelPoints {
             }
             let far = peaks(&self.unit, |place| now.shape.distance(self.unit.at(place)));
             points.extend(far.into_iter().map(|(_, place)| self.unit.at(place)));
-            let (shape, at_points) = now.shape.levelled(&points, shape.bend.free(), 0.0);
+            let (shape, at_points) = now.shape.levelled(&points, shape.bend.free(), [0.0, f64::INFINITY]);
             (now, largest) = (self.measured(shape), at_points);
             if now.max_distance < best.max_distance {
                 best = now;
@@ -182,7 +182,7 @@ impl PanelPoints {
     pub(super) fn place(&self, fit: &PanelFit, mould: &MouldShape, [enough, limit]: [f64; 2]) -> (BentPlane, f64) {
         let start = mould.near(&fit.shape, self.unit.size);
         let ends = [enough / self.unit.size, limit / self.unit.size];
-        let (shape, largest) = start.least_maximum(&self.points, PLACE, ends);
+        let (shape, largest) = start.placed(&self.points, PLACE, ends);
         (shape, largest * self.unit.size)
     }
 

@@ -49,6 +49,43 @@ impl RationalBezierSurface {
         found.unwrap_or(PatchKind::Cyclide)
     }
 
+    /// The centre and the radius of the sphere on which the surface lies, proved likewise, with the same limits; `None` of all else. The radius is
+    /// negative where the normal `f_s × f_t` points to the centre. Source: as [`recognise`](Self::recognise).
+    ///
+    /// ```
+    /// use cyclide::{CyclidePatch, Point3, Vec3};
+    /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    /// let eighth = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?.to_rational();
+    /// let (center, radius) = eighth.sphere().expect("an eighth of the unit sphere");
+    /// assert!(center.distance(Point3::ORIGIN) < 1e-14 && (radius - 1.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn sphere(&self) -> Option<(Point3, f64)> {
+        if !self.has_positive_weights() {
+            return None;
+        }
+        let place = |i: u32| f64::from(i) / f64::from(PLACES - 1);
+        let places = (0..PLACES * PLACES).map(|k| (place(k / PLACES), place(k % PLACES)));
+        let (points, normals): (Vec<Point3>, Vec<Vec3>) =
+            places.map(|(s, t)| (self.point(s, t), self.unit_normal(s, t))).unzip();
+        let turns = normals.iter().any(|n| n.cross(normals[0]).length() >= SMALLEST_TURN);
+        let (radius, center) = radius_and_centre(&points, &normals);
+        let limit = limit(&points, radius.abs())?;
+        (turns && radius.is_finite() && self.is_on_sphere(center, radius.abs(), limit)).then_some((center, radius))
+    }
+
+    /// Whether no point is farther than the limit from the sphere, with positive weights: as for the cylinder, with three coordinates.
+    fn is_on_sphere(&self, center: Point3, radius: f64, limit: f64) -> bool {
+        let local = self.seen_from(center);
+        let square = |k: usize| {
+            let row: Vec<f64> = local.rows().iter().map(|row| row[k]).collect();
+            bernstein::product_of_two((&row, self.degrees()), (&row, self.degrees())).0
+        };
+        let [xx, yy, zz, ww] = [0, 1, 2, 3].map(square);
+        (0..ww.len()).all(|k| ((xx[k] + yy[k] + zz[k]) / ww[k] - radius * radius).abs() / radius <= limit)
+    }
+
     /// The cylinder that points and normals of some places suggest, if the surface lies on it.
     fn cylinder(&self, points: &[Point3], normals: &[Vec3]) -> Option<PatchKind> {
         let axis = axis(normals)?;

@@ -160,8 +160,46 @@ pub enum Warning {
         ratio: f64,
         /// Of which part that is true.
         part: SwingPart,
+        /// How far it runs beyond the poses there: a length, or radians of a turn.
+        beyond: f64,
         /// Ratios above this are reported.
         limit: f64,
+    },
+    /// Turns carry the origin of a spline motion away from the straight lines between its poses, as on an arc about the axis of a turn, by more than
+    /// its places do by themselves.
+    LeavesChords {
+        /// The span where it gets farthest away, from 0.
+        span: usize,
+        /// How many spans there are of which that is true.
+        count: usize,
+        /// How far from the straight line.
+        distance: f64,
+        /// How long that is.
+        chord: f64,
+        /// Parts of the longest chord beside a span above this are reported.
+        limit: f64,
+    },
+    /// The tolerance of a smoothed motion is below the noise of its poses, so that single ones pull it to and fro.
+    PosesNoisier {
+        /// True of the turns, in radians; else of the places.
+        turning: bool,
+        /// Standard deviation of the noise along one axis.
+        sigma: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// Tolerances from this on are not reported.
+        needed: f64,
+    },
+    /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the way to the next pose at most.
+    BlendsShortened {
+        /// The pose where the blend is the shortest, from 0.
+        pose: usize,
+        /// How many poses there are of which that is true.
+        count: usize,
+        /// The radius there.
+        radius: f64,
+        /// The radius that was asked for.
+        asked: f64,
     },
     /// A pose is turned by half a turn against the one before, for which both ways round are as short.
     HalfTurn {
@@ -192,12 +230,16 @@ pub enum Warning {
         /// The turn there, radians: half a turn within a piece.
         angle: f64,
     },
-    /// A corner of the input was kept as a corner.
+    /// Corners of the input were kept as corners.
     CornerKept {
-        /// Index of the point.
+        /// Index of the first of the points.
         vertex: usize,
-        /// Turn at the point, radians.
-        angle: f64,
+        /// How many there are.
+        count: usize,
+        /// Least turn at one of them, radians.
+        least: f64,
+        /// Largest turn at one of them, radians.
+        most: f64,
     },
     /// The samples are too far apart for the tolerance if the edges themselves are meant.
     SamplesTooCoarse {
@@ -309,7 +351,7 @@ pub enum Warning {
     },
     /// Ends were asked for, but a closed curve has none.
     EndsWithoutEffect,
-    /// A fair fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+    /// A fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
     SwingsOut {
         /// How far the curve was from the polyline.
         distance: f64,
@@ -318,6 +360,17 @@ pub enum Warning {
         limit: f64,
         /// It was fitted again with places on the edges, and does not swing out any more.
         held: bool,
+        /// It is an arc fit, which can take the edges as they are.
+        has_target: bool,
+    },
+    /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
+    ReadAsCurve {
+        /// How many there are.
+        count: usize,
+        /// Largest turn at one of them, radians.
+        turn: f64,
+        /// How far the curve is from their polyline.
+        distance: f64,
     },
     /// The feet of some points step back along the curve: distances are bounded one way only.
     FeetNotMonotone {
@@ -325,6 +378,32 @@ pub enum Warning {
         point: usize,
         /// How many there are.
         count: usize,
+    },
+    /// A point does not belong to the others: it is far from the curve of these.
+    Outlier {
+        /// The point.
+        point: usize,
+        /// How far it is from the curve of the others.
+        distance: f64,
+        /// Standard deviation of the noise of these.
+        noise: f64,
+        /// It was left out, as asked for; else it counts.
+        dropped: bool,
+        /// How many there are.
+        count: usize,
+    },
+    /// Points that were measured while nothing moved are one place, and count as one point.
+    StopMerged {
+        /// The first of them.
+        first: usize,
+        /// The last.
+        last: usize,
+        /// How many there are.
+        count: usize,
+        /// Their mean.
+        at: [f64; 3],
+        /// How far the farthest is from it.
+        radius: f64,
     },
     /// Points closer than the limit to their neighbour were merged.
     PointsMerged {
@@ -353,6 +432,17 @@ pub enum Warning {
         count: usize,
         /// The part of the surface that they cover.
         coverage: f64,
+    },
+    /// Grids miss some of their surface.
+    PartlyCovered {
+        /// The part of the surface's area that they cover.
+        coverage: f64,
+        /// The part below which it is said.
+        limit: f64,
+        /// Whether each grid is a rectangle, and not all whole cells.
+        rectangles: bool,
+        /// How many umbilics the surface has.
+        umbilics: usize,
     },
     /// One mesh of quads round umbilics goes round some of them only.
     UmbilicsLeftOut {

@@ -1,8 +1,8 @@
 //! What a warning says: plain sentences with the place, the measure, the limit and what helps.
 
-use super::Warning;
 use super::reason::as_noise;
 use super::words::{rounded_down, times, write_nodes_not_reached, write_open_profile, write_relaxed};
+use super::{SwingPart, Warning};
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 
@@ -114,19 +114,47 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*time),
                 ShortNumber(*velocity_jump)
             ),
-            Self::MotionSwings { span, count, ratio, part, .. } => {
-                let part = part.words();
+            Self::MotionSwings { span, count, ratio, part, beyond, .. } => {
+                let words = part.words();
+                let unit = if *part == SwingPart::Turn { " rad" } else { "" };
+                let beyond = ShortNumber(*beyond);
                 write!(
                     f,
-                    "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where {part} "
+                    "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where {words} "
                 )?;
                 if ratio.is_finite() {
-                    write!(f, "starts or ends {} times as fast as it goes on average", ShortNumber(*ratio))?;
+                    let ratio = ShortNumber(*ratio);
+                    write!(f, "starts or ends {ratio} times as fast as it goes on average, and runs {beyond}{unit} beyond")?;
                 } else {
-                    f.write_str("goes on though it is the same at both")?;
+                    write!(f, "goes on though it is the same at both, by {beyond}{unit}")?;
                 }
-                f.write_str(": give times that fit the ways, or a pose more (the same pose twice is a rest)")
+                f.write_str(
+                    ": the kind `linear` goes straight from pose to pose; or give times that fit the ways, or a pose more (the same pose twice is a rest)",
+                )
             }
+            Self::LeavesChords { span, count, distance, chord, .. } => write!(
+                f,
+                "in {count} span(s) the turns of the body carry its origin away from the straight line between the poses, most from pose {span} to the next, by {} \
+                 on a distance of {}: the kind `linear` goes straight from pose to pose; or give poses in between",
+                ShortNumber(*distance),
+                ShortNumber(*chord)
+            ),
+            Self::PosesNoisier { turning, sigma, tolerance, needed } => {
+                let (of, unit) = if *turning { ("angle", " rad") } else { ("place", "") };
+                let [sigma, tolerance, needed] = [sigma, tolerance, needed].map(|value| ShortNumber(*value));
+                write!(
+                    f,
+                    "the tolerance in {of} of {tolerance}{unit} is below four standard deviations of the noise of the poses, which is about {sigma}{unit} along each axis: single poses \
+                     pull the motion to and fro; give {needed}{unit} or more"
+                )
+            }
+            Self::BlendsShortened { pose, count, radius, asked } => write!(
+                f,
+                "the blends at {count} pose(s) are shorter than the radius of {}: they take half of the way to the next pose at most, at pose {pose} {}; give a smaller radius, \
+                 or poses farther apart",
+                ShortNumber(*asked),
+                ShortNumber(*radius)
+            ),
             Self::HalfTurn { pose, count, .. } => write!(
                 f,
                 "{count} pose(s), first pose {pose}, are turned by half a turn against the one before, up to rounding: both ways round are as short, and which one \
@@ -148,8 +176,13 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*y),
                 ShortNumber(*z)
             ),
-            Self::CornerKept { vertex, angle } => {
-                write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
+            Self::CornerKept { vertex, count: 1, most, .. } => {
+                write!(f, "point {vertex}: corner of {:.1} degrees kept", most.to_degrees())
+            }
+            Self::CornerKept { vertex, count, least, most } => {
+                let (least, most) = (format!("{:.1}", least.to_degrees()), format!("{:.1}", most.to_degrees()));
+                let range = if least == most { most } else { format!("{least} to {most}") };
+                write!(f, "{count} corners of {range} degrees kept, the first at point {vertex}")
             }
             Self::SamplesTooCoarse { sagitta, limit } => write!(
                 f,
@@ -247,17 +280,46 @@ impl std::fmt::Display for Warning {
             ),
             Self::NodesNotReached { asked, reached, why } => write_nodes_not_reached(f, *asked, *reached, why),
             Self::EndsWithoutEffect => f.write_str("a closed curve has no ends: what was asked for them has no effect"),
-            Self::SwingsOut { distance, limit, held } => write!(
+            Self::SwingsOut { distance, limit, held, has_target } => write!(
                 f,
-                "between the points the curve {} up to {} from their polyline (more than {} is far){}; if the points have corners, give a corner angle",
+                "between the points the curve {} up to {} from their polyline (more than {} is far){}; {}",
                 if *held { "would swing out" } else { "swings out" },
                 ShortNumber(*distance),
                 ShortNumber(*limit),
-                if *held { ": it is held to places on the edges too" } else { "" }
+                if *held { ": it is held to places on the edges too" } else { "" },
+                if *has_target {
+                    "if the edges are meant, the target `polyline` keeps to all of them"
+                } else {
+                    "if the points have corners, give a corner angle"
+                }
+            ),
+            Self::ReadAsCurve { count, turn, distance } => write!(
+                f,
+                "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their polyline by {}: if its edges are meant, the target \
+                 `polyline` keeps to all of them, a smaller corner angle to those between larger turns",
+                turn.to_degrees(),
+                ShortNumber(*distance)
             ),
             Self::FeetNotMonotone { point, count } => write!(
                 f,
-                "point {point}: its place on the curve is before that of the point before it ({count} such): the points are denser than their noise, and the distance to their polyline is bounded one way only"
+                "point {point} lies behind the point before it, measured along the curve ({count} such points): the points are closer together than their noise, so only the distance from the curve to the polyline is bounded, not that from the polyline to the curve"
+            ),
+            Self::Outlier { point, distance, noise, dropped, count } => {
+                write!(
+                    f,
+                    "point {point} is an outlier ({count} in all): it is {} from the curve of the others, whose noise has a standard deviation of {}; ",
+                    ShortNumber(*distance),
+                    ShortNumber(*noise)
+                )?;
+                f.write_str(if *dropped { "left out" } else { "kept; `--outliers drop` leaves it out (in a document `\"outliers\": \"drop\"`)" })
+            }
+            Self::StopMerged { first, last, count, at, radius } => write!(
+                f,
+                "points {first} to {last} are a stop: {count} points within {} of {},{},{}, where nothing moved; they count as one point",
+                ShortNumber(*radius),
+                ShortNumber(at[0]),
+                ShortNumber(at[1]),
+                ShortNumber(at[2])
             ),
             Self::PointsMerged { first, count, limit } => {
                 let limit = ShortNumber(*limit);
@@ -282,6 +344,17 @@ impl std::fmt::Display for Warning {
                 f,
                 "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
                 ShortNumber((1000.0 * coverage).round() / 10.0)
+            ),
+            Self::PartlyCovered { coverage, limit, rectangles, umbilics } => write!(
+                f,
+                "{} % of the surface is covered, less than {} %: {}",
+                ShortNumber((1000.0 * coverage).round() / 10.0),
+                ShortNumber(100.0 * limit),
+                match (rectangles, umbilics) {
+                    (true, _) => "a border in steps (`staircase`) and shorter edges cover more",
+                    (_, 0) => "shorter edges cover more, and the border `cover` all of it",
+                    _ => "shorter edges cover more; model the parts around the umbilics as patches of their own",
+                }
             ),
             Self::UmbilicsLeftOut { count, at: [x, y, z] } => write!(
                 f,

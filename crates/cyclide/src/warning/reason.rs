@@ -23,6 +23,9 @@ impl Warning {
             Self::RestsPassedOver { .. } => "rests-passed-over",
             Self::MotionReverses { .. } => "motion-reverses",
             Self::MotionSwings { .. } => "motion-swings",
+            Self::LeavesChords { .. } => "leaves-chords",
+            Self::PosesNoisier { .. } => "tolerance-below-noise",
+            Self::BlendsShortened { .. } => "blends-shortened",
             Self::HalfTurn { .. } => "half-turn",
             Self::PosesRounded { .. } => "poses-rounded",
             Self::CuspInside { .. } => "cusp",
@@ -42,11 +45,15 @@ impl Warning {
             Self::NodesNotReached { .. } => "nodes-not-reached",
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
+            Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
+            Self::Outlier { .. } => "outlier",
+            Self::StopMerged { .. } => "stop",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::UmbilicsSmoothed { .. } => "umbilics-smoothed",
             Self::GridPieces { .. } => "pieces",
+            Self::PartlyCovered { .. } => "partly-covered",
             Self::SpiralLines { .. } => "spiral-lines",
             Self::UmbilicsLeftOut { .. } => "umbilics-left-out",
             Self::OffCurvatureLines { .. } => "off-curvature-lines",
@@ -96,10 +103,11 @@ impl Warning {
                 Some(segment)
             }
             Self::SpikeNearPoint { point, .. } => Some(point),
-            Self::HalfTurn { pose, .. } => Some(pose),
+            Self::HalfTurn { pose, .. } | Self::BlendsShortened { pose, .. } => Some(pose),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
-            Self::FeetNotMonotone { point, .. } => Some(point),
+            Self::FeetNotMonotone { point, .. } | Self::Outlier { point, .. } => Some(point),
+            Self::StopMerged { first, .. } => Some(first),
             Self::NearlyFullArcs { piece, .. } => Some(piece),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
@@ -111,10 +119,12 @@ impl Warning {
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
             Self::SpeedSpike { span, .. }
             | Self::MotionSwings { span, .. }
+            | Self::LeavesChords { span, .. }
             | Self::TurnsNearlyInPlace { span, .. }
             | Self::RestsPassedOver { span, .. }
             | Self::MotionReverses { span, .. } => Some(span),
             Self::LargeExcursion { .. }
+            | Self::PosesNoisier { .. }
             | Self::TurnsBack { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }
@@ -125,6 +135,7 @@ impl Warning {
             | Self::TurnsMoreThanData { .. }
             | Self::UmbilicsSmoothed { .. }
             | Self::GridPieces { .. }
+            | Self::PartlyCovered { .. }
             | Self::UmbilicsLeftOut { .. }
             | Self::OffCurvatureLines { .. }
             | Self::SpiralLines { .. }
@@ -138,6 +149,7 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
+            | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }
             | Self::LooseBorders { .. }

@@ -6,6 +6,7 @@
 mod along;
 mod cubics;
 mod data;
+mod decoupled;
 mod frames;
 mod jets;
 mod planar;

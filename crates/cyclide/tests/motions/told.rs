@@ -156,10 +156,13 @@ fn reversals_at_poses_are_told() {
 #[test]
 fn half_turns_are_told() {
     let half = std::f64::consts::PI;
-    let first = |motion: &Motion| match motion.warnings()[..] {
-        [Warning::HalfTurn { pose, count, off, .. }] => Some((pose, count, off)),
-        [] => None,
-        _ => panic!("{:?}", motion.warnings()),
+    let first = |motion: &Motion| {
+        motion.warnings().into_iter().find_map(|warning| match warning {
+            Warning::HalfTurn { pose, count, off, .. } => Some((pose, count, off)),
+            // A spline runs on a half circle then.
+            Warning::LeavesChords { .. } => None,
+            other => panic!("{other:?}"),
+        })
     };
     // The same poses go round both ways, by the sign alone.
     let other = TimedPose {
@@ -196,7 +199,7 @@ fn half_turns_are_told() {
 fn turns_and_places_that_swing_are_told_apart() {
     let told = |poses: &[TimedPose]| match RationalMotion::spline(poses).unwrap().warnings()[..] {
         [] => None,
-        [Warning::MotionSwings { span, count, ratio, part, limit }] => {
+        [Warning::MotionSwings { span, count, ratio, part, limit, .. }] => {
             assert!(ratio > limit);
             Some((span, count, ratio, part))
         }
@@ -208,16 +211,17 @@ fn turns_and_places_that_swing_are_told_apart() {
     assert_eq!(told(&turns), Some((1, 1, f64::INFINITY, SwingPart::Turn)));
     let message = RationalMotion::spline(&turns).unwrap().warnings()[0].to_string();
     assert!(message.contains("where its turn goes on though it is the same at both"), "{message}");
-    // At one place at both ends of a turn, it leaves that by a tenth of the way before.
+    // At one place at both ends of a turn, it leaves that by a tenth of the way before; and on the slides beside, where it should not turn, it rocks.
     let places = [degrees(0.0, 0.0, 0.0), degrees(1.0, 10.0, 0.0), degrees(3.0, 10.0, 90.0), degrees(4.0, 20.0, 90.0)];
-    assert_eq!(told(&places), Some((1, 1, f64::INFINITY, SwingPart::Place)));
+    assert_eq!(told(&places), Some((0, 3, f64::INFINITY, SwingPart::Turn)));
     let out = |k: u32| {
         let motion = RationalMotion::spline(&places).unwrap();
         (motion.pose(1.0 + 2.0 * f64::from(k) / 40.0).translation() - Vec3::X * 10.0).length()
     };
     assert!((0..=40).map(out).fold(0.0, f64::max) > 1.0);
     // What is nearly so has a ratio, and a pose more, or a rest, helps.
-    let nearly = [places[0], places[1], degrees(3.0, 10.5, 90.0), places[3]];
+    let turning = |time: f64, x: f64, angle: f64| degrees(time, x, angle - 10.0 * (2.0 - time).abs());
+    let nearly = [turning(0.0, 0.0, 0.0), turning(1.0, 10.0, 0.0), turning(3.0, 10.5, 90.0), turning(4.0, 20.0, 110.0)];
     assert!(told(&nearly).is_some_and(|(span, _, ratio, part)| span == 1 && ratio < 100.0 && part == SwingPart::Place));
     let rests = [places[0], places[1], degrees(1.5, 10.0, 0.0), places[2], degrees(3.5, 10.0, 90.0), places[3]];
     assert_eq!(told(&rests), None);

@@ -242,6 +242,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "welding_seam",
+        title: "Linear moves of a robot",
+        text: "A torch welds two seams: straight from pose to pose, turned at constant speed, and past the poses on blends of 4 mm, as an animation with the paths of its tip and of the hose behind it.",
+        document: example!("welding_seam.json"),
+        inputs: &[],
+        formats: MOVING,
+        camera: "60,35",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "tee",
         title: "Tees of pipes",
         text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, three branches on one hollow pipe, three round it at one place, and an equal cross, whose blends meet in points. Exact rational faces, one solid each.",

@@ -45,11 +45,9 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     drop(progress);
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
     files.push(("viewer.js".to_owned(), page::VIEWER.as_bytes().to_vec()));
-    std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
-    let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
     let page = plan.folder.join("index.html");
     let text = format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display());
-    files::write(&files, plan.write, &text)
+    files::write_folder(&plan.folder, &files, plan.write, &text)
 }
 
 /// Builds all entries, some at once; in their order.

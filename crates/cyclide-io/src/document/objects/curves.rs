@@ -1,6 +1,6 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Vec3, Warning};
+use cyclide::{Arc, Biarc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Units, Vec3, Warning};
 
 use super::idle::{Idle, idle_fields};
 use super::wavers::wavers;
@@ -16,9 +16,10 @@ use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcFitSpec, ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::formats::InputKind;
-use crate::input::points::{Merged, PointColumns, PointList, merge_repeated, read_points};
+use crate::input::points::{Merged, PointColumns, PointList, UNITS_ASSUMED, merge_repeated, read_points};
+use crate::text::encoding::decode_table;
 use crate::text::lines::LineStarts;
-use crate::text::place::decode;
+use crate::text::place::quoted;
 
 /// The points of an object and the text they stand in.
 pub(super) struct Points {
@@ -116,6 +117,8 @@ impl Builder<'_> {
         match self.spec {
             ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
             ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
+            ObjectSpec::Ellipse(s) => single(self.ellipse(s)?),
+            ObjectSpec::Helix(s) => single(self.helix(s)?),
             ObjectSpec::Biarc(s) => {
                 let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
                 let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule);
@@ -125,7 +128,19 @@ impl Builder<'_> {
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.arc_fit(s),
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
-            ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
+            ObjectSpec::FairFit(s) => {
+                let auto = s.tolerance.within().is_none();
+                let heights_auto = s.tolerance_z.is_some_and(|z| z.within().is_none());
+                if s.noise.is_some() && !auto {
+                    return Err(self.unfit(
+                        "`noise` goes with `\"tolerance\": \"auto\"`: with a number as tolerance that decides",
+                    ));
+                }
+                if s.tolerance_z.is_some() && heights_auto != auto {
+                    return Err(self.unfit("`tolerance` and `tolerance_z` are two numbers, or both `\"auto\"`"));
+                }
+                self.each_contour(&s.points, s.closed, |at| fair_fit(s, at))
+            }
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::Nurbs(s) => single(self.nurbs(s)?),
             ObjectSpec::MoebiusSpline(s) => self.each_contour(&s.points, s.closed, |at| moebius_spline(s, at)),
@@ -191,9 +206,10 @@ impl Builder<'_> {
             // Numbers of vertices are of a polyline that nobody has seen.
             let (corners, others): (Vec<_>, Vec<_>) =
                 warnings.into_iter().partition(|warning| matches!(warning, Warning::CornerKept { .. }));
+            let count = |warning: &Warning| if let Warning::CornerKept { count, .. } = warning { *count } else { 0 };
             if let Some(first) = corners.first() {
-                let message = match corners.len() {
-                    1 => "a corner of the curve is kept".to_owned(),
+                let message = match corners.iter().map(count).sum() {
+                    1_usize => "a corner of the curve is kept".to_owned(),
                     count => format!("{count} corners of the curve are kept"),
                 };
                 let place = self.place_of([Step::from("of")]);
@@ -308,12 +324,14 @@ impl Builder<'_> {
             }
             // Places are looked up in the list as given, so before the merge drops entries.
             let given_offsets = points.lists[contour].offsets.clone();
+            let given_labels = points.lists[contour].labels.clone();
             let merged = if self.spec.keeps_repeated_points() {
                 Merged::nothing(&points.lists[contour])
             } else {
                 merge_repeated(&mut points.lists[contour], closed)
             };
             points.lists[contour].offsets = given_offsets;
+            points.lists[contour].labels = given_labels;
             points.kept[contour] = merged.kept;
             for warning in merged.warnings {
                 let index = warning.index();
@@ -335,6 +353,7 @@ impl Builder<'_> {
                 let place = index.map(|i| self.place(&points, contour, i));
                 self.remarks.push(Remark { contour: Some(contour), index, place, ..warning.into() });
             }
+            self.take_point_names(&points, contour);
             if facts.fit.is_some() {
                 self.data.extend_from_slice(&points.lists[contour].points);
             }
@@ -342,6 +361,18 @@ impl Builder<'_> {
         }
         self.remark_on_idle(idle.unwrap_or_default());
         Ok(made)
+    }
+
+    /// Keeps what the points of a contour are called.
+    fn take_point_names(&mut self, points: &Points, contour: usize) {
+        let Origin::File { text, .. } = &points.origin else { return };
+        let list = &points.lists[contour];
+        let name = |given: &usize| list.labels.get(*given).and_then(|range| text.get(range.clone()));
+        let named = list.points.iter().zip(&points.kept[contour]).filter_map(|(point, given)| {
+            let name = name(given).filter(|name| !name.is_empty())?;
+            Some((*point, quoted(name).into_owned()))
+        });
+        self.point_names.extend(named);
     }
 
     pub(super) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
@@ -366,10 +397,12 @@ impl Builder<'_> {
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
         self.remark_units(&name, &table.unit_hints);
-        for remark in table.remarks {
+        let assumed = self.document.units_assumed && self.document.units == Units::Millimetre;
+        for remark in table.remarks.into_iter().filter(|remark| assumed || remark.reason != UNITS_ASSUMED) {
             self.remark(remark.reason, None, None, Some(name.clone()), remark.message);
         }
-        let text = decode(&name, &bytes)?.to_owned();
+        self.note_all(&name, &table.notes);
+        let text = decode_table(&name, &bytes)?.text.into_owned();
         let lines = LineStarts::new(&text);
         let kept = vec![Vec::new(); table.contours.len()];
         Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text, lines } })
@@ -379,9 +412,14 @@ impl Builder<'_> {
     fn place(&self, points: &Points, contour: usize, index: usize) -> String {
         match &points.origin {
             Origin::Document { .. } => path_text(&self.path(points.steps(contour, Some(index)))),
-            Origin::File { name, lines, .. } => {
-                let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
-                format!("{name}:{}", lines.line_of(offset))
+            Origin::File { name, text, lines } => {
+                let list = &points.lists[contour];
+                let offset = list.offsets.get(index).copied().unwrap_or_default();
+                // As the person calls it.
+                let label =
+                    list.labels.get(index).and_then(|range| text.get(range.clone())).filter(|label| !label.is_empty());
+                let label = label.map(|label| format!(" (`{}`)", quoted(label))).unwrap_or_default();
+                format!("{name}:{}{label}", lines.line_of(offset))
             }
         }
     }

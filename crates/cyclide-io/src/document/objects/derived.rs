@@ -97,8 +97,18 @@ impl Builder<'_> {
         }
         let spines = curves.iter().map(|curve| curve.spine(spec.tolerance)).collect::<cyclide::Result<Vec<_>>>();
         let spines = spines.map_err(refused)?;
-        let bodies =
-            spines.iter().map(|spine| pipe.body(spine)).collect::<cyclide::Result<Vec<_>>>().map_err(refused)?;
+        let mut bodies = Vec::with_capacity(spines.len());
+        for (curve, spine) in curves.iter().zip(&spines) {
+            bodies.push(pipe.body(spine).map_err(|e| match e {
+                cyclide::Error::MitreDoesNotFit { .. } | cyclide::Error::CornerNotMitred { .. } => {
+                    match self.fit_for_pipe(curve, &pipe, spec.radius) {
+                        Some(remedy) => self.refused_in_words(["radius".into()], e.reason(), format!("{e}{remedy}")),
+                        None => refused(e),
+                    }
+                }
+                e => refused(e),
+            })?);
+        }
         let meeting = pipe.first_meeting(&spines).map_err(refused)?;
         let idle = idle_in_pipe(spec, curves, spines.iter().all(|spine| spine.is_closed()));
         if let Some(([first, second], distance)) = meeting {

@@ -3,7 +3,7 @@
 //! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
 //! a construction does with a field.
 
-use cyclide::{BiarcRule, CurveObject, PipeEnds, Tube, bounds, corners_by_angle};
+use cyclide::{BiarcRule, CurveObject, PipeEnds, bounds, corners_by_angle};
 
 use super::Builder;
 use crate::document::angle::Angle;
@@ -101,7 +101,9 @@ fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> 
 fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     let no_fits = spec.max_fits == Some(0);
     let none_taken_out = "with `max_fits` 0 no nodes are taken out";
+    let auto = spec.tolerance.within().is_none();
     found(&[
+        ("centre", spec.centre != 0.0 && auto, "with the tolerance `auto` the curve keeps to the middle of the points"),
         ("fix_ends", spec.fix_ends && spec.closed, NO_ENDS),
         ("nodes", spec.nodes.is_some() && no_fits, none_taken_out),
         ("budget", spec.budget.is_some() && no_fits, none_taken_out),
@@ -142,10 +144,12 @@ pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool
     ])
 }
 
-/// What a tube does not look at.
-pub(super) fn idle_in_tube(spec: &TubeSpec, tubes: &[Tube]) -> Vec<Idle> {
-    let closed = tubes.iter().all(Tube::is_closed);
+/// What a tube does not look at; `closed` if all are.
+pub(super) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Idle> {
+    let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
+    let constant = values.windows(2).all(|pair| pair[0][1].total_cmp(&pair[1][1]).is_eq());
     found(&[
+        ("radius_of", constant && spec.radius_of.is_some(), "sections and balls of one radius are the same tube"),
         ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
         (
             "ends",
@@ -162,7 +166,7 @@ pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joi
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
         ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
-        ("most_pieces", several && spec.border == GridBorder::Cover, "one grid covers the surface"),
+        ("most_pieces", several && spec.border == Some(GridBorder::Cover), "one grid covers the surface"),
         ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all laid"),
     ])
 }

@@ -4,6 +4,7 @@ mod ball_centers;
 mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
+mod conics;
 mod contact_blends;
 mod crossings;
 mod curve_places;
@@ -26,13 +27,16 @@ mod nurbs;
 mod nurbs_surface;
 mod polygon_mesh;
 mod polyhedra;
+mod poses;
 #[cfg(feature = "circular-mesh")]
 mod principal;
 mod references;
 mod refuse;
 mod remark;
+mod remedies;
 mod smooth;
 mod surfaces;
+mod sweeps;
 mod swept;
 mod tees;
 mod torus;
@@ -124,6 +128,8 @@ pub struct BuiltObject {
     pub contours: Vec<ContourFacts>,
     /// What the user should know: warnings of the kernel, and what reading and making the object remarked.
     pub remarks: Vec<Remark>,
+    /// How files were read, where that was certain and is not plain: columns by words, encodings, times of clocks.
+    pub notes: Vec<String>,
     /// Of images of curves under Möbius maps: of what, and by which.
     pub(crate) unmapped: Option<Unmapped>,
 }
@@ -228,11 +234,14 @@ impl<'a> ModelBuilder<'a> {
                     smooth: None,
                     unrolled: None,
                     remarks: Vec::new(),
+                    notes: Vec::new(),
+                    point_names: Vec::new(),
                     data: Vec::new(),
                     names: Vec::new(),
                     gradings: None,
                     unmapped: None,
                     quality: None,
+                    bound: None,
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -328,6 +337,9 @@ struct Builder<'a> {
     /// What became of the curve when it was laid flat.
     unrolled: Option<UnrolledPlane>,
     remarks: Vec<Remark>,
+    notes: Vec<String>,
+    /// What its points are called in their table.
+    point_names: Vec<(Point3, String)>,
     /// The points of a fit.
     data: Vec<Point3>,
     /// The names of its surfaces, if they have some.
@@ -338,6 +350,8 @@ struct Builder<'a> {
     unmapped: Option<Unmapped>,
     /// The quality of these cells.
     quality: Option<GridQuality>,
+    /// How far what it makes may be from what is described, where it is not exact.
+    bound: Option<f64>,
 }
 
 impl Builder<'_> {
@@ -367,8 +381,8 @@ impl Builder<'_> {
         }
         let tolerance = match self.spec {
             ObjectSpec::ArcFit(s) => Some(s.tolerance),
-            ObjectSpec::FairFit(s) => Some(s.tolerance),
-            _ => None,
+            ObjectSpec::FairFit(s) => s.tolerance.within(),
+            _ => self.bound,
         };
         // A type makes curves, surfaces, volumes or a motion, and an image is of the kind of its object.
         let geometry = match moving {
@@ -394,6 +408,8 @@ impl Builder<'_> {
             smooth,
             unrolled,
             remarks,
+            notes,
+            point_names,
             names,
             gradings,
             unmapped,
@@ -401,7 +417,8 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance = Provenance { kind: self.spec.type_word(), data, nodes, places, names, given, field, skin };
+        let provenance =
+            Provenance { kind: self.spec.type_word(), data, nodes, point_names, places, names, given, field, skin };
         Ok(BuiltObject {
             item,
             provenance,
@@ -425,6 +442,7 @@ impl Builder<'_> {
             construction,
             contours,
             remarks,
+            notes,
             unmapped,
         })
     }

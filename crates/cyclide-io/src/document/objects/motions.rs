@@ -1,8 +1,9 @@
 //! Motions of bodies, paths of their points, and what their curves run over.
 
 use cyclide::{
-    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Point3, Pose, PoseTimes, Quat, RationalMotion,
-    ScrewMotion, ShortNumber, SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
+    BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, CurveObject, DecoupledMotion, ErrorItem,
+    FairSplineOptions, Motion, MotionTolerance, MovingBody, Point3, Pose, PoseTimes, Quat, RationalMotion, ScrewMotion,
+    ShortNumber, SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
 };
 
 use super::{Builder, NO_EFFECT};
@@ -10,17 +11,45 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
+    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseTolerance, PositionCurve, StartSpec, SweepEnds,
+    SweptSurfaceSpec, TrajectorySpec,
 };
 use crate::error::{Error, Result};
-use crate::input::points::{SIX_DECIMALS, read_poses, whole_turns};
-use std::f64::consts::TAU;
-
-/// Matrices that are off a rotation by this much are written with three decimals: the nearest one is taken, and said.
-const FEW_DECIMALS: f64 = 2e-3;
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
-const AT_REST: f64 = 64.0 * f64::EPSILON;
+pub(super) const AT_REST: f64 = 64.0 * f64::EPSILON;
+
+/// Planes that are off that across the path of their middle by no more than this are across it, radians: two degrees.
+const ACROSS: f64 = 0.035;
+
+/// Places of a motion where that is looked at, and the part of its time between two poses that tell a direction.
+const PLACES: u32 = 64;
+const STEP: f64 = 1e-5;
+
+/// By how much a closed plane curve of a moving body is off the plane across the path of its middle, at most, and when.
+fn lean_of_section(curve: &CurveObject, motion: &RationalMotion) -> Option<(f64, f64)> {
+    let (pieces, closed) = curve.exact_pieces().ok()?;
+    let points: Vec<Point3> = pieces.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75].map(|x| piece.point(x))).collect();
+    let first = *points.first().filter(|_| closed)?;
+    let middle = first + points.iter().fold(Vec3::ZERO, |sum, p| sum + (*p - first)) / points.len() as f64;
+    let pairs = points.iter().zip(points.iter().cycle().skip(1));
+    let normal = pairs.fold(Vec3::ZERO, |sum, (a, b)| sum + (*a - middle).cross(*b - middle)).unit()?;
+    let size = points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
+    if points.iter().any(|p| (*p - middle).dot(normal).abs() > 1e-9 * size) {
+        return None;
+    }
+    let times = motion.times();
+    let [from, to] = [times[0], times[times.len() - 1]];
+    let lean = |k: u32| {
+        let time = from + (to - from) * f64::from(k) / f64::from(PLACES);
+        let step = 0.5 * STEP * (to - from);
+        let [before, behind] = [(time - step).max(from), (time + step).min(to)].map(|time| motion.pose(time));
+        let way = (behind.apply(middle) - before.apply(middle)).unit()?;
+        let normal = motion.pose(time).rotation().rotate(normal);
+        Some((way.cross(normal).length().atan2(way.dot(normal).abs()), time))
+    };
+    (0..=PLACES).filter_map(lean).max_by(|a, b| a.0.total_cmp(&b.0))
+}
 
 impl Builder<'_> {
     /// The moving body of an object that is one.
@@ -47,23 +76,113 @@ impl Builder<'_> {
         if spec.times.is_some() && kind == MotionKind::Cubic {
             return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
         }
-        let (poses, timed) = self.poses(spec, source)?;
-        let motion = match kind {
-            MotionKind::Spline => RationalMotion::spline(&poses).map(Motion::from),
-            MotionKind::Sclerp => ScrewMotion::new(&poses).map(Motion::from),
-            MotionKind::Conic => RationalMotion::conic(&poses).map(Motion::from),
-            MotionKind::Quartic => RationalMotion::quartic(&poses).map(Motion::from),
-            MotionKind::Cubic => return self.cubic(spec, &poses, timed),
+        self.check_motion_fields(spec, kind)?;
+        let (mut poses, timed) = self.poses(spec, source)?;
+        // The first pose again.
+        let closing = if spec.closed { poses.pop().map(|pose| pose.time) } else { None };
+        let motion = match (spec.positions, spec.tolerance) {
+            (Some(curve), _) => return self.on_positions(spec, curve, &poses, closing),
+            (None, Some(PoseTolerance { place, angle })) => {
+                let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
+                DecoupledMotion::smoothed(&poses, tolerance).map(Motion::from)
+            }
+            (None, None) => match (kind, closing) {
+                (MotionKind::Spline, Some(closing)) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
+                (MotionKind::Spline, None) => RationalMotion::spline(&poses).map(Motion::from),
+                (MotionKind::Linear, closing) => {
+                    DecoupledMotion::linear(&poses, closing, spec.blend_radius.unwrap_or(0.0)).map(Motion::from)
+                }
+                (MotionKind::Sclerp, _) => ScrewMotion::new(&poses).map(Motion::from),
+                (MotionKind::Conic, _) => RationalMotion::conic(&poses).map(Motion::from),
+                (MotionKind::Quartic, _) => RationalMotion::quartic(&poses).map(Motion::from),
+                (MotionKind::Cubic, _) => return self.cubic(spec, &poses, timed),
+            },
         };
-        let motion = motion.map_err(|e| self.pose_refused(&e))?;
+        let motion = motion.map_err(|e| match e {
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Radius, .. } => {
+                self.refused_at(["blend_radius".into()], &e)
+            }
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Tolerance | ErrorItem::Angle, .. } => {
+                self.refused_at(["tolerance".into()], &e)
+            }
+            e => self.pose_refused(&e),
+        })?;
+        self.through_poses(spec, motion)
+    }
+
+    /// The body that goes from pose to pose.
+    fn through_poses(&mut self, spec: &MotionSpec, motion: Motion) -> Result<MovingBody> {
         let [first, last] = motion.domain();
         self.body(spec, motion, last - first)
+    }
+
+    /// Refuses fields that say nothing about a motion of this kind.
+    fn check_motion_fields(&self, spec: &MotionSpec, kind: MotionKind) -> Result<()> {
+        let apart = spec.positions.is_some() || spec.tolerance.is_some();
+        if spec.kind.is_some() && apart {
+            return Err(self.unfit(
+                "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
+            ));
+        }
+        if spec.positions.is_some() && spec.tolerance.is_some() {
+            return Err(
+                self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
+            );
+        }
+        if spec.closed && (spec.tolerance.is_some() || !matches!(kind, MotionKind::Spline | MotionKind::Linear)) {
+            return Err(self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions`"));
+        }
+        if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
+            return Err(
+                self.unfit("a `blend_radius` is of the kind `linear`: other motions do not stop at their poses")
+            );
+        }
+        Ok(())
+    }
+
+    /// The motion on a curve through the positions.
+    fn on_positions(
+        &mut self,
+        spec: &MotionSpec,
+        curve: PositionCurve,
+        poses: &[TimedPose],
+        closing: Option<f64>,
+    ) -> Result<MovingBody> {
+        let closed = closing.is_some();
+        let points = DecoupledMotion::places_of_curve(poses, closed);
+        let curve = match curve {
+            _ if points.len() < 2 => None,
+            PositionCurve::Polyline => None,
+            PositionCurve::Fair => {
+                Some(CircleSpline::fair(&points, &FairSplineOptions { closed, ..Default::default() }))
+            }
+            PositionCurve::CircleSpline => {
+                Some(CircleSpline::from_points(&points, &CircleSplineOptions { closed, ..Default::default() }))
+            }
+        };
+        let motion = match curve.transpose().map_err(|e| self.refused_at(["positions".into()], &e))? {
+            None => DecoupledMotion::polyline(poses, closing),
+            Some(curve) => {
+                // They count the positions, which are fewer than the poses where the body stays.
+                for warning in curve.warnings() {
+                    self.warn_at("positions", None, warning.clone());
+                }
+                DecoupledMotion::on_curve(poses, closing, curve)
+            }
+        };
+        let motion = motion.map_err(|e| self.pose_refused(&e))?;
+        self.through_poses(spec, motion.into())
     }
 
     /// The motion that a curve carries.
     fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
         if spec.kind.is_some() {
             return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+        }
+        if spec.closed || spec.blend_radius.is_some() || spec.positions.is_some() || spec.tolerance.is_some() {
+            return Err(self.unfit(
+                "`closed`, `blend_radius`, `positions` and `tolerance` are of motions through poses: `along` a curve there are none",
+            ));
         }
         if spec.times.is_some() {
             return Err(
@@ -158,156 +277,8 @@ impl Builder<'_> {
         Ok(made.with_mesh(shape))
     }
 
-    /// The poses, and whether times were given for them.
-    fn poses(&mut self, spec: &MotionSpec, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
-        let made: Vec<(Option<f64>, Pose)> = match source {
-            PoseSource::Inline(list) => {
-                self.remark_wide_angles(list);
-                let made = list.iter().enumerate().map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)));
-                let made: Vec<(Option<f64>, (Pose, f64))> = made.collect::<Result<_>>()?;
-                let off = made.iter().enumerate().filter(|(_, (_, (_, off)))| *off > SIX_DECIMALS);
-                if let Some((first, (_, (_, most)))) = off.clone().max_by(|a, b| a.1.1.1.total_cmp(&b.1.1.1)) {
-                    let place = self.place_of(["poses".into(), first.into()]);
-                    self.remark_rounded_matrices(off.count(), *most, place);
-                }
-                made.into_iter().map(|(time, (pose, _))| (time, pose)).collect()
-            }
-            PoseSource::File(file) => {
-                let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
-                let rising = matches!(spec.kind.unwrap_or_default(), MotionKind::Spline | MotionKind::Sclerp);
-                let table = read_poses(&name, &bytes, rising, FEW_DECIMALS).map_err(Error::Input)?;
-                if let Some(message) = table.taken_as_zero {
-                    self.remark("taken-as-zero", None, None, Some(name.clone()), message);
-                }
-                if let Some((count, line, off)) = table.rounded_matrices {
-                    self.remark_rounded_matrices(count, off, Some(format!("{name}:{line}")));
-                }
-                self.remark_units(&name, &table.unit_hints);
-                if let Some(message) = table.unit_not_applied {
-                    self.remark("unit-not-applied", None, None, Some(name.clone()), message);
-                }
-                if let Some((line, angle)) = table.more_than_a_turn {
-                    self.ask_about_turns(
-                        angle,
-                        Some(format!("{name}:{line}")),
-                        "name the columns roll_deg, pitch_deg, yaw_deg",
-                    );
-                } else if let Some((line, change)) = table.whole_turns {
-                    self.remark_whole_turns(change, Some(format!("{name}:{line}")));
-                }
-                table.poses.into_iter().map(|row| (row.time, row.pose)).collect()
-            }
-        };
-        let given = made.iter().filter(|(time, _)| time.is_some()).count();
-        if given != 0 && given != made.len() {
-            let index = made.iter().position(|(time, _)| time.is_none()).unwrap_or(0);
-            let message = "this pose has no `time`: give one to all, or to none (then they are 0, 1, 2, …)";
-            return Err(Error::Input(self.diagnostic(["poses".into(), index.into()], message)));
-        }
-        if given > 0 && spec.times.is_some() {
-            return Err(self.unfit("`times` are for poses without a `time`: leave one of both out"));
-        }
-        let (times, only): (Vec<Option<f64>>, Vec<Pose>) = made.into_iter().unzip();
-        let mut poses = match (spec.tool.unwrap_or_default().point(), spec.arm.unwrap_or(0.0)) {
-            // Without times by the way the tool and the arm are looked at where they matter.
-            (tool, arm) if spec.times.is_some() => spec.times.unwrap_or_default().of(&only, tool, arm),
-            _ => PoseTimes::Uniform.of(&only, Point3::ORIGIN, 0.0),
-        }
-        .map_err(|e| self.pose_refused(&e))?;
-        poses.iter_mut().zip(times).for_each(|(pose, time)| pose.time = time.unwrap_or(pose.time));
-        Ok((poses, given > 0))
-    }
-
-    /// Asks about angles of the document of more than a turn: whether degrees are meant, and whether turns that no pose can say.
-    fn remark_wide_angles(&mut self, list: &[PoseSpec]) {
-        let angles = || list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
-        let wide = angles().flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
-            (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
-            _ => None,
-        });
-        let place = |i: usize, k: usize| ["poses".into(), i.into(), "rpy".into(), k.into()];
-        if let Some((i, k, angle)) = wide {
-            let place = self.place_of(place(i, k));
-            return self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
-        }
-        let mut before: Option<[f64; 3]> = None;
-        for (i, pose) in list.iter().enumerate() {
-            let turned = pose.quaternion.is_some() || pose.matrix.is_some();
-            // Without a rotation it is not turned.
-            let angles = (!turned).then(|| pose.rpy.map_or([0.0; 3], |angles| angles.map(Angle::radians)));
-            if let Some((k, change)) = before.zip(angles).and_then(|(before, angles)| whole_turns(before, angles)) {
-                let place = self.place_of(place(i, k));
-                return self.remark_whole_turns(change, place);
-            }
-            before = angles;
-        }
-    }
-
-    /// Says that matrices are none of displacements but for the digits they are written with.
-    fn remark_rounded_matrices(&mut self, count: usize, off: f64, place: Option<String>) {
-        let message = format!(
-            "{count} matrices are off those of rotations, this one by {}, as with few decimals: the nearest rotations are taken (more than {} is refused)",
-            ShortNumber(off),
-            ShortNumber(FEW_DECIMALS)
-        );
-        self.remark("matrices-rounded", None, None, place, message);
-    }
-
-    /// Says that an angle differs by a turn or more from that of the pose before.
-    fn remark_whole_turns(&mut self, change: f64, place: Option<String>) {
-        let message = format!(
-            "the angle differs by {} degrees from that of the pose before: a pose says how the body is turned and not how often it came round, so it goes the shorter way; \
-             give poses in between, less than half a turn apart",
-            ShortNumber(change.to_degrees())
-        );
-        self.remark("whole-turns", None, None, place, message);
-    }
-
-    /// One pose of the document, and by how much its matrix is off.
-    fn pose(&self, index: usize, spec: &PoseSpec) -> Result<(Pose, f64)> {
-        let steps = || [Step::from("poses"), Step::from(index)];
-        let position = spec.position.unwrap_or_default();
-        let exact = |made: cyclide::Result<Pose>| made.map(|pose| (pose, 0.0));
-        let made = match (&spec.matrix, spec.quaternion, spec.rpy) {
-            (Some(rows), None, None) if spec.position.is_none() => {
-                let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
-                if !(3..=4).contains(&rows.len()) {
-                    let message = format!("a matrix has three rows, or four, not {}", rows.len());
-                    return Err(Error::Input(self.diagnostic(steps().into_iter().chain(["matrix".into()]), &message)));
-                }
-                matrix.iter_mut().zip(rows).for_each(|(to, row)| *to = *row);
-                let transposed = std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]));
-                match Pose::nearest_to_matrix(matrix, FEW_DECIMALS) {
-                    Err(_) if rows.len() == 4 && Pose::nearest_to_matrix(transposed, FEW_DECIMALS).is_ok() => {
-                        let message = "the matrix stands column by column: write its rows, those of the rotation with the position behind them and `0, 0, 0, 1` last";
-                        return Err(Error::Input(
-                            self.diagnostic(steps().into_iter().chain(["matrix".into()]), message),
-                        ));
-                    }
-                    made => made,
-                }
-            }
-            (None, Some(quaternion), None) => exact(Pose::new(Quat::from(quaternion), position.vector())),
-            (None, None, Some(angles)) => {
-                exact(Pose::from_roll_pitch_yaw(position.vector(), angles.map(Angle::radians)))
-            }
-            (None, None, None) if spec.position.is_some() => exact(Pose::new(Quat::ONE, position.vector())),
-            _ => {
-                let message =
-                    "a pose is a `position` with a `quaternion` or `rpy` (or not turned), or a `matrix` alone";
-                return Err(Error::Input(self.diagnostic(steps(), message)));
-            }
-        };
-        made.map_err(|e| {
-            // The kernel sees one pose at a time.
-            let e =
-                if let cyclide::Error::ZeroRotation { .. } = e { cyclide::Error::ZeroRotation { index } } else { e };
-            self.refused_at(steps(), &e)
-        })
-    }
-
     /// What the kernel refused of the poses, at the one it is about.
-    fn pose_refused(&self, error: &cyclide::Error) -> Error {
+    pub(super) fn pose_refused(&self, error: &cyclide::Error) -> Error {
         let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
         let steps: Vec<Step> = match error.index().filter(|_| inline) {
             Some(index) => vec!["poses".into(), index.into()],
@@ -332,11 +303,13 @@ impl Builder<'_> {
     }
 
     /// The path of a point.
-    pub(super) fn trajectory(&self, spec: &TrajectorySpec) -> Result<CurveObject> {
+    pub(super) fn trajectory(&mut self, spec: &TrajectorySpec) -> Result<CurveObject> {
         let body = self.motion_source()?;
         let point = spec.point.map_or(body.tool(), Coordinates::point);
-        let made = body.motion().rational().and_then(|motion| motion.trajectory(point));
-        let path = made.map_err(|e| self.refused_at(["of".into()], &e))?;
+        let form = body.motion().to_rational().map_err(|e| self.refused_at(["of".into()], &e))?;
+        let path = form.motion().trajectory(point).map_err(|e| self.refused_at(["of".into()], &e))?;
+        let bound = form.bound(point.to_vec().length());
+        drop(form);
         let range = bounds(&path);
         let (length, limit) = (range.diagonal(), AT_REST * range.max_abs());
         if length <= limit {
@@ -352,7 +325,20 @@ impl Builder<'_> {
                 ),
             ));
         }
+        self.remark_bound(bound);
         Ok(CurveObject::Nurbs(path))
+    }
+
+    /// Says within which bound the rational form of a motion is.
+    fn remark_bound(&mut self, bound: f64) {
+        if bound > 0.0 {
+            let message = format!(
+                "points of this motion run on no rational curves, as it turns by slerp or runs on a curve by time: the form made is within {} {} of it",
+                ShortNumber(bound),
+                self.document.units.symbol()
+            );
+            self.remark("rational-within", None, None, self.place_of([Step::from("of")]), message);
+        }
     }
 
     /// What the contours of a curve run over.
@@ -363,10 +349,13 @@ impl Builder<'_> {
             let message = format!("`{}` has no curve: a profile is a curve", spec.profile);
             return Err(Error::Input(self.diagnostic(["profile".into()], &message)));
         }
-        let motion = motion.rational().map_err(|e| self.refused_at(["of".into()], &e))?;
+        let form = motion.to_rational().map_err(|e| self.refused_at(["of".into()], &e))?;
+        let mut reach = 0.0_f64;
         let mut made = Vec::with_capacity(contours.len());
         for (contour, curve) in contours.iter().enumerate() {
-            let swept = curve.exact_pieces().and_then(|(pieces, closed)| SweptSurface::new(&pieces, closed, motion));
+            let lean = lean_of_section(curve, form.motion());
+            let make = if spec.ends == SweepEnds::Flat { SweptSurface::solid } else { SweptSurface::new };
+            let swept = curve.exact_pieces().and_then(|(pieces, closed)| make(&pieces, closed, form.motion()));
             let swept = swept.map_err(|e| match e {
                 cyclide::Error::MotionAtRest { length, limit } => {
                     let words = format!(
@@ -378,11 +367,23 @@ impl Builder<'_> {
                 }
                 e => self.refused_at(["profile".into()], &e),
             })?;
+            if let Some((lean, time)) = lean.filter(|(lean, _)| *lean > ACROSS) {
+                let message = format!(
+                    "the profile lies {} degrees off the plane across its path at the time {}: it is swept as it is turned by the motion; a section that stays across its path is a `sweep`",
+                    ShortNumber(lean.to_degrees()),
+                    ShortNumber(time)
+                );
+                let place = self.place_of([Step::from("profile")]);
+                self.remark("section-not-across", (contours.len() > 1).then_some(contour), None, place, message);
+            }
             for warning in swept.warnings() {
                 self.warn_at("profile", (contours.len() > 1).then_some(contour), warning.clone());
             }
             made.push(SurfaceObject::Body(swept.into_body()));
+            let range = bounds(curve.as_curve());
+            reach = [range.min, range.max].into_iter().map(|corner| corner.to_vec().length()).fold(reach, f64::max);
         }
+        self.remark_bound(form.bound(reach));
         Ok(made)
     }
 }

@@ -9,6 +9,7 @@ use cyclide::{
 
 use super::net_hints::{hint, seam_words};
 use super::refuse::frame_words;
+use super::smooth::{merged_vertices, turned_faces};
 use super::surfaces::direction;
 use super::{Builder, Remark};
 use crate::document::coordinates::Coordinates;
@@ -217,6 +218,14 @@ impl<'a> Builder<'a> {
                 format!("{} point(s) that no face uses are left out, the first is number {first}", unused.len());
             self.remark("points-unused", None, None, Some(name.clone()), message);
         }
+        let (ObjQuads::Grid(ObjGrid { mended, .. }) | ObjQuads::Layout(ObjLayout { mended, .. })) = &mesh;
+        if mended.merged > 0 {
+            self.remark("vertices-merged", None, None, Some(name.clone()), merged_vertices(mended.merged));
+        }
+        if let Some(line) = mended.turned.first() {
+            let message = turned_faces(mended.turned.len(), &format!("in line {line}"));
+            self.remark("faces-turned", None, None, Some(name.clone()), message);
+        }
         self.mesh_name = Some(name.clone());
         match mesh {
             ObjQuads::Layout(mesh) => Ok(Some(mesh.layout)),
@@ -301,7 +310,7 @@ impl<'a> Builder<'a> {
         }
         if let KernelError::ShapeLost { .. } = error {
             let laid = matches!(self.spec, ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(_), .. }));
-            let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on any mesh)" };
+            let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on a mesh)" };
             let words =
                 format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, Point3, PrincipalField, PrincipalGridOptions,
-    PrincipalGrids, PrincipalStage, ShortNumber, principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, FreeLayout, Point3, PrincipalField, PrincipalGridOptions,
+    PrincipalGrids, PrincipalStage, ShortNumber, covering_principal_grids,
 };
 
 use super::idle::idle_in_principal_grid;
@@ -13,8 +13,9 @@ use super::{Builder, Remark};
 use crate::document::spec::PrincipalGridSpec;
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
+use crate::input::exported_faces::Counted;
 use crate::input::polygon_mesh::PolygonMesh;
-use crate::input::triangle_mesh::{Counted, TriangleMesh};
+use crate::input::triangle_mesh::TriangleMesh;
 
 /// What is said where a surface is given twice, or not at all.
 const ONE_SURFACE: &str =
@@ -24,21 +25,23 @@ impl Builder<'_> {
     /// Lays the grids; their lines are the curves of the object.
     pub(super) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
         let given = self.mesh_to_lay_on(spec)?;
-        let mut mesh = TriangleMesh::new(&given.mesh).map_err(|uncut| self.uncut(&given, uncut))?;
+        let mut mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
         // Nothing but vertices and neighbours is taken of a mesh: how polygons are cut is nobody's matter.
         mesh.cut = Counted::default();
         self.remark_on_mesh(&given, &mesh);
         let options = PrincipalGridOptions {
-            umbilics: spec.umbilics,
-            border: spec.border,
+            umbilics: spec.umbilics.unwrap_or_default(),
+            border: spec.border.unwrap_or_default(),
             closed: spec.closed,
             columns: spec.columns.map(|n| n as usize),
             most_pieces: spec.most_pieces.map(|n| n as usize),
             denoise: spec.denoise,
             ..PrincipalGridOptions::new(spec.edge_length)
         };
+        let free = FreeLayout { border: spec.border.is_none(), umbilics: spec.umbilics.is_none() };
         let progress = &mut *self.progress;
-        let laid = principal_grids(&mesh.points, &mesh.triangles, &options, &mut |stage| progress(words(stage)));
+        let tell = &mut |stage| progress(words(stage));
+        let laid = covering_principal_grids(&mesh.points, &mesh.triangles, &options, free, tell);
         let laid = laid.map_err(|e| self.refused_grid(spec, &given, &mesh, e))?;
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
         let closed = laid.grids.iter().any(|grid| grid.closed()[0]);

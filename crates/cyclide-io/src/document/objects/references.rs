@@ -165,6 +165,9 @@ impl ObjectSpec {
             Self::SweptSurface(s) => {
                 vec![(vec![Step::from("of")], s.of.as_str()), (vec![Step::from("profile")], s.profile.as_str())]
             }
+            Self::Sweep(s) => {
+                vec![(vec![Step::from("of")], s.of.as_str()), (vec![Step::from("section")], s.section.as_str())]
+            }
             Self::CircularSurface(s) => rails(&s.rails),
             Self::Ruled(s) => rails(&s.rails),
             Self::CyclidicNet(s) => {

@@ -56,6 +56,11 @@ impl Builder<'_> {
         self.remarks.push(Remark { reason, contour, index, place, message, warning: None });
     }
 
+    /// Adds how a file was read.
+    pub(super) fn note_all(&mut self, file: &str, notes: &[String]) {
+        self.notes.extend(notes.iter().map(|note| format!("{file}: {note}")));
+    }
+
     /// Asks whether an angle of more than a turn is meant in degrees, and says how these are written.
     pub(super) fn ask_about_turns(&mut self, angle: f64, place: Option<String>, remedy: &str) {
         let turns = ShortNumber(angle / std::f64::consts::TAU);

@@ -12,7 +12,7 @@ use crate::document::locate::Step;
 use crate::document::spec::{NormalsSpec, PolygonMeshFile, SmoothMeshSpec, SphereBlendSpec};
 use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
-use crate::input::triangle_mesh::{TriangleMesh, Uncut};
+use crate::input::triangle_mesh::{BadPolygons, TriangleMesh};
 
 /// What was chosen for a smooth mesh.
 ///
@@ -51,7 +51,7 @@ impl Builder<'_> {
     /// The smooth surface through the vertices of a mesh.
     pub(super) fn smooth_mesh(&mut self, spec: &SmoothMeshSpec) -> Result<Vec<SurfaceObject>> {
         let given = self.polygons(spec)?;
-        let mesh = TriangleMesh::new(&given.mesh).map_err(|uncut| self.uncut(&given, uncut))?;
+        let mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
         self.remark_on_mesh(&given, &mesh);
         let crease_angle = spec.crease_angle.map(Angle::radians);
         let weighted = |weights, plain| match crease_angle {
@@ -155,10 +155,16 @@ impl Builder<'_> {
             let message = format!("{} polygons are left out: their corners are at two places at most", collapsed.count);
             self.remark("polygons-without-area", None, Some(collapsed.first), place.clone(), message);
         }
+        if mesh.turned.count > 0 {
+            let first = mesh.turned.first;
+            let number = || format!("number {first}");
+            let line = given.mesh.lines.get(first).map_or_else(number, |line| format!("in line {line}"));
+            let message = turned_faces(mesh.turned.count, &line);
+            self.remark("faces-turned", None, Some(mesh.turned.first), place.clone(), message);
+        }
         // In STL and GLB vertices stand once for every triangle, or for every normal.
         if mesh.merged > 0 && given.shared {
-            let message = format!("{} vertices are at the place of another: they are one", mesh.merged);
-            self.remark("vertices-merged", None, None, place.clone(), message);
+            self.remark("vertices-merged", None, None, place.clone(), merged_vertices(mesh.merged));
         }
         if mesh.unused > 0 {
             let message = format!("{} vertices belong to no triangle and are left out", mesh.unused);
@@ -166,12 +172,28 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn uncut(&self, given: &Given, uncut: Uncut) -> Error {
-        let Uncut { polygon, corners } = uncut;
-        let message = format!(
-            "polygon {polygon} of {corners} corners cannot be cut into triangles: it crosses itself, is not nearly plane, or has more than 256 corners"
-        );
-        self.refused_in_words([given.field.into()], "polygon-not-simple", message)
+    /// The message for polygons that do not make a mesh.
+    pub(super) fn bad_polygons(&self, given: &Given, bad: BadPolygons) -> Error {
+        let (reason, polygon, message) = match bad {
+            BadPolygons::Uncut { polygon, corners } => {
+                let message = format!(
+                    "polygon {polygon} of {corners} corners cannot be cut into triangles: it crosses itself, is not nearly plane, or has more than 256 corners"
+                );
+                ("polygon-not-simple", polygon, message)
+            }
+            BadPolygons::Doubled([first, second]) => {
+                let name = |face: usize| match given.mesh.lines.get(face) {
+                    Some(line) => format!("the face in line {line}"),
+                    None => format!("face {face}"),
+                };
+                let message = format!("{} has the same vertices as {}: delete one of them", name(second), name(first));
+                ("doubled-face", second, message)
+            }
+        };
+        match &given.file {
+            Some(file) => self.refused_in_words([given.field.into()], reason, format!("{message} (of {file})")),
+            None => self.refused_in_words([given.field.into(), polygon.into()], reason, message),
+        }
     }
 
     /// The message for what the kernel said about the mesh, in the numbers of the file.
@@ -238,6 +260,18 @@ impl Builder<'_> {
         };
         self.refused_at(steps, error)
     }
+}
+
+/// What is said of vertices that became one with another.
+pub(super) fn merged_vertices(count: usize) -> String {
+    format!("{count} vertices are at the place of another: they are one")
+}
+
+/// What is said of faces that were turned over.
+pub(super) fn turned_faces(count: usize, first: &str) -> String {
+    format!(
+        "{count} face(s) run the other way round than most of their neighbours and are turned over; the first is {first}"
+    )
 }
 
 /// Whether the triangles enclose a negative volume.

@@ -23,6 +23,7 @@ impl Builder<'_> {
             ObjectSpec::Revolution(spec) => self.revolution(spec),
             ObjectSpec::Pipe(spec) => self.pipe(spec),
             ObjectSpec::Tube(spec) => self.tube(spec),
+            ObjectSpec::Sweep(spec) => self.sweep(spec),
             ObjectSpec::PipeTee(spec) => self.pipe_tee(spec),
             ObjectSpec::ContactBlend(spec) => self.contact_blend(spec),
             ObjectSpec::PipeCrossing(spec) => self.pipe_crossing(spec),
@@ -30,7 +31,7 @@ impl Builder<'_> {
             ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),
             ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),
-            ObjectSpec::Ruled(_) => self.ruled(),
+            ObjectSpec::Ruled(spec) => self.ruled(spec),
             ObjectSpec::TorusSeam(spec) => self.torus_seam(spec),
             ObjectSpec::SweptSurface(spec) => self.swept_surface(spec),
             ObjectSpec::CoordinateSurfaces(spec) => {

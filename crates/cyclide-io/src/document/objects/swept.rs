@@ -7,7 +7,9 @@ use cyclide::{
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::spec::{BridgeArcs, CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec};
+use crate::document::spec::{
+    BridgeArcs, CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec,
+};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
@@ -64,8 +66,25 @@ impl Builder<'_> {
     }
 
     /// Straight lines between two curves.
-    pub(super) fn ruled(&mut self) -> Result<Vec<SurfaceObject>> {
-        self.between_rails(RailSurface::ruled)
+    pub(super) fn ruled(&mut self, spec: &RuledSpec) -> Result<Vec<SurfaceObject>> {
+        let ([first, second], closed) = self.pieces_of_rails()?;
+        if spec.shift > 0 && !closed {
+            return Err(self.unfit("`shift` goes with closed curves: open ones start where they are drawn"));
+        }
+        let second = rotated(&second, spec.shift);
+        let made = RailSurface::ruled([&first, &second], closed).map_err(|e| match e {
+            cyclide::Error::RulingsCross { piece, .. } if closed => {
+                match self.start_of_rail([&first, &second], spec.shift) {
+                    Some(remedy) => {
+                        let words = format!("the straight lines between piece {piece} of both curves cross: {remedy}");
+                        self.refused_in_words(["rails".into()], e.reason(), words)
+                    }
+                    None => self.refused(&e, None),
+                }
+            }
+            e => self.refused(&e, None),
+        })?;
+        Ok(self.between(made))
     }
 
     /// A surface between the pieces of two curves, closed round if both are.
@@ -73,13 +92,23 @@ impl Builder<'_> {
         &mut self,
         construct: impl Fn([&[EdgeCurve]; 2], bool) -> cyclide::Result<RailSurface>,
     ) -> Result<Vec<SurfaceObject>> {
-        let [first, second] = self.rails()?.map(|curve| curve.exact_pieces().map_err(|e| self.refused(&e, None)));
-        let ((first, a), (second, b)) = (first?, second?);
-        let made = construct([&first, &second], a && b).map_err(|e| self.refused(&e, None))?;
+        let ([first, second], closed) = self.pieces_of_rails()?;
+        let made = construct([&first, &second], closed).map_err(|e| self.refused(&e, None))?;
+        Ok(self.between(made))
+    }
+
+    fn between(&mut self, made: RailSurface) -> Vec<SurfaceObject> {
         for warning in made.warnings() {
             self.warn_at("rails", None, warning.clone());
         }
-        Ok(vec![SurfaceObject::Body(made.into_body())])
+        vec![SurfaceObject::Body(made.into_body())]
+    }
+
+    /// The pieces of the two curves, and whether both are closed.
+    fn pieces_of_rails(&self) -> Result<([Vec<EdgeCurve>; 2], bool)> {
+        let [first, second] = self.rails()?.map(|curve| curve.exact_pieces().map_err(|e| self.refused(&e, None)));
+        let ((first, a), (second, b)) = (first?, second?);
+        Ok(([first, second], a && b))
     }
 
     /// The two curves that an object is spanned between.
@@ -96,4 +125,14 @@ impl Builder<'_> {
         };
         Ok([rail(0)?, rail(1)?])
     }
+}
+
+/// The pieces of a closed curve from another one on.
+pub(super) fn rotated(pieces: &[EdgeCurve], by: usize) -> Vec<EdgeCurve> {
+    let mut pieces = pieces.to_vec();
+    if !pieces.is_empty() {
+        let count = pieces.len();
+        pieces.rotate_left(by % count);
+    }
+    pieces
 }

@@ -1,16 +1,18 @@
 //! Tubes of changing radius.
 
 use cyclide::{
-    Ball, CurveObject, Exactness, Lower as _, PipeEnds, Point3, RadiusLaw, ShortNumber, SurfaceObject, Tube,
+    Ball, Body, CurveObject, Exactness, Lower as _, PipeEnds, Point3, RadiusLaw, ShortNumber, SurfaceObject,
+    TaperedTube, Tube,
 };
 
 use super::Builder;
 use super::idle::idle_in_tube;
-use crate::document::spec::TubeSpec;
+use crate::document::spec::{RadiusOf, TubeSpec};
 use crate::error::Result;
 
-/// Part of the least radius that the tolerance is if none is given.
+/// Part of the least radius that the tolerance is if none is given; and where arcs are followed as they are and circles lie across them, whose error is of fourth order.
 const TOLERANCE: f64 = 1e-3;
+const TOLERANCE_ON_ARCS: f64 = 1e-5;
 
 /// Parts of the tolerance that arcs in place of a curve are made within, one after the other.
 const SHARES: [f64; 5] = [0.4, 0.2, 0.1, 0.03, 0.01];
@@ -31,10 +33,72 @@ const RIM: f64 = 1e-6;
 pub struct TubeFacts {
     /// The least and the largest radius.
     pub radii: [f64; 2],
-    /// Arcs of balls that it consists of.
+    /// What has these.
+    pub radius_of: RadiusOf,
+    /// Pieces that it consists of, arcs of balls or of sections.
     pub arcs: usize,
     /// How far it is from the tube of the law along the curve, and what that rests on.
     pub within: Exactness,
+}
+
+/// A tube of either kind.
+#[derive(Clone)]
+enum Made {
+    Balls(Tube),
+    Sections(TaperedTube),
+}
+
+impl Made {
+    fn with_ends(self, ends: PipeEnds) -> Self {
+        match self {
+            Self::Balls(tube) => Self::Balls(tube.with_ends(ends)),
+            Self::Sections(tube) => Self::Sections(tube.with_ends(ends)),
+        }
+    }
+
+    fn with_wall(self, wall: f64) -> cyclide::Result<Self> {
+        Ok(match self {
+            Self::Balls(tube) => Self::Balls(tube.with_wall(wall)?),
+            Self::Sections(tube) => Self::Sections(tube.with_wall(wall)?),
+        })
+    }
+
+    fn body(&self) -> cyclide::Result<Body> {
+        match self {
+            Self::Balls(tube) => tube.body(),
+            Self::Sections(tube) => tube.body(),
+        }
+    }
+
+    fn is_closed(&self) -> bool {
+        match self {
+            Self::Balls(tube) => tube.is_closed(),
+            Self::Sections(tube) => tube.is_closed(),
+        }
+    }
+
+    fn facts(&self, within: Exactness) -> TubeFacts {
+        match self {
+            Self::Balls(tube) => {
+                TubeFacts { radii: tube.radii(), radius_of: RadiusOf::Balls, arcs: tube.arc_count(), within }
+            }
+            Self::Sections(tube) => {
+                TubeFacts { radii: tube.radii(), radius_of: RadiusOf::Sections, arcs: tube.piece_count(), within }
+            }
+        }
+    }
+
+    /// The first two that run into each other; those of one object are of one kind.
+    fn first_meeting(tubes: &[Self]) -> Option<([usize; 2], f64)> {
+        let (mut balls, mut sections) = (Vec::new(), Vec::new());
+        for tube in tubes {
+            match tube {
+                Self::Balls(tube) => balls.push(tube.clone()),
+                Self::Sections(tube) => sections.push(tube.clone()),
+            }
+        }
+        Tube::first_meeting(&balls).or_else(|| TaperedTube::first_meeting(&sections))
+    }
 }
 
 impl Builder<'_> {
@@ -42,10 +106,10 @@ impl Builder<'_> {
     pub(super) fn tube(&mut self, spec: &TubeSpec) -> Result<Vec<SurfaceObject>> {
         let made = match (&spec.of, &spec.radius, &spec.balls) {
             (Some(_), Some(_), None) if spec.closed.is_none() => self.tubes_along(spec)?,
-            (None, None, Some(balls)) if spec.tolerance.is_none() => {
+            (None, None, Some(balls)) if spec.tolerance.is_none() && spec.radius_of.is_none() => {
                 let balls: Vec<Ball> = balls.iter().map(|&[x, y, z, r]| Ball::new(Point3::new(x, y, z), r)).collect();
                 let tube = Tube::through(&balls, spec.closed == Some(true)).map_err(|e| self.refused(&e, None))?;
-                vec![(tube, Exactness::Exact)]
+                vec![(Made::Balls(tube), Exactness::Exact)]
             }
             _ => {
                 return Err(self.unfit(
@@ -60,31 +124,38 @@ impl Builder<'_> {
                 Some(wall) => tube.with_wall(wall).map_err(|e| self.refused(&e, None))?,
                 None => tube,
             };
-            if spec.ends == PipeEnds::Flat && tube.rim_depth() > RIM * tube.radii()[1] {
-                let message = format!(
-                    "the rims of the wall are along its normals, and as the radius changes at an end they are parts of cones, {} deep: cut them in CAD, or let the radius stay before the end",
-                    ShortNumber(tube.rim_depth())
-                );
-                self.remark("rims-not-flat", None, None, None, message);
+            if let Made::Balls(tube) = &tube {
+                self.remark_on_rims(spec, tube);
             }
-            self.tubes.push(TubeFacts { radii: tube.radii(), arcs: tube.arc_count(), within });
+            self.tubes.push(tube.facts(within));
             tubes.push(tube);
         }
-        let bodies = tubes.iter().map(Tube::body).collect::<cyclide::Result<Vec<_>>>();
+        let bodies = tubes.iter().map(Made::body).collect::<cyclide::Result<Vec<_>>>();
         let bodies = bodies.map_err(|e| self.refused(&e, None))?;
-        if let Some(([first, second], distance)) = Tube::first_meeting(&tubes) {
+        if let Some(([first, second], distance)) = Made::first_meeting(&tubes) {
             let message = format!(
                 "the tubes of the contours {first} and {second} run into each other ({} from centre to centre): each is a body of its own, and volume and area count what they share twice; fuse them in CAD",
                 ShortNumber(distance)
             );
             self.remark("pipes-meet", Some(second), None, None, message);
         }
-        self.remark_on_idle(idle_in_tube(spec, &tubes));
+        self.remark_on_idle(idle_in_tube(spec, tubes.iter().all(Made::is_closed)));
         Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
     }
 
+    /// Says where a wall along the normals of balls has rims that are no planes.
+    fn remark_on_rims(&mut self, spec: &TubeSpec, tube: &Tube) {
+        if spec.ends == PipeEnds::Flat && tube.rim_depth() > RIM * tube.radii()[1] {
+            let message = format!(
+                "the rims of the wall are along its normals, and as the radius changes at an end they are parts of cones, {} deep: cut them in CAD, or let the radius stay before the end",
+                ShortNumber(tube.rim_depth())
+            );
+            self.remark("rims-not-flat", None, None, None, message);
+        }
+    }
+
     /// The tubes along the curves of the source, with what their distance from the law rests on.
-    fn tubes_along(&self, spec: &TubeSpec) -> Result<Vec<(Tube, Exactness)>> {
+    fn tubes_along(&self, spec: &TubeSpec) -> Result<Vec<(Made, Exactness)>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves have a tube along them"));
@@ -93,30 +164,60 @@ impl Builder<'_> {
         let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
         let law = RadiusLaw::new(values).map_err(refused)?;
         let least = values.iter().map(|value| value[1]).fold(f64::INFINITY, f64::min);
-        let tolerance = spec.tolerance.unwrap_or(TOLERANCE * least);
-        let made = curves.iter().map(|curve| along(curve, &law, tolerance)).collect::<cyclide::Result<_>>();
+        // Balls and sections of one radius are the same tube, whose lines of curvature the balls know.
+        let radius_of = if law.is_constant() { RadiusOf::Balls } else { spec.radius_of.unwrap_or_default() };
+        let made = curves.iter().map(|curve| {
+            let fine = curve.is_of_arcs() && radius_of == RadiusOf::Sections;
+            let part = if fine { TOLERANCE_ON_ARCS } else { TOLERANCE };
+            along(curve, &law, spec.tolerance.unwrap_or(part * least), radius_of)
+        });
+        let made = made.collect::<cyclide::Result<_>>();
         made.map_err(refused)
     }
 }
 
-/// The tube along a curve. Arcs in place of one that is not made of arcs are made nearer until the tube is proved to be within the tolerance.
-fn along(curve: &CurveObject, law: &RadiusLaw, tolerance: f64) -> cyclide::Result<(Tube, Exactness)> {
+/// The tube along a curve. Arcs in place of one that is not made of arcs are made nearer until the tube is known to be within the tolerance.
+fn along(
+    curve: &CurveObject,
+    law: &RadiusLaw,
+    tolerance: f64,
+    radius_of: RadiusOf,
+) -> cyclide::Result<(Made, Exactness)> {
     if curve.is_of_arcs() {
-        let tube = Tube::along(&curve.lower_to_arcs(tolerance)?.form, law, tolerance)?;
-        let within = if tube.bound() == 0.0 { Exactness::Exact } else { Exactness::Proved(tube.bound()) };
-        return Ok((tube, within));
+        let arcs = curve.lower_to_arcs(tolerance)?.form;
+        let (made, bound) = match radius_of {
+            RadiusOf::Balls => {
+                let tube = Tube::along(&arcs, law, tolerance)?;
+                let bound = tube.bound();
+                (Made::Balls(tube), bound)
+            }
+            RadiusOf::Sections => {
+                let tube = TaperedTube::along(&arcs, law, tolerance)?;
+                let bound = tube.bound();
+                (Made::Sections(tube), bound)
+            }
+        };
+        return Ok((made, if bound == 0.0 { Exactness::Exact } else { Exactness::Proved(bound) }));
     }
     let mut shares = SHARES.into_iter();
     loop {
         let share = shares.next().unwrap_or(0.0) * tolerance;
         let arcs = curve.lower_to_arcs(share)?;
-        match Tube::along_curve(curve.as_curve(), (&arcs.form, &arcs.correspondence), law, tolerance) {
-            Err(cyclide::Error::NotWithinTolerance { .. }) if !shares.as_slice().is_empty() => {}
-            made => {
-                let tube = made?;
+        let arcs = (&arcs.form, &arcs.correspondence);
+        let made = match radius_of {
+            RadiusOf::Balls => Tube::along_curve(curve.as_curve(), arcs, law, tolerance).map(|tube| {
                 let within = Exactness::Proved(tube.bound());
-                return Ok((tube, within));
-            }
+                (Made::Balls(tube), within)
+            }),
+            RadiusOf::Sections => TaperedTube::along_curve(curve.as_curve(), arcs, law, tolerance).map(|tube| {
+                let bound = tube.bound();
+                let within = if tube.is_proved() { Exactness::Proved(bound) } else { Exactness::Sampled(bound) };
+                (Made::Sections(tube), within)
+            }),
+        };
+        match made {
+            Err(cyclide::Error::NotWithinTolerance { .. }) if !shares.as_slice().is_empty() => {}
+            made => return made,
         }
     }
 }

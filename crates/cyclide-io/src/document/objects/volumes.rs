@@ -57,7 +57,15 @@ impl Builder<'_> {
             }
             [a, b, c, d, e, f, g] => SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?,
             [a, b, c, d, e, f, g, last] => {
-                let cube = SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?;
+                let cube = SphericalCube::new([a, b, c, d, e, f, g]).map_err(|e| match e {
+                    cyclide::Error::CoincidentPoints { .. } => match Self::order_of_corners(&corners) {
+                        Some(remedy) => {
+                            self.refused_in_words([Step::from("corners")], e.reason(), format!("{e}{remedy}"))
+                        }
+                        None => refused(e),
+                    },
+                    e => refused(e),
+                })?;
                 let follows = cube.corners()[7];
                 let size = cube.corners().iter().map(|p| p.distance(a)).fold(0.0, f64::max);
                 let distance = follows.distance(last);

@@ -1,6 +1,6 @@
 //! Curves, field by field.
 
-use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget};
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -245,9 +245,16 @@ pub struct ArcFitSpec {
     /// How hard to search for fewer arcs.
     #[serde(default)]
     pub effort: Effort,
-    /// Turns of the points above this angle are kept as corners. Default: pi/6.
+    /// Turns of the points above this angle are kept as corners. Default: those above pi/6 that no samples of a smooth
+    /// curve explain.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
+    /// Least radius of an arc; what cannot keep it is refused. Default: any.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub min_radius: Option<f64>,
+    /// Least length of an arc (lines may be shorter), for machines that reject short arcs; what cannot keep it is refused. Default: any.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub min_arc_length: Option<f64>,
 }
 
 /// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
@@ -278,12 +285,21 @@ pub struct FairFitSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Largest distance of a point from the curve.
+    /// `"auto"`: the curve follows the points as closely as their noise asks, whose standard deviation is estimated from them;
+    /// this is right for measured points. A number: largest distance of a point from the curve, which is the fairest there.
+    pub tolerance: FairTolerance,
+    /// With the tolerance `"auto"`: the standard deviation of the noise across the curve. Default: estimated from the points.
     #[schemars(extend("exclusiveMinimum" = 0))]
-    pub tolerance: f64,
-    /// How much the curve keeps to the middle of the points. 0 (default): the fairest curve, which leans on the bounds of
-    /// the tolerance; 1 for noisy points, with a tolerance of 3 to 4 standard deviations; 10 and more approach least
-    /// squares.
+    pub noise: Option<f64>,
+    /// What becomes of outliers. With `keep`, the default, they are named and have little influence where the tolerance is
+    /// `"auto"`.
+    #[serde(default)]
+    pub outliers: Outliers,
+    /// A tolerance for the heights (z) alone, larger than `tolerance`; `"auto"` with the tolerance `"auto"`: by their own noise.
+    pub tolerance_z: Option<FairTolerance>,
+    /// With a number as tolerance: how much the curve keeps to the middle of the points. 0 (default): the fairest curve, which
+    /// leans on the bounds of the tolerance and leaves out more than noise; 10 and more approach least squares. For noisy
+    /// points use the tolerance `"auto"` instead.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e6))]
     pub centre: f64,
@@ -306,6 +322,79 @@ pub struct FairFitSpec {
     #[serde(default)]
     #[schemars(range(min = 0, max = 100))]
     pub polyline: u32,
+}
+
+/// How closely a fair fit follows its points: a number, or the word `auto`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let points: Vec<String> = (0..60).map(|k| format!("[{k}, {}]", 0.02 * f64::from(k * k % 7))).collect();
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"f": {{"type": "fair-fit", "tolerance": "auto", "points": [{}]}}}}}}"#, points.join(","));
+/// let built = text.parse::<Document>()?.build()?;
+/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// assert!(certificate.noise.is_some_and(|noise| noise > 0.02 && noise < 0.06));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged)]
+#[non_exhaustive]
+pub enum FairTolerance {
+    /// Largest distance of a point from the curve.
+    Within(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// As the noise of the points asks.
+    Auto(AutoWord),
+}
+
+impl FairTolerance {
+    /// The word.
+    pub const AUTO: Self = Self::Auto(AutoWord::Auto);
+
+    /// The number, if it is one.
+    #[must_use]
+    pub fn within(self) -> Option<f64> {
+        match self {
+            Self::Within(tolerance) => Some(tolerance),
+            Self::Auto(_) => None,
+        }
+    }
+}
+
+/// The word `auto`.
+///
+/// ```
+/// assert_eq!(cyclide_io::FairTolerance::AUTO.within(), None);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AutoWord {
+    /// As the noise of the points asks.
+    #[default]
+    Auto,
+}
+
+impl<'de> Deserialize<'de> for FairTolerance {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ToleranceVisitor;
+        impl serde::de::Visitor<'_> for ToleranceVisitor {
+            type Value = FairTolerance;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a number or \"auto\"")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairTolerance, E> {
+                AutoWord::deserialize(serde::de::value::StrDeserializer::new(text)).map(FairTolerance::Auto)
+            }
+            fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value))
+            }
+            fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value as f64))
+            }
+            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value as f64))
+            }
+        }
+        deserializer.deserialize_any(ToleranceVisitor)
+    }
 }
 
 /// A smooth curve through points: neighbouring circles blended into each other.

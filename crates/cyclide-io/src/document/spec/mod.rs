@@ -3,6 +3,7 @@
 mod ball_centers;
 mod circular;
 mod comment;
+mod conics;
 mod contact_blends;
 mod crossings;
 mod curves;
@@ -21,6 +22,7 @@ mod radius_laws;
 mod smooth;
 mod surface_sources;
 mod surfaces;
+mod sweeps;
 mod swept;
 mod tees;
 mod torus;
@@ -37,11 +39,12 @@ use serde::Deserialize;
 pub use ball_centers::{BallCentersSpec, CenterSurfaceSpec};
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
+pub use conics::{EllipseSpec, Hand, HelixSpec};
 pub use contact_blends::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec};
 pub use crossings::{CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
-    PolylineSpec,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec,
+    FairFitSpec, FairTolerance, PolylineSpec,
 };
 pub use derived::{
     CutSpec, OffsetSpec, PipeSpec, PlaneSpec, RevolutionSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec,
@@ -53,7 +56,8 @@ pub use grids::{
 };
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use motions::{
-    MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
+    MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, PoseTolerance, PositionCurve, StartSpec, SweptSurfaceSpec,
+    TrajectorySpec,
 };
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, LaidGrid, MeshFile};
 pub use nurbs::NurbsSpec;
@@ -64,6 +68,7 @@ pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surface_sources::{HeightsSpec, NurbsSurfaceSpec};
 pub use surfaces::CyclidePatchSpec;
+pub use sweeps::{SweepEnds, SweepSpec};
 pub use swept::{
     BridgeArcs, CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec,
 };
@@ -73,7 +78,7 @@ pub use torus::{
     TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
-pub use tubes::{RadiusLawSpec, TubeSpec};
+pub use tubes::{RadiusLawSpec, RadiusOf, TubeSpec};
 pub use volumes::{CoordinateSurfacesSpec, CyclideVolumeSpec, LayersSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
@@ -116,6 +121,10 @@ pub enum ObjectSpec {
     Arc(ArcSpec),
     /// A full circle.
     Circle(CircleSpec),
+    /// An ellipse or an arc of one.
+    Ellipse(EllipseSpec),
+    /// A helix.
+    Helix(HelixSpec),
     /// Two arcs between two points with given directions.
     Biarc(BiarcSpec),
     /// Segments through points, corners rounded by arcs.
@@ -178,6 +187,8 @@ pub enum ObjectSpec {
     Pipe(PipeSpec),
     /// The tube of changing radius along a curve, or through balls.
     Tube(TubeSpec),
+    /// A plane section along a path.
+    Sweep(SweepSpec),
     /// A main pipe with branches, blended by rolling balls.
     PipeTee(PipeTeeSpec),
     /// Two pipes that pass each other, blended by a rolling ball.
@@ -280,6 +291,8 @@ macro_rules! object_types {
 object_types! {
     "arc" => Arc,
     "circle" => Circle,
+    "ellipse" => Ellipse,
+    "helix" => Helix,
     "biarc" => Biarc,
     "polyline" => Polyline,
     "arc-spline" => ArcSpline,
@@ -311,6 +324,7 @@ object_types! {
     "revolution" => Revolution,
     "pipe" => Pipe,
     "tube" => Tube,
+    "sweep" => Sweep,
     "pipe-tee" => PipeTee,
     "pipe-crossing" => PipeCrossing,
     "contact-blend" => ContactBlend,

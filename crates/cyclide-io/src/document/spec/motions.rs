@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::comment::Comment;
-use super::{PolygonMeshFile, TypeWord};
+use super::{PolygonMeshFile, SweepEnds, TypeWord};
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
 use crate::document::matrix::{MatrixRows, matrix_rows};
@@ -37,6 +37,19 @@ pub struct MotionSpec {
     pub kind: Option<MotionKind>,
     /// The poses, or a file of them; or `along` instead.
     pub poses: Option<PoseSource>,
+    /// The motion comes back to its first pose and goes on as it began, joined as smoothly as within: of a `spline`, of `linear`, and with `positions`. The last
+    /// pose may repeat the first; with times it does, since its time says when the motion is back. Default false.
+    #[serde(default)]
+    pub closed: bool,
+    /// Of `linear`: how near to a pose the body leaves the straight line, and how far behind it takes the next one, on a parabola between. It then does not
+    /// stop at the poses, and passes beside them. Default 0, at the poses.
+    #[schemars(extend("minimum" = 0))]
+    pub blend_radius: Option<f64>,
+    /// Instead of `kind`: the curve through the positions of the poses on which the origin of the body runs, C1 in time, while it turns on a C1 spline
+    /// of its own that runs beyond no pose.
+    pub positions: Option<PositionCurve>,
+    /// Instead of `kind`, for noisy poses: the smoothest motion within these tolerances of them, C2 in time.
+    pub tolerance: Option<PoseTolerance>,
     /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
     /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational `circle-spline` of order 1. On arcs the body keeps its direction to the curve,
     /// on others it turns in its own way. It may be construction geometry.
@@ -87,7 +100,9 @@ pub enum MotionKind {
     /// Smoothly (C1) through any number of poses; points run on rational curves of degree 6.
     #[default]
     Spline,
-    /// By a screw from each pose to the next, with jumps of speed; points run on helices, which have no exact rational form.
+    /// Straight from each pose to the next, in proportion to the time, turned about one axis at constant speed (slerp), as linear moves of robots are.
+    Linear,
+    /// By a screw from each pose to the next, with jumps of speed; points run on helices, also the origin of the body where it turns.
     Sclerp,
     /// By the motion of degree 2 through three poses: no freedom.
     Conic,
@@ -95,6 +110,43 @@ pub enum MotionKind {
     Quartic,
     /// By a motion of degree 3 through four poses, where there is one; it sets the times between the first and the last.
     Cubic,
+}
+
+/// The curve through the positions of poses.
+///
+/// ```
+/// use cyclide_io::PositionCurve;
+/// assert_eq!(serde_json::from_str::<PositionCurve>("\"fair\"")?, PositionCurve::Fair);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum PositionCurve {
+    /// Straight lines.
+    Polyline,
+    /// The fair circle spline.
+    Fair,
+    /// The circle spline of order 2.
+    CircleSpline,
+}
+
+/// How far a motion may be from noisy poses. What is left out is interpolated.
+///
+/// ```
+/// use cyclide_io::PoseTolerance;
+/// let tolerance: PoseTolerance = serde_json::from_str(r#"{"place": 5, "angle": {"degrees": 1}}"#)?;
+/// assert_eq!(tolerance.place, Some(5.0));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseTolerance {
+    /// Of the positions, a length.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub place: Option<f64>,
+    /// Of the turns, up to a right angle.
+    pub angle: Option<Angle>,
 }
 
 /// Where the poses of a motion come from.
@@ -133,6 +185,9 @@ pub enum PoseSource {
 pub struct PoseFile {
     /// Path of the file, relative to the document.
     pub csv: String,
+    /// What each column of the file is, in their order, in the words of a header line; `-` for one that is no part of the pose. It stands in
+    /// for a header, and before one that the file has.
+    pub columns: Option<Vec<String>>,
 }
 
 /// One pose: a position with a rotation in one of two notations, or a matrix.
@@ -241,6 +296,9 @@ pub struct SweptSurfaceSpec {
     pub of: String,
     /// Name of the curve, in the frame of the body; each of its contours makes a surface. It may be construction geometry.
     pub profile: String,
+    /// How what a closed plane curve runs over ends, where the motion does not come back.
+    #[serde(default)]
+    pub ends: SweepEnds,
 }
 
 impl<'de> Deserialize<'de> for PoseSource {

@@ -63,12 +63,12 @@ pub struct PrincipalGridSpec {
     pub edge_length: f64,
     /// What becomes of umbilics, where the surface bends alike in all directions: `pieces` cuts the surface from each of them to the
     /// border and lays several grids, `joined` lays one mesh of quads through them, whose grids share their borders, `smooth` smooths the directions until none is left.
-    #[serde(default)]
-    pub umbilics: UmbilicRule,
+    /// Default: `pieces`; `joined` where that covers more and `pieces` less than 90 %, unless a `border` is given that is not in steps.
+    pub umbilics: Option<UmbilicRule>,
     /// `inside`: the largest rectangle of whole cells; `staircase`: all whole cells that hang together, with a border in steps and
     /// openings; `cover`: all of the surface and more, continued smoothly, to be trimmed.
-    #[serde(default)]
-    pub border: GridBorder,
+    /// Default: `inside`; `staircase` where that covers more and `inside` less than 90 %.
+    pub border: Option<GridBorder>,
     /// Whether a tube gets a grid that is closed along s. Default: yes, unless its lines of curvature are spirals that come back
     /// higher than an edge; `true`: also then.
     pub closed: Option<bool>,

@@ -218,6 +218,9 @@ pub struct RuledSpec {
     pub construction: bool,
     /// Names of the two curves, each of one contour and both of as many pieces; they may be construction geometry.
     pub rails: [String; 2],
+    /// Of closed curves: by how many of its pieces the second one starts later than it is drawn. Default 0.
+    #[serde(default)]
+    pub shift: usize,
 }
 
 impl<'de> Deserialize<'de> for PlateSpec {

@@ -2,14 +2,15 @@
 
 use cyclide::PipeEnds;
 use schemars::JsonSchema;
-use serde::Deserialize;
 use serde::de::{Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 use super::TypeWord;
 use super::comment::Comment;
 
-/// The tube of changing radius along a curve (`of`, `radius`), or through balls (`balls`), solid or with a `wall`.
+/// The tube of changing radius along a curve (`of`, `radius`), or through balls (`balls`), solid or with a `wall`. Along a curve it has the circle of its radius
+/// across each point, so that it begins and ends where the curve does; through balls it is their envelope.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -23,7 +24,7 @@ use super::comment::Comment;
 #[schemars(
     extend("oneOf" = [{"required": ["of", "radius"]}, {"required": ["balls"]}]),
     extend("if" = {"required": ["balls"]}),
-    extend("then" = {"properties": {"radius": false, "tolerance": false}}),
+    extend("then" = {"properties": {"radius": false, "radius_of": false, "tolerance": false}}),
     extend("else" = {"properties": {"closed": false}})
 )]
 #[non_exhaustive]
@@ -42,21 +43,44 @@ pub struct TubeSpec {
     /// The radius along the curve: one; a list of radii, evenly spaced over the length; a list of `{"at": 0.3, "radius": 2}`, at
     /// fractions of the length. Between values it goes smoothly and never beyond them.
     pub radius: Option<RadiusLawSpec>,
+    /// What has the radius along a curve. Default `sections`.
+    pub radius_of: Option<RadiusOf>,
     /// Balls `[x, y, z, radius]` that it touches all round, in their order. It is exact.
     #[schemars(length(min = 2))]
     pub balls: Option<Vec<[f64; 4]>>,
     /// Whether the tube through balls comes back to the first.
     pub closed: Option<bool>,
-    /// Thickness of the wall about a bore, along the normals. Default: no bore.
+    /// Thickness of the wall about a bore: across the curve, so that the bore has the radius less the wall; along the normals of the envelope of balls.
+    /// Default: no bore.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How it ends, if it is open. Round ends are the rest of the balls there.
+    /// How it ends, if it is open. Round ends are parts of balls: of sections that which goes on with their slope, of balls the rest of them.
     #[serde(default)]
     pub ends: PipeEnds,
-    /// Largest distance from the tube of the law along the curve; 0 is kept where the radius stays along arcs, and where it is linear
-    /// along segments. Default: a thousandth of the least radius.
+    /// Largest distance from the tube of the law along the curve; 0 is kept along segments, and along arcs where the radius stays. Default: a thousandth of the
+    /// least radius; a hundred thousandth along arcs with a radius of sections.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
+}
+
+/// What has the radius of a tube along a curve.
+///
+/// ```
+/// use cyclide_io::RadiusOf;
+/// let word: RadiusOf = serde_json::from_str("\"balls\"")?;
+/// assert_eq!((word, RadiusOf::default()), (RadiusOf::Balls, RadiusOf::Sections));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum RadiusOf {
+    /// The circles in which planes across the curve cut the tube.
+    #[default]
+    Sections,
+    /// Balls that roll along the curve: the tube is their envelope. Where the radius changes its circles lie beside their centres, and it does not end where the
+    /// curve does.
+    Balls,
 }
 
 /// The radius along a curve, as fractions of its length and radii there.

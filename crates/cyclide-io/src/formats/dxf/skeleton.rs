@@ -89,6 +89,7 @@ pub(super) fn unit_codes(units: Units) -> [usize; 2] {
     match units {
         Units::Inch => [1, 0],
         Units::Foot => [2, 0],
+        Units::UsSurveyFoot => [21, 0],
         Units::Millimetre => [4, 1],
         Units::Centimetre => [5, 1],
         Units::Metre => [6, 1],

@@ -4,7 +4,7 @@ use super::{MultiPatch, OBJECT, UNITS};
 use crate::check::file_content::{FileContent, ReadError};
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::spline_patches::add_patches;
-use crate::export::rational_cells::{RationalCell, Tags};
+use crate::export::rational_cells::{MOST_TAG, RationalCell, Tags};
 use crate::export::spline_patches::{Knots, SplinePatch};
 use crate::text::xml::attribute;
 use cyclide::Units;
@@ -81,7 +81,8 @@ fn multi_patches(head: &str) -> Option<Vec<Lists>> {
 fn patch(element: &str) -> Result<SplinePatch, &'static str> {
     let (tag, rest) = element.split_once('>').ok_or("its tag has no end")?;
     let number = |name| {
-        attribute(tag, name).and_then(|text| text.parse::<usize>().ok()).ok_or("it does not say what it belongs to")
+        let tag = attribute(tag, name).and_then(|text| text.parse::<usize>().ok()).filter(|tag| *tag <= MOST_TAG);
+        tag.ok_or("it does not say what it belongs to")
     };
     let tags =
         Tags { object: number("object")?, part: number("part")?, shell: number("shell")?, flag: number("flag")? };

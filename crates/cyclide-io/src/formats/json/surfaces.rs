@@ -22,7 +22,7 @@ pub(super) fn push_body(out: &mut String, body: &BodyOf<'_>) -> Result<Vec<Shell
             push_surface(out, &face.surface.to_rational());
         }
         out.push_str("]}");
-        plans.push(ShellPlan { shell: i, faces: cut.parts().to_vec() });
+        plans.push(ShellPlan::of_parts(i, cut.parts()));
     }
     out.push_str("]}");
     Ok(plans)

@@ -6,7 +6,7 @@ use crate::check::file_content::{FileContent, ReadError};
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::spline_patches::add_patches;
 use crate::export::patch_joints::Side;
-use crate::export::rational_cells::{RationalCell, Tags};
+use crate::export::rational_cells::{MOST_TAG, RationalCell, Tags};
 use crate::export::spline_patches::{Knots, SplinePatch};
 use cyclide::Units;
 use std::str::FromStr;
@@ -207,6 +207,7 @@ impl<'a> Lines<'a> {
 /// What a patch belongs to.
 fn tags_of(comment: &str) -> Option<Tags> {
     let mut numbers = comment.strip_prefix("# ")?.split(", ").zip(["object ", "part ", "shell ", "flag "]);
-    let mut next = || numbers.next().and_then(|(text, word)| text.strip_prefix(word)?.parse().ok());
+    let mut next =
+        || numbers.next().and_then(|(text, word)| text.strip_prefix(word)?.parse().ok()).filter(|tag| *tag <= MOST_TAG);
     Some(Tags { object: next()?, part: next()?, shell: next()?, flag: next()? })
 }

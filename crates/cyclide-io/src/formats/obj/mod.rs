@@ -15,7 +15,7 @@ use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use crate::text::lines::lines;
 
 use polyhedron::read_polygons;
-pub use quad_grid::{ObjGrid, ObjLayout, ObjQuads, read_quad_grid, read_quads};
+pub use quad_grid::{MendedQuads, ObjGrid, ObjLayout, ObjQuads, read_quad_grid, read_quads};
 use read_back::read_back;
 use writer::{labels, write};
 

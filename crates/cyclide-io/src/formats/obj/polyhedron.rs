@@ -2,6 +2,7 @@
 
 use super::polygons::{Normals, Polygons, parse};
 use crate::input::polygon_mesh::PolygonMesh;
+use crate::text::lines::LineStarts;
 use crate::text::place::{Diagnostic, Source, decode};
 
 /// Reads the polygons of an OBJ file; `name` is what messages call it.
@@ -20,6 +21,8 @@ pub(crate) fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box
     } else {
         Default::default()
     };
+    let starts = LineStarts::new(source.text);
+    let lines = faces.iter().map(|face| starts.line_of(face.span.start)).collect();
     let faces = faces.into_iter().map(|face| face.corners).collect();
-    Ok(PolygonMesh { points, faces, normals, corner_normals })
+    Ok(PolygonMesh { points, faces, normals, corner_normals, lines })
 }

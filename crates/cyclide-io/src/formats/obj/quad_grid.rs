@@ -5,6 +5,9 @@ use std::collections::HashMap;
 use cyclide::{Error, LayoutFault, QuadGrid, QuadLayout};
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
+use crate::input::exported_faces::{doubled, turned_over};
+use crate::input::triangle_mesh::distinct;
+use crate::text::lines::LineStarts;
 use crate::text::place::{Diagnostic, Source, decode};
 
 /// A quad grid read from a file.
@@ -23,6 +26,8 @@ pub struct ObjGrid {
     pub numbers: Vec<usize>,
     /// Numbers of the points that no face uses: left out.
     pub unused: Vec<usize>,
+    /// What was mended.
+    pub mended: MendedQuads,
 }
 
 /// A mesh of quads with extraordinary vertices, read from a file.
@@ -39,6 +44,25 @@ pub struct ObjLayout {
     pub layout: QuadLayout,
     /// Numbers in the file, from 1, of the points that no face uses.
     pub unused: Vec<usize>,
+    /// What was mended.
+    pub mended: MendedQuads,
+}
+
+/// What was changed of quads as a program exported them.
+///
+/// ```
+/// // Two quads, each with vertices of its own; the second is seen from below.
+/// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 1 2 3 4\nf 8 7 6 5\n";
+/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// assert_eq!((read.grid.size(), read.mended.merged, read.mended.turned), ([3, 2], 2, vec![10]));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct MendedQuads {
+    /// Vertices at the position of another, which are one with it.
+    pub merged: usize,
+    /// Lines of the quads that run the other way round than most of their neighbours, and were turned over.
+    pub turned: Vec<usize>,
 }
 
 /// What the quads of a file are.
@@ -72,17 +96,13 @@ pub enum ObjQuads {
 /// # Errors
 /// Those of [`read_quads`], and `extraordinary-vertex` (an inner vertex without four quads).
 pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
-    let source = Source { name, text: decode(name, bytes)? };
-    let polygons = parse(source, Normals::PassOver)?;
-    let mesh = Mesh::new(source, &polygons)?;
-    mesh.check_connected()?;
-    match mesh.check_vertices()? {
+    read(name, bytes, |mesh| match mesh.check_vertices()? {
         Some((vertex, quads)) => {
             let message = format!("point {} is an inner vertex of {quads} quads: only 4 make a grid", vertex + 1);
             Err(mesh.refused_at_vertex(vertex, "extraordinary-vertex", message))
         }
         None => mesh.grid(),
-    }
+    })
 }
 
 /// Reads a mesh of quads from the bytes of an OBJ file, regular or with extraordinary vertices, as [`read_quad_grid`].
@@ -101,15 +121,38 @@ pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnosti
 /// `not-a-grid` (one-sided, closed with a shift, or over itself), `cells-unfit` (a hole: fill it, and leave its quads open), and the kernel's for points out of range and closed directions of
 /// fewer than three quads.
 pub fn read_quads(name: &str, bytes: &[u8]) -> Result<ObjQuads, Box<Diagnostic>> {
+    read(name, bytes, |mesh| {
+        if mesh.check_vertices()?.is_none() {
+            return mesh.grid().map(ObjQuads::Grid);
+        }
+        let layout = mesh.layout_of_pieces()?;
+        Ok(ObjQuads::Layout(ObjLayout { layout, unused: mesh.unused(), mended: mesh.mended.clone() }))
+    })
+}
+
+/// What a mesh is taken for.
+type Taken<T> = Result<T, Box<Diagnostic>>;
+
+/// Reads quads as they are in the file where that makes a mesh: sheets may touch, and a seam may be cut on purpose. Elsewhere vertices at
+/// one position are one vertex.
+fn read<T>(name: &str, bytes: &[u8], take: impl Fn(&Mesh<'_>) -> Taken<T>) -> Taken<T> {
     let source = Source { name, text: decode(name, bytes)? };
     let polygons = parse(source, Normals::PassOver)?;
-    let mesh = Mesh::new(source, &polygons)?;
-    mesh.check_connected()?;
-    if mesh.check_vertices()?.is_none() {
-        return mesh.grid().map(ObjQuads::Grid);
+    let (points, same) = distinct(&polygons.points);
+    let of_mesh = |vertex_of: &[usize], merged| {
+        let mesh = Mesh::new(source, &polygons, vertex_of, merged)?;
+        mesh.check_connected()?;
+        take(&mesh)
+    };
+    let own: Vec<usize> = (0..same.len()).collect();
+    let mut first_of = vec![usize::MAX; points.len()];
+    same.iter().enumerate().rev().for_each(|(given, &point)| first_of[point] = given);
+    let welded: Vec<usize> = same.iter().map(|point| first_of[*point]).collect();
+    let merged = polygons.points.len() - points.len();
+    match of_mesh(&own, 0) {
+        Err(_) if merged > 0 => of_mesh(&welded, merged),
+        taken => taken,
     }
-    let layout = mesh.layout_of_pieces()?;
-    Ok(ObjQuads::Layout(ObjLayout { layout, unused: mesh.unused() }))
 }
 
 /// The vertices of a grid, s fastest.
@@ -142,6 +185,7 @@ struct Mesh<'a> {
     quads: Vec<[usize; 4]>,
     /// The one or two faces at each side.
     sides: HashMap<[usize; 2], (usize, Option<usize>)>,
+    mended: MendedQuads,
 }
 
 fn side(a: usize, b: usize) -> [usize; 2] {
@@ -153,25 +197,35 @@ fn sides_of(quad: [usize; 4]) -> [[usize; 2]; 4] {
 }
 
 impl<'a> Mesh<'a> {
-    fn new(source: Source<'a>, polygons: &'a Polygons) -> Result<Self, Box<Diagnostic>> {
+    /// `vertex_of` is the vertex that each point counts as.
+    fn new(source: Source<'a>, polygons: &'a Polygons, vertex_of: &[usize], merged: usize) -> Taken<Self> {
         let refused = |face: &Polygon, reason, message: String| {
             Err(source.diagnostic(face.span.clone(), "", message).with_reason(reason))
         };
         if polygons.faces.is_empty() {
             return Err(source.diagnostic(0..0, "", "the file holds no faces"));
         }
-        let mut quads = Vec::with_capacity(polygons.faces.len());
+        let mut quads: Vec<[usize; 4]> = Vec::with_capacity(polygons.faces.len());
         let mut sides: HashMap<[usize; 2], (usize, Option<usize>)> = HashMap::new();
-        for (index, face) in polygons.faces.iter().enumerate() {
+        for face in &polygons.faces {
             let Ok(quad) = <[usize; 4]>::try_from(face.corners.as_slice()) else {
                 let remedy = "a `principal-grid` lays a grid of quads on a mesh of any faces";
                 let message = format!("a face of {} corners, not a quad: {remedy}", face.corners.len());
                 return refused(face, "not-a-quad", message);
             };
+            let quad = quad.map(|v| vertex_of[v]);
             if (0..4).any(|i| (0..i).any(|j| quad[i] == quad[j])) {
                 return refused(face, "not-a-quad", "the face has the same point twice".to_owned());
             }
-            for [a, b] in sides_of(quad) {
+            quads.push(quad);
+        }
+        if let Some([first, second]) = doubled(&quads) {
+            let line = source.line_of(polygons.faces[first].span.start);
+            let message = format!("this face has the same vertices as that in line {line}: delete one of them");
+            return refused(&polygons.faces[second], "doubled-face", message);
+        }
+        for (index, (face, quad)) in polygons.faces.iter().zip(&quads).enumerate() {
+            for [a, b] in sides_of(*quad) {
                 let faces = sides.entry([a, b]).or_insert((index, None));
                 match faces {
                     (first, None) if *first == index => {}
@@ -182,9 +236,15 @@ impl<'a> Mesh<'a> {
                     }
                 }
             }
-            quads.push(quad);
         }
-        Ok(Self { source, polygons, quads, sides })
+        let mut mended = MendedQuads { merged, ..MendedQuads::default() };
+        let starts = LineStarts::new(source.text);
+        let turned = turned_over(&quads).into_iter().zip(&mut quads).zip(&polygons.faces);
+        for ((_, quad), face) in turned.filter(|((turned, _), _)| *turned) {
+            quad.swap(1, 3);
+            mended.turned.push(starts.line_of(face.span.start));
+        }
+        Ok(Self { source, polygons, quads, sides, mended })
     }
 
     fn refused(&self, face: usize, reason: &'static str, message: impl Into<String>) -> Box<Diagnostic> {
@@ -222,7 +282,8 @@ impl<'a> Mesh<'a> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(face) => {
-                Err(self.refused(face, "several-components", "no chain of neighbours joins this face to the first one"))
+                let message = "this face is not connected with the first one by edges: join the components, or give each a file and a net of its own (vertices at one position count as one)";
+                Err(self.refused(face, "several-components", message))
             }
             None => Ok(()),
         }
@@ -260,7 +321,7 @@ impl<'a> Mesh<'a> {
     /// Numbers of the points that no face uses.
     fn unused(&self) -> Vec<usize> {
         let mut used = vec![false; self.polygons.points.len()];
-        self.quads.iter().flatten().for_each(|v| used[*v] = true);
+        self.polygons.faces.iter().flat_map(|face| &face.corners).for_each(|v| used[*v] = true);
         (0..used.len()).filter(|v| !used[*v]).map(|v| v + 1).collect()
     }
 
@@ -271,12 +332,22 @@ impl<'a> Mesh<'a> {
             // Without extraordinary vertices nothing cuts it.
             let piece = &layout.pieces()[0];
             let numbers = piece.vertices.iter().map(|v| v.map_or(0, |v| v + 1)).collect();
-            return Ok(ObjGrid { grid: piece.grid.clone(), numbers, unused: self.unused() });
+            return Ok(ObjGrid {
+                grid: piece.grid.clone(),
+                numbers,
+                unused: self.unused(),
+                mended: self.mended.clone(),
+            });
         }
         let Layout { vertices, size, closed } = self.layout()?;
         let points = vertices.iter().map(|&v| self.polygons.points[v]).collect();
         let grid = QuadGrid::new(points, size, closed).map_err(|error| self.refused_by_kernel(&error, &vertices))?;
-        Ok(ObjGrid { grid, numbers: vertices.into_iter().map(|v| v + 1).collect(), unused: self.unused() })
+        Ok(ObjGrid {
+            grid,
+            numbers: vertices.into_iter().map(|v| v + 1).collect(),
+            unused: self.unused(),
+            mended: self.mended.clone(),
+        })
     }
 
     /// The regular grids of the mesh.

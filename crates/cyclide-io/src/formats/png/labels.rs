@@ -12,6 +12,9 @@ const CELL: f64 = 6.0;
 const GAPS: [f64; 3] = [16.0, 26.0, 44.0];
 /// Places tried along each side.
 const SHIFTS: [f64; 5] = [0.5, 0.0, 1.0, 0.25, 0.75];
+/// Distances of the name of a point from it, and its size beside that of other texts.
+const POINT_GAPS: [f64; 3] = [9.0, 16.0, 28.0];
+pub(super) const POINT_NAME: f64 = 0.7;
 /// A name must be nearer to its own object than to others by this factor.
 const NEARER: f64 = 0.85;
 /// More objects than this are numbered: names would be a text to read, not a drawing.
@@ -140,6 +143,45 @@ impl Labels {
         for Name { object, text, start } in names {
             canvas.label(text, *start, 0.93 * self.sheet.text_size(), Ink::object(*object));
         }
+    }
+
+    /// Places beside points for what they are called, as far as there is room: texts and where they start.
+    pub(super) fn point_names(&mut self, points: &[(Pixel, String)]) -> Vec<(String, (f64, f64))> {
+        let size = POINT_NAME * self.sheet.text_size();
+        let mut placed = Vec::new();
+        for ((x, y), name) in points {
+            let (x, y) = (f64::from(*x), f64::from(*y));
+            let text = lettering::fitted(name, size, 0.2 * self.sheet.width);
+            let (wide, [left, top, bottom]) = (lettering::width(&text, size), self.room);
+            let gaps = POINT_GAPS.map(|gap| gap * self.sheet.scale);
+            let places = gaps.into_iter().flat_map(|gap| {
+                let (behind, before, middle) = (x + gap, x - gap - wide, x - 0.5 * wide);
+                let (above, below, level) = (y - gap - size, y + gap, y - 0.5 * size);
+                [
+                    (behind, above),
+                    (behind, below),
+                    (before, above),
+                    (before, below),
+                    (behind, level),
+                    (before, level),
+                    (middle, above),
+                    (middle, below),
+                ]
+            });
+            let mut places = places.map(|(left, top)| Place { left, top, right: left + wide, bottom: top + size });
+            let inside =
+                |p: &Place| p.left >= left && p.right <= self.sheet.width && p.top >= top && p.bottom <= bottom;
+            let is_free = |place: &Place| {
+                inside(place)
+                    && !self.cells(*place).any(|cell| self.taken.contains_key(&cell) || self.owners.contains_key(&cell))
+            };
+            let Some(place) = places.find(is_free) else { continue };
+            for cell in self.cells(place).collect::<Vec<_>>() {
+                self.taken.insert(cell, false);
+            }
+            placed.push((text, (place.left, place.bottom)));
+        }
+        placed
     }
 
     /// For each object the others that share a place with it: a name is near to all of them.

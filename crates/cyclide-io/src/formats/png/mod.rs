@@ -51,6 +51,8 @@ const DATA: f64 = 4.4;
 const JOINT_GAP: f64 = 14.0;
 /// Length of the parts that a curve in space is cut into for hiding, pixels.
 const PART: f64 = 24.0;
+/// Names of points that are tried at most.
+const MOST_POINT_NAMES: usize = 5000;
 /// Depth by which each object is drawn in front of the one before it: two that run side by side must not take turns.
 const LAYER: f64 = 0.03;
 
@@ -97,6 +99,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     // A picture has no parts that could be told apart.
     let written = Written { bodies: vec![Promise::proved(0.5 * drawing.view.unit())], ..Written::default() };
     names.notes.extend(combs.left_out_note(|index| &names.drawn[index]));
+    if drawing.without_room > 0 {
+        let without = drawing.without_room;
+        names.notes.push(format!("{without} points have no room for their names: a larger --width has more"));
+    }
     Ok(written.exported(bytes, names.notes))
 }
 
@@ -123,6 +129,8 @@ struct Drawing<'a> {
     curves: Vec<Polyline>,
     labels: Labels,
     placed: Vec<Name>,
+    /// Points whose names have no room.
+    without_room: usize,
 }
 
 impl<'a> Request<'a> {
@@ -154,7 +162,7 @@ impl<'a> Request<'a> {
             }
         }
         let placed = Vec::new();
-        Ok(Drawing { of: self, naming, rulers, caption, view, curves, labels, placed })
+        Ok(Drawing { of: self, naming, rulers, caption, view, curves, labels, placed, without_room: 0 })
     }
 }
 
@@ -209,6 +217,15 @@ impl Drawing<'_> {
             }
         }
         joints(&mut canvas, view, sheet, job);
+        if job.options.png_labels {
+            let named = job.provenances.point_names().take(MOST_POINT_NAMES);
+            let named: Vec<(Pixel, String)> = named.map(|(point, name)| (view.at(point), name.to_owned())).collect();
+            let placed = self.labels.point_names(&named);
+            self.without_room = named.len() - placed.len();
+            for (text, start) in placed {
+                canvas.label(&text, start, labels::POINT_NAME * sheet.text_size(), Ink::TEXT);
+            }
+        }
         let Some(caption) = &self.caption else {
             return Ok(canvas);
         };

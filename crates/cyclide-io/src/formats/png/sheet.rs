@@ -115,6 +115,7 @@ impl Caption {
             Units::Metre => "metres",
             Units::Inch => "inches",
             Units::Foot => "feet",
+            Units::UsSurveyFoot => "US survey feet",
         };
         // A title that cannot be drawn is left out.
         let title = lettering::drawable(job.title()).map(|title| title.text).unwrap_or_default();

@@ -25,11 +25,16 @@ pub(super) fn composite(data: &mut Data, name: &str, chain: CurveChain, size: f6
 
 /// A full circle, which needs no trimming.
 pub(super) fn full_circle(data: &mut Data, name: &str, circle: &Circle) -> usize {
+    let curve = circle_from(data, circle);
+    composite_of(data, name, &[curve], true)
+}
+
+/// A full circle from its start.
+pub(super) fn circle_from(data: &mut Data, circle: &Circle) -> usize {
     let (center, normal) = (circle.center(), circle.normal());
     let spoke = (circle.start() - center).unit().unwrap_or_else(|| normal.any_perpendicular());
     let placement = data.placement(center, normal, spoke);
-    let curve = data.add(&format!("CIRCLE('',#{placement},{})", real(circle.radius())));
-    composite_of(data, name, &[curve], true)
+    data.add(&format!("CIRCLE('',#{placement},{})", real(circle.radius())))
 }
 
 fn composite_of(data: &mut Data, name: &str, pieces: &[usize], closed: bool) -> usize {

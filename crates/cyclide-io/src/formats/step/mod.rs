@@ -18,6 +18,7 @@ mod curves;
 mod data;
 mod integration;
 mod labels;
+mod layout;
 mod parameter_curves;
 mod part21;
 mod polar_curves;
@@ -107,8 +108,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         if least * job.units().in_millimetres() < ONE_POINT {
             return Err(too_short(least));
         }
-        let as_written =
-            topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
+        let forms = (job.options.step_edges, job.options.step_faces);
+        let as_written = topology::body(&mut data, &body.label(), faces, job.size(), forms).map_err(lowered)?;
         if as_written.shortest * job.units().in_millimetres() < ONE_POINT {
             return Err(too_short(as_written.shortest));
         }
@@ -180,6 +181,7 @@ fn conversion(units: Units) -> Option<&'static str> {
     match units {
         Units::Inch => Some("INCH"),
         Units::Foot => Some("FOOT"),
+        Units::UsSurveyFoot => Some("US_SURVEY_FOOT"),
         Units::Millimetre | Units::Centimetre | Units::Metre => None,
     }
 }

@@ -1,4 +1,5 @@
-//! Curves in the parameters of cylinders and cones, for rational edges that are neither parallels nor rulings of theirs.
+//! Curves in the parameters of cylinders and cones, for rational edges that are neither parallels nor rulings of theirs, and of spheres, for
+//! circles that are neither parallels nor meridians.
 //!
 //! Left alone, OpenCASCADE interpolates such a curve at some places and misses its own tolerance between them (8e-7 on a tee
 //! of size 240: not valid by its exact check). The angle about the axis is no rational function of the edge's parameter. So
@@ -7,14 +8,17 @@
 //! readers' is not written so, and its face stays rational (`docs/math/pipe-tees.md#parts-of-cylinders-in-step`).
 
 use super::data::Data;
+use super::layout::place;
 use super::parameter_curves::{LARGEST_DEGREE, bernstein, degree, series, spline};
-use cyclide::{Frame, PatchKind, Point3, RationalBezier};
+use cyclide::{Arc, Frame, PatchKind, Point3, RationalBezier};
 use std::f64::consts::TAU;
 
 /// Part of the model's size by which the curve in the parameters may leave the edge.
 const LARGEST_ERROR: f64 = 1e-13;
 /// Roundings of a coordinate that are no error of a curve.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// An edge that ends at the seam is no farther beyond it than this.
+const AT_SEAM: f64 = 1e-9;
 
 /// Angle about the axis of a cylinder or cone and height along it, over the parameter of an edge.
 ///
@@ -23,21 +27,42 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 pub(super) struct PolarCurve {
     /// Bernstein coefficients, of one degree.
     places: Vec<[f64; 2]>,
+    /// Where the edge's own parameter ends.
+    range: f64,
 }
 
 impl PolarCurve {
-    /// The curve of a rational edge on a cylinder or cone about the third axis of its frame, whose first axis is on the other side;
+    /// The curve of a rational edge on a cylinder or cone about the third axis of its frame, which it does not cross where the angle is 0;
     /// `None` on other surfaces, and if no polynomial of the readers' degrees is near enough for a model of this size.
     pub(super) fn of(edge: &RationalBezier, kind: &PatchKind, size: f64) -> Option<Self> {
-        let (frame, radius, cos) = match kind {
-            PatchKind::Cylinder { frame, radius, .. } => (frame, *radius, 1.0),
-            PatchKind::Cone { frame, half_angle, .. } => (frame, largest_radius(frame, edge), half_angle.cos()),
+        let (radius, cos) = match kind {
+            PatchKind::Cylinder { radius, .. } => (*radius, 1.0),
+            PatchKind::Cone { frame, half_angle, .. } => (largest_radius(frame, edge), half_angle.cos()),
             _ => return None,
         };
-        let place = |x: f64| place_on(frame, edge.point(x));
-        let limit = LARGEST_ERROR * size + ROUNDING * (edge.point(0.0).to_vec().max_abs() + radius);
-        let limits = [limit / radius, limit * cos];
-        let curves = limits.into_iter().enumerate().map(|(k, limit)| (series(|x| place(x)[k]), limit));
+        let limit = limit(edge.point(0.0), radius, size);
+        Self::followed(kind, |x| edge.point(x), [limit / radius, limit * cos], 1.0)
+    }
+
+    /// The curve of an arc on a sphere, over its angle; `None` likewise, and where it comes near a pole.
+    pub(super) fn of_arc(arc: &Arc, kind: &PatchKind, size: f64) -> Option<Self> {
+        let PatchKind::Sphere { radius, .. } = kind else { return None };
+        let limit = limit(arc.start(), *radius, size) / radius;
+        Self::followed(kind, |x| arc.point_at_length(x), [limit; 2], arc.angle())
+    }
+
+    /// The places of the points of an edge as polynomials within limits; their angle is that of the middle, in `[0, 2π)`, and goes on from there.
+    fn followed(kind: &PatchKind, point: impl Fn(f64) -> Point3, limits: [f64; 2], range: f64) -> Option<Self> {
+        let middle = place(kind, point(0.5))?[0].rem_euclid(TAU);
+        let at = |x: f64| {
+            let [angle, height] = place(kind, point(x)).unwrap_or([f64::NAN; 2]);
+            [angle + TAU * ((middle - angle) / TAU).round(), height]
+        };
+        let crosses = |x: f64| !(-AT_SEAM..=TAU + AT_SEAM).contains(&at(x)[0]);
+        if [0.0, 0.25, 0.75, 1.0].into_iter().any(crosses) {
+            return None;
+        }
+        let curves = limits.into_iter().enumerate().map(|(k, limit)| (series(|x| at(x)[k]), limit));
         let curves: Vec<(Vec<f64>, f64)> = curves.collect();
         let degree = curves.iter().map(|(terms, limit)| degree(terms, *limit)).max()?;
         if degree > LARGEST_DEGREE {
@@ -45,15 +70,20 @@ impl PolarCurve {
         }
         let [angles, heights] = [0, 1].map(|k: usize| curves.get(k).map(|(terms, _)| bernstein(&terms[..=degree])));
         let mut places: Vec<[f64; 2]> = angles?.into_iter().zip(heights?).map(|(u, v)| [u, v]).collect();
-        (places[0], places[degree]) = (place(0.0), place(1.0));
-        Some(Self { places })
+        (places[0], places[degree]) = (at(0.0), at(1.0));
+        Some(Self { places, range })
     }
 
-    /// The curve over `[0, 1]`, the range of rational edges.
+    /// The curve over its range: `[0, 1]` of rational edges.
     pub(super) fn write(&self, data: &mut Data) -> usize {
         let points = self.places.iter().map(|place| data.parameter_point(*place)).collect();
-        spline(data, points, None, 1.0)
+        spline(data, points, None, self.range)
     }
+}
+
+/// How far the curve may leave the edge.
+fn limit(start: Point3, radius: f64, size: f64) -> f64 {
+    LARGEST_ERROR * size + ROUNDING * (start.to_vec().max_abs() + radius)
 }
 
 /// The distance from the third axis of a frame that no point of the edge, whose weights are positive, exceeds.
@@ -63,12 +93,6 @@ fn largest_radius(frame: &Frame, edge: &RationalBezier) -> f64 {
         flat.x.hypot(flat.y)
     };
     edge.rows().iter().map(from_axis).fold(0.0, f64::max)
-}
-
-/// Angle from the first axis of a frame, in `[0, 2π)`, and height.
-fn place_on(frame: &Frame, p: Point3) -> [f64; 2] {
-    let (flat, height) = frame.to_local(p);
-    [flat.y.atan2(flat.x).rem_euclid(TAU), height]
 }
 
 #[cfg(test)]
@@ -112,7 +136,10 @@ mod tests {
                 }
                 assert_eq!(
                     [curve.places[0], curve.places[n - 1]],
-                    [0.0, 1.0].map(|x| place_on(&Frame::WORLD, edge.point(x)))
+                    [0.0, 1.0].map(|x| {
+                        let [u, v] = place(&cylinder(Frame::WORLD), edge.point(x)).unwrap();
+                        [u.rem_euclid(TAU), v]
+                    })
                 );
             }
         }

@@ -154,7 +154,7 @@ fn length_unit(data: &mut Data, units: Units) -> usize {
     let prefix = match units {
         Units::Metre => "$",
         Units::Centimetre => ".CENTI.",
-        Units::Millimetre | Units::Inch | Units::Foot => ".MILLI.",
+        Units::Millimetre | Units::Inch | Units::Foot | Units::UsSurveyFoot => ".MILLI.",
     };
     let metric = data.add(&format!("(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT({prefix},.METRE.))"));
     let Some(name) = conversion(units) else {

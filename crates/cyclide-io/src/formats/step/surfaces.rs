@@ -59,6 +59,28 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
     if keep { kind } else { PatchKind::Cyclide }
 }
 
+/// The surface of a face as part of a larger one; `own` is that as it is written for itself. Spheres are such about any axis.
+pub(super) fn whole_kind(face: &ShellFace, own: &PatchKind, size: f64, edges: StepEdges) -> PatchKind {
+    if *own != PatchKind::Cyclide || edges == StepEdges::Rational {
+        return *own;
+    }
+    let kind = match &face.surface {
+        FaceSurface::Cyclide(patch) => patch.recognise(),
+        FaceSurface::Rational(surface) => rational_sphere(surface).unwrap_or(PatchKind::Cyclide),
+    };
+    match kind {
+        PatchKind::Sphere { radius, .. } if radius <= LARGEST_RADIUS * size => kind,
+        _ => *own,
+    }
+}
+
+/// The sphere of a rational face, about any axis.
+fn rational_sphere(surface: &RationalBezierSurface) -> Option<PatchKind> {
+    let (center, radius) = surface.sphere()?;
+    let frame = Frame::from_normal(center, Vec3::Z, Vec3::X).ok()?;
+    Some(PatchKind::Sphere { frame, radius: radius.abs(), outward: radius > 0.0 })
+}
+
 /// Whether a cylinder or cone is neither too large to keep its digits nor too near to another kind.
 fn has_good_radius(kind: &PatchKind, size: f64) -> bool {
     match kind {

@@ -3,19 +3,18 @@
 use super::curves;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::Integration;
+use super::layout::{
+    ChainCurve, EdgeForm, Layout, LayoutEdge, LayoutFace, LoopEdge, Merging, is_parameter_line, is_straight,
+};
 use super::parameter_curves::ParameterCurve;
 use super::polar_curves::PolarCurve;
 use super::surfaces;
-use crate::export::face_plan::ShellPlan;
-use crate::export::options::StepEdges;
+use crate::export::face_plan::{FacePlan, ShellPlan};
+use crate::export::options::{StepEdges, StepFaces};
 use cyclide::{
     Arc, Body, CutShell, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side,
 };
 use std::fmt::Write as _;
-
-/// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
-/// rounding.
-const STRAIGHT: f64 = 1e-15;
 
 /// A body in the file.
 #[derive(Debug, Clone, Copy)]
@@ -38,28 +37,64 @@ pub(super) struct Written {
 }
 
 /// Writes a body; `size` is the model's diagonal.
-pub(super) fn body(data: &mut Data, name: &str, body: &Body, size: f64, edges: StepEdges) -> Result<Written> {
+pub(super) fn body(
+    data: &mut Data,
+    name: &str,
+    body: &Body,
+    size: f64,
+    (edges, faces): (StepEdges, StepFaces),
+) -> Result<Written> {
     let shells = body.shells().map(|shell| cut(shell, size, edges)).collect::<Result<Vec<CutShell>>>()?;
-    let lengths = shells.iter().flat_map(|cut| cut.shell().edges()).map(|edge| edge.curve.length());
-    let shortest = lengths.fold(f64::INFINITY, f64::min);
     let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(|cut| cut.shell().parts()).collect();
     let closed: Vec<bool> = shells.iter().map(|cut| cut.shell().is_closed()).collect();
     let solid = closed.iter().all(|&c| c) && parts.iter().all(|p| p.len() == 1);
     let touches_itself = closed[0] && parts[0].len() > 1;
-    let (mut written, mut plans) = (Vec::new(), Vec::new());
+    let (mut written, mut plans, mut shortest) = (Vec::new(), Vec::new(), f64::INFINITY);
     for (index, (cut, parts)) in shells.iter().zip(&parts).enumerate() {
         // A void is written as the boundary of the hollow, whose outer side is the other one.
         let flip = solid && index > 0;
-        let mut writer = Writer::new(data, cut.shell(), size, edges);
-        for part in parts {
-            let faces = part.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
+        let mut writer = Writer::new(data, cut.shell(), size, (edges, faces));
+        shortest = shortest.min(writer.shortest_edge());
+        let mut part_of = vec![0; cut.shell().faces().len()];
+        for (index, part) in parts.iter().enumerate() {
+            part.iter().for_each(|&face| part_of[face] = index);
+        }
+        for part in 0..parts.len() {
+            let is_own = |face: &&usize| part_of[writer.layout.faces[**face].faces[0]] == part;
+            let own: Vec<usize> =
+                (0..writer.layout.faces.len()).collect::<Vec<_>>().iter().filter(is_own).copied().collect();
+            let faces = own.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
             let kind = if closed[index] { "CLOSED_SHELL" } else { "OPEN_SHELL" };
             written.push(writer.data.add(&format!("{kind}('',{})", references(&faces))));
-            plans.push(ShellPlan { shell: index, faces: part.iter().map(|&f| cut.parts()[f]).collect() });
+            let plan = |&face: &usize| face_plan(&writer.layout.faces[face], cut, flip);
+            plans.push(ShellPlan { shell: index, faces: own.iter().map(plan).collect() });
         }
     }
     let entity = entity(data, name, solid, &written);
     Ok(Written { entity, shells: plans, shortest, touches_itself })
+}
+
+/// What a face of the file stands for: its parts of faces, and which of their sides are its edges, loop by loop.
+fn face_plan(face: &LayoutFace, cut: &CutShell, flip: bool) -> FacePlan {
+    let sides = |edge: &LoopEdge| {
+        let part = |face_of_shell: usize| face.faces.iter().position(|&own| own == face_of_shell).unwrap_or(usize::MAX);
+        let mut sides: Vec<(usize, Side)> = edge.sides.iter().map(|&(of, side)| (part(of), side)).collect();
+        if flip {
+            sides.reverse();
+        }
+        sides
+    };
+    let one = |bound: &Vec<LoopEdge>| {
+        let mut edges: Vec<Vec<(usize, Side)>> = bound.iter().map(sides).collect();
+        if flip {
+            edges.reverse();
+        }
+        edges
+    };
+    FacePlan {
+        parts: face.faces.iter().map(|&own| cut.parts()[own]).collect(),
+        loops: face.bounds.iter().map(one).collect(),
+    }
 }
 
 /// A body of these shells.
@@ -101,6 +136,8 @@ enum SpaceCurve {
     Circle(usize, Arc),
     /// In the parameter of its faces, so that readers find the curves in their parameters, where weights are even.
     Rational(usize),
+    /// Along several edges of the shell, on faces of which it is a parameter line.
+    Joined(usize),
 }
 
 /// One shell as it is written: the numbers of what is shared already.
@@ -109,51 +146,81 @@ struct Writer<'a> {
     shell: &'a Shell,
     size: f64,
     edges: StepEdges,
-    /// The surface of each face.
-    kinds: Vec<PatchKind>,
-    /// Of each edge the faces along it, with the side of each.
-    users: Vec<Vec<(usize, Side)>>,
-    /// Surfaces, `VERTEX_POINT`s and `EDGE_CURVE`s already written; of a surface also whether its normal is the patch's.
-    surface: Vec<Option<(usize, bool)>>,
+    /// The faces and edges of the file.
+    layout: Layout,
+    /// Of each edge of the file the faces along it, with the side of each.
+    users: Vec<Vec<(usize, (usize, Side))>>,
+    /// Surfaces, `VERTEX_POINT`s and `EDGE_CURVE`s already written.
+    surface: Vec<Option<usize>>,
     vertex: Vec<Option<usize>>,
     edge: Vec<Option<usize>>,
 }
 
 impl<'a> Writer<'a> {
-    fn new(data: &'a mut Data, shell: &'a Shell, size: f64, edges: StepEdges) -> Self {
-        let kinds = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
-        let users = shell.faces_along_edges();
-        let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; shell.edges().len()]);
-        let surface = vec![None; shell.faces().len()];
-        Self { data, shell, size, edges, kinds, users, surface, vertex, edge }
+    fn new(data: &'a mut Data, shell: &'a Shell, size: f64, (edges, faces): (StepEdges, StepFaces)) -> Self {
+        let kinds: Vec<PatchKind> = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
+        let layout = match faces {
+            StepFaces::Split => Layout::split(shell, &kinds),
+            StepFaces::Merged => {
+                let pairs = shell.faces().iter().zip(&kinds);
+                let whole: Vec<PatchKind> =
+                    pairs.map(|(face, kind)| surfaces::whole_kind(face, kind, size, edges)).collect();
+                let merging = Merging { kinds: &whole, size, circles: edges == StepEdges::Circles };
+                Layout::merged(shell, &kinds, &merging)
+            }
+        };
+        let mut users = vec![Vec::new(); layout.edges.len()];
+        for (index, face) in layout.faces.iter().enumerate() {
+            for edge in face.bounds.iter().flatten() {
+                users[edge.edge].extend(edge.sides.first().map(|&side| (index, side)));
+            }
+        }
+        let (vertices, edge) = (shell.vertices().len() + layout.points.len(), vec![None; layout.edges.len()]);
+        let vertex = vec![None; vertices];
+        let surface = vec![None; layout.faces.len()];
+        Self { data, shell, size, edges, layout, users, surface, vertex, edge }
+    }
+
+    /// Length of the shortest edge of the file.
+    fn shortest_edge(&self) -> f64 {
+        let length = |edge: &LayoutEdge| match &edge.form {
+            EdgeForm::Own(own) => self.shell.edges()[*own].curve.length(),
+            EdgeForm::Joined(ChainCurve::Arc(arc)) => arc.length(),
+            EdgeForm::Joined(ChainCurve::Circle(circle)) => std::f64::consts::TAU * circle.radius(),
+        };
+        self.layout.edges.iter().map(length).fold(f64::INFINITY, f64::min)
     }
 
     fn face(&mut self, index: usize, flip: bool) -> Result<usize> {
-        let face = &self.shell.faces()[index];
-        let (surface, outward) = self.surface(index)?;
-        let outer_side = face.same_sense != flip;
-        let bound = self.bound(face, outer_side)?;
-        let same_sense = logical(outer_side == outward);
+        let surface = self.surface(index)?;
+        let bounds = (0..self.layout.faces[index].bounds.len())
+            .map(|bound| self.bound(index, bound, flip))
+            .collect::<Result<Vec<_>>>()?;
+        let same_sense = logical(self.layout.faces[index].outward != flip);
         Ok(self.data.write(|out| {
-            let _ = write!(out, "ADVANCED_FACE('',(#{bound}),#{surface},{same_sense})");
+            out.push_str("ADVANCED_FACE('',");
+            push_list(out, bounds, push_reference);
+            let _ = write!(out, ",#{surface},{same_sense})");
         }))
     }
 
-    /// The surface of a face, and whether its own normal is that of the patch.
-    fn surface(&mut self, index: usize) -> Result<(usize, bool)> {
+    /// The surface of a face.
+    fn surface(&mut self, index: usize) -> Result<usize> {
         if let Some(found) = self.surface[index] {
             return Ok(found);
         }
-        let found = match surfaces::analytic(self.data, &self.kinds[index]) {
-            Some(found) => found,
-            None => (self.rational(&self.shell.faces()[index])?, true),
+        let face = &self.layout.faces[index];
+        let found = match surfaces::analytic(self.data, &face.kind) {
+            Some((found, _)) => found,
+            None => self.rational(face.faces[0])?,
         };
         self.surface[index] = Some(found);
         Ok(found)
     }
 
-    /// The rational surface of a face; neighbours get the same control points along their common edge.
-    fn rational(&mut self, face: &ShellFace) -> Result<usize> {
+    /// The rational surface of a face of the shell; neighbours get the same control points along their common edge.
+    fn rational(&mut self, index: usize) -> Result<usize> {
+        let face = &self.shell.faces()[index];
         let patch = match &face.surface {
             FaceSurface::Cyclide(patch) => patch,
             FaceSurface::Rational(surface) => return surfaces::rational(self.data, surface),
@@ -165,11 +232,16 @@ impl<'a> Writer<'a> {
         surfaces::biquadratic(self.data, patch, middles)
     }
 
-    /// The loop of a face, counter-clockwise against its outer side; a side of one point is no edge.
-    fn bound(&mut self, face: &ShellFace, outer_side: bool) -> Result<usize> {
-        let mut oriented = Vec::with_capacity(4);
-        for (_, edge, forward) in face.edge_loop(outer_side) {
-            let edge = self.edge(edge.edge)?;
+    /// A loop of a face, counter-clockwise against its outer side if it is the first one; a side of one point is no edge.
+    fn bound(&mut self, face: usize, bound: usize, flip: bool) -> Result<usize> {
+        let mut own: Vec<(usize, bool)> =
+            self.layout.faces[face].bounds[bound].iter().map(|edge| (edge.edge, edge.forward != flip)).collect();
+        if flip {
+            own.reverse();
+        }
+        let mut oriented = Vec::with_capacity(own.len());
+        for (edge, forward) in own {
+            let edge = self.edge(edge)?;
             oriented.push(self.data.write(|out| {
                 let _ = write!(out, "ORIENTED_EDGE('',*,*,#{edge},{})", logical(forward));
             }));
@@ -179,8 +251,9 @@ impl<'a> Writer<'a> {
             push_list(out, oriented, push_reference);
             out.push(')');
         });
+        let kind = if bound == 0 { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
         Ok(self.data.write(|out| {
-            let _ = write!(out, "FACE_OUTER_BOUND('',#{edges},.T.)");
+            let _ = write!(out, "{kind}('',#{edges},.T.)");
         }))
     }
 
@@ -188,8 +261,8 @@ impl<'a> Writer<'a> {
         if let Some(number) = self.edge[index] {
             return Ok(number);
         }
-        let edge = &self.shell.edges()[index];
-        let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
+        let ends = self.layout.edges[index].ends;
+        let [start, end] = ends.map(|vertex| self.vertex(vertex));
         let curve = match self.space_curve(index)? {
             SpaceCurve::Rational(curve) => {
                 let along = self.has_uneven_face(index).then(ParameterCurve::proportional);
@@ -203,6 +276,7 @@ impl<'a> Writer<'a> {
                 let along = ParameterCurve::along_circle(&arc);
                 self.on_faces(index, curve, along.as_ref(), arc.angle())?
             }
+            SpaceCurve::Joined(curve) => curve,
         };
         let number = self.data.write(|out| {
             let _ = write!(out, "EDGE_CURVE('',#{start},#{end},#{curve},.T.)");
@@ -213,7 +287,9 @@ impl<'a> Writer<'a> {
 
     fn vertex(&mut self, index: usize) -> usize {
         *self.vertex[index].get_or_insert_with(|| {
-            let point = self.data.point(self.shell.vertices()[index]);
+            let own = self.shell.vertices();
+            let point =
+                self.data.point(own.get(index).copied().unwrap_or_else(|| self.layout.points[index - own.len()]));
             self.data.write(|out| {
                 let _ = write!(out, "VERTEX_POINT('',#{point})");
             })
@@ -224,8 +300,8 @@ impl<'a> Writer<'a> {
     /// holds the rounding of curves in the parameters, where it has to find them itself, for gaps, and closes these with edges
     /// that are points: loops which it reads as crossing themselves.
     fn has_uneven_face(&self, index: usize) -> bool {
-        let uneven = |&(face, _): &(usize, Side)| match &self.shell.faces()[face].surface {
-            FaceSurface::Rational(surface) if self.kinds[face] == PatchKind::Cyclide => {
+        let uneven = |&(face, (of_shell, _)): &(usize, (usize, Side))| match &self.shell.faces()[of_shell].surface {
+            FaceSurface::Rational(surface) if self.layout.faces[face].kind == PatchKind::Cyclide => {
                 let weights = || surface.rows().iter().map(|row| row[3]);
                 weights().fold(0.0, f64::max) > UNEVEN * weights().fold(f64::INFINITY, f64::min)
             }
@@ -235,19 +311,19 @@ impl<'a> Writer<'a> {
     }
 
     /// A curve over `[0, range]` with the curves in the parameters of its faces that readers cannot find exactly: on rational
-    /// surfaces `along`, and of rational edges on cylinders and cones. Circles and lines are parameter lines of analytic surfaces, which they
-    /// can.
+    /// surfaces `along`, of rational edges on cylinders and cones, and of circles on spheres that are no parameter lines. Other circles and
+    /// lines are parameter lines of analytic surfaces, which they can.
     fn on_faces(&mut self, index: usize, curve: usize, along: Option<&ParameterCurve>, range: f64) -> Result<usize> {
         let mut found = Vec::with_capacity(2);
-        for (face, side) in self.users[index].clone() {
-            let Some(edge) = self.shell.faces()[face].side(side) else { continue };
-            let along = along.filter(|_| self.kinds[face] == PatchKind::Cyclide);
+        for (face, (of_shell, side)) in self.users[index].clone() {
+            let Some(edge) = self.shell.faces()[of_shell].side(side) else { continue };
+            let along = along.filter(|_| self.layout.faces[face].kind == PatchKind::Cyclide);
             let round_axis = self.round_axis(index, face);
             if along.is_none() && round_axis.is_none() {
                 continue;
             }
             // Before what refers to it.
-            let (surface, _) = self.surface(face)?;
+            let surface = self.surface(face)?;
             let on_face = match (along, round_axis) {
                 (Some(along), _) => along.write(self.data, side, edge, range),
                 (None, Some(round_axis)) => round_axis.write(self.data),
@@ -265,10 +341,16 @@ impl<'a> Writer<'a> {
         }))
     }
 
-    /// The curve of a rational edge in the parameters of a face that is written as a cylinder or a cone.
+    /// The curve of a rational edge in the parameters of a face that is written as a cylinder or a cone, and of a circle on a sphere that is
+    /// no parameter line.
     fn round_axis(&self, edge: usize, face: usize) -> Option<PolarCurve> {
-        match &self.shell.edges()[edge].curve {
-            EdgeCurve::Rational(edge) => PolarCurve::of(edge, &self.kinds[face], self.size),
+        let EdgeForm::Own(own) = self.layout.edges[edge].form else { return None };
+        let face = &self.layout.faces[face];
+        match &self.shell.edges()[own].curve {
+            EdgeCurve::Rational(edge) => PolarCurve::of(edge, &face.kind, self.size),
+            EdgeCurve::Arc(arc) if face.faces.len() > 1 && !is_parameter_line(&face.kind, arc) => {
+                PolarCurve::of_arc(arc, &face.kind, self.size)
+            }
             EdgeCurve::Arc(_) => None,
         }
     }
@@ -276,14 +358,32 @@ impl<'a> Writer<'a> {
     /// A circle or a line; the rational quadratic in the parameter of the faces where the circle would lose digits, and
     /// where that is asked for, but for lines at constant speed.
     fn space_curve(&mut self, index: usize) -> Result<SpaceCurve> {
-        let arc = match &self.shell.edges()[index].curve {
+        let own = match &self.layout.edges[index].form {
+            EdgeForm::Own(own) => *own,
+            EdgeForm::Joined(ChainCurve::Circle(circle)) => {
+                return Ok(SpaceCurve::Joined(curves::circle_from(self.data, circle)));
+            }
+            EdgeForm::Joined(ChainCurve::Arc(arc)) => {
+                let arc = *arc;
+                if is_straight(&arc, self.size) {
+                    return Ok(SpaceCurve::Joined(curves::line(self.data, &arc)));
+                }
+                if let Some(circle) = curves::circle(self.data, &arc, self.size) {
+                    return Ok(SpaceCurve::Joined(circle));
+                }
+                return Ok(SpaceCurve::Joined(curves::b_spline(
+                    self.data,
+                    arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?,
+                )));
+            }
+        };
+        let arc = match &self.shell.edges()[own].curve {
             EdgeCurve::Arc(arc) => arc,
             EdgeCurve::Rational(curve) => {
                 return Ok(SpaceCurve::Rational(curves::b_spline(self.data, curve.to_nurbs()?)));
             }
         };
-        let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-        let straight = sagitta <= STRAIGHT * self.size;
+        let straight = is_straight(arc, self.size);
         let circles = self.edges == StepEdges::Circles;
         if straight && (circles || ParameterCurve::along_line(arc).is_none()) {
             return Ok(SpaceCurve::Line(curves::line(self.data, arc), *arc));

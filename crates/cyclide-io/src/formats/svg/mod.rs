@@ -219,7 +219,9 @@ impl Page {
         let (width, height) = (short(up(bounds.max.x) - left), short(up(bounds.max.y) - top));
         let scale = match units {
             Units::Millimetre | Units::Centimetre | Units::Inch => 1.0,
-            Units::Metre | Units::Foot => round_scale(width.max(height) * units.in_millimetres() / PAPER),
+            Units::Metre | Units::Foot | Units::UsSurveyFoot => {
+                round_scale(width.max(height) * units.in_millimetres() / PAPER)
+            }
         };
         Self { left, top, width, height, units, scale }
     }

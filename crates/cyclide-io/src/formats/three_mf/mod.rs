@@ -43,6 +43,7 @@ const OPEN: &str = "an open surface has no inside to be printed: make a solid of
                     `\"construction\": true`, or write STL, PLY, OBJ or GLB";
 const TORN: &str =
     "rounding to single precision leaves holes in it: move the model to the origin or allow a smaller tolerance";
+const NO_UNIT: &str = "it has no US survey feet, which are 2 parts in a million longer than feet: take `ft` where that does not matter, or another unit";
 const TOO_LARGE: &str = "a file of more than 4 GiB: allow a larger tolerance";
 /// What the names are those of.
 const OBJECT: &str = "object";
@@ -67,6 +68,9 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         |body: &BodyOf<'_>, detail| ExportError::NotInFormat { object: body.label(), format: ENTRY.title, detail };
     if let Some(open) = job.bodies.iter().find(|body| !body.body.is_solid()) {
         return Err(refused(open, OPEN));
+    }
+    if let Some(first) = job.bodies.first().filter(|_| UNITS.iter().all(|(units, _)| *units != job.units())) {
+        return Err(refused(first, NO_UNIT));
     }
     let (mut written, mut notes) = (Written::default(), Vec::new());
     let mut resources = String::new();

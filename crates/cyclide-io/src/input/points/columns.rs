@@ -4,8 +4,10 @@ use cyclide::Units;
 
 use super::PointColumns;
 use super::decimals::is_number;
-use super::table::{Field, Table};
-use super::unit::UnitWord;
+use super::names::{GLOBE, Role, axis_kind, speaks_of, words_of};
+use super::sampled::Sampled;
+use super::table::Table;
+use super::unit::{UnitWord, unit_in_name};
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// The columns that are read, as indices.
@@ -14,57 +16,14 @@ pub(super) struct Chosen {
     pub(super) coordinates: Vec<usize>,
     pub(super) contour: Option<usize>,
     pub(super) corner: Option<usize>,
+    /// That of what the points are called.
+    pub(super) label: Option<usize>,
     /// The sentence about a choice that could have been another one.
     pub(super) remark: Option<String>,
 }
 
-/// Names of columns that are numbers and no coordinates.
-const NOT_COORDINATES: [&str; 16] = [
-    "id",
-    "fid",
-    "oid",
-    "no",
-    "nr",
-    "num",
-    "number",
-    "index",
-    "idx",
-    "point",
-    "pt",
-    "time",
-    "timestamp",
-    "t",
-    "date",
-    "row",
-];
-
-/// Words that stand for the first and the second coordinate of maps.
-const COMPASS: [&[&str]; 2] =
-    [&["e", "east", "easting", "eastings", "rechtswert"], &["n", "north", "northing", "northings", "hochwert"]];
-
-/// Words that stand for the angles of places on the globe.
-const GLOBE: [&[&str]; 2] = [&["lon", "lng", "long", "longitude"], &["lat", "latitude"]];
-
-/// Words in names of columns that a curve has a use for beside its x and y: heights, and what tells contours apart.
-const OF_USE: [&str; 14] = [
-    "h",
-    "height",
-    "elevation",
-    "elev",
-    "altitude",
-    "alt",
-    "höhe",
-    "hoehe",
-    "höhen",
-    "level",
-    "layer",
-    "ebene",
-    "polyline",
-    "part",
-];
-
-/// Words beside the letter of an axis: `point_x`, `x coordinate`.
-const BESIDE: [&str; 9] = ["coord", "coords", "coordinate", "point", "pt", "pos", "position", "p", "loc"];
+/// Words in names of columns that tell contours apart.
+const LAYERS: [&str; 5] = ["layer", "ebene", "polyline", "part", "ring"];
 
 /// Coordinate columns that were found, with the sentence about a choice that could have been another one.
 type Found = (Vec<usize>, Option<String>);
@@ -95,18 +54,22 @@ impl Chosen {
             let name = table.names([coordinates[k]]);
             return Err(table.refused(format!("the column {name} is asked for twice: each coordinate has its own")));
         }
-        let chosen = Self { coordinates, contour, corner, remark };
+        let taken: Vec<usize> = coordinates.iter().copied().chain(contour).chain(corner).collect();
+        let label = label(table, &taken);
+        let chosen = Self { coordinates, contour, corner, label, remark };
         chosen.refuse_several_units(table)?;
         Ok(chosen)
     }
 
     /// The sentence about columns that are not read and may be meant to be: heights beside two coordinates, layers.
     pub(super) fn not_read(&self, table: &Table<'_>) -> Option<String> {
-        let read = |i: &usize| self.coordinates.contains(i) || [self.contour, self.corner].contains(&Some(*i));
+        let read =
+            |i: &usize| self.coordinates.contains(i) || [self.contour, self.corner, self.label].contains(&Some(*i));
         let of_use = |i: &usize| {
             let (words, unit) = words_of(table.header[*i].text);
             let words = &words[..words.len() - usize::from(unit)];
-            matches!(words, [only] if OF_USE.contains(&only.as_str()))
+            let layer = matches!(words, [only] if LAYERS.contains(&only.as_str()));
+            layer || Role::of(&table.header[*i]) == Role::Height
         };
         let all: Vec<usize> = (0..table.header.len()).filter(|i| !read(i)).filter(of_use).collect();
         (!all.is_empty()).then(|| {
@@ -141,9 +104,10 @@ impl Chosen {
         })
     }
 
-    /// The coordinates whose names speak of a unit.
+    /// The coordinates whose names, or whose cell of a line of units, speak of a unit.
     fn unit_words(&self, table: &Table<'_>) -> Vec<(usize, UnitWord)> {
-        let word = |i: usize| unit_in_name(table.header.get(i)?.text).map(|word| (i, word));
+        let below = |i: usize| table.units.get(i).copied().flatten();
+        let word = |i: usize| unit_in_name(table.header.get(i)?.text).or(below(i)).map(|word| (i, word));
         self.coordinates.iter().filter_map(|&i| word(i)).collect()
     }
 
@@ -173,15 +137,23 @@ fn named(table: &Table<'_>, name: &str) -> Result<Option<usize>, Box<Diagnostic>
     }
 }
 
+/// What the points are called: a column whose name says so, else the only one of texts in a file without names.
+fn label(table: &Table<'_>, taken: &[usize]) -> Option<usize> {
+    let mut free = (0..table.width).filter(|i| !taken.contains(i));
+    if table.header.is_empty() {
+        let mut texts = free.filter(|i| table.first.get(*i).is_some_and(|f| !f.text.is_empty() && !is_number(f)));
+        return texts.next().filter(|_| texts.next().is_none());
+    }
+    free.find(|i| Role::of(&table.header[*i]) == Role::Label)
+}
+
 /// Coordinates by their names, else the only numbers.
 fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagnostic>> {
-    let is_one_of = |words: &[&str], field: &Field<'_>| {
-        let (name, unit) = words_of(field.text);
-        let name = if unit { &name[..name.len() - 1] } else { &name[..] };
-        matches!(name, [only] if words.contains(&only.as_str()))
-    };
-    let by_words = |words: &[&str]| table.header.iter().position(|f| is_one_of(words, f));
-    let compass = COMPASS.map(by_words);
+    let free = || (0..table.width).filter(|i| !taken.contains(&Some(*i)));
+    let numeric = |i: &usize| table.first.get(*i).is_some_and(is_number);
+    if table.header.is_empty() {
+        return found_without_names(table, &free().filter(numeric).collect::<Vec<_>>(), free());
+    }
     if let [Some(lon), Some(lat)] = GLOBE.map(|words| table.header.iter().position(|f| speaks_of(words, f))) {
         let message = format!(
             "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
@@ -190,52 +162,144 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         );
         return Err(table.header_refused(message));
     }
-    if let (Some(x), Some(y)) = (axis(table, "x")?, axis(table, "y")?) {
-        let all: Vec<usize> = [x, y].into_iter().chain(axis(table, "z")?).collect();
+    let roles: Vec<Role> = table.header.iter().map(Role::of).collect();
+    let map = [
+        one_of(table, &roles, |role| matches!(role, Role::East { .. }))?,
+        one_of(table, &roles, |role| matches!(role, Role::North { .. }))?,
+    ];
+    let z = axis(table, &roles, "z")?;
+    if let (Some(x), Some(y)) = (axis(table, &roles, "x")?, axis(table, &roles, "y")?) {
+        let all: Vec<usize> = [x, y].into_iter().chain(z).collect();
         // `x_acc` may be anything, and is no coordinate beside an easting.
         let guessed = |i: &usize| ["x", "y", "z"].iter().any(|letter| axis_kind(letter, &table.header[*i]) == Some(2));
         let guess = all.iter().any(guessed);
-        if !(guess && compass.iter().all(Option::is_some)) {
-            let remark = guess.then(|| taken_columns(table, &all));
+        if !(guess && map.iter().all(Option::is_some)) {
+            // As in Gauss-Krüger coordinates, where x is the northing.
+            let turned = y + 1 == x && z.is_none_or(|z| z > x);
+            let clear = |i: usize| roles[i] == Role::East { clear: true } || roles[i] == Role::North { clear: true };
+            if turned && Sampled::of(table).are_on_a_grid([x, y]) {
+                return Err(table.header_refused(format!(
+                    "y stands before x, and the coordinates are those of a map grid: in German and many other surveys x is the northing. \
+                     Choose the easting first, the northing second: `--columns {}` if x is the northing, `--columns {}` if it is the easting (in a \
+                     document `columns`)",
+                    numbers_of([y, x].into_iter().chain(z)),
+                    numbers_of(all)
+                )));
+            }
+            let remark = if turned {
+                Some(format!(
+                    "{}; y stands before x: if x is the northing, as in Gauss-Krüger coordinates, the curve is mirrored, and `--columns {}` is right",
+                    taken_columns(table, &all),
+                    numbers_of([y, x].into_iter().chain(z))
+                ))
+            } else {
+                let both = map.iter().flatten().filter(|i| clear(**i)).count() == 2;
+                (guess || both).then(|| taken_columns(table, &all))
+            };
             return Ok((all, remark));
         }
     }
-    if let [Some(x), Some(y)] = compass {
-        let all: Vec<usize> = [x, y].into_iter().chain(axis(table, "z")?).collect();
-        let letters = all.iter().any(|&i| words_of(table.header[i].text).0[0].len() == 1);
+    let height = |z: Option<usize>| -> Result<Option<usize>, Box<Diagnostic>> {
+        z.map_or_else(|| one_of(table, &roles, |role| role == Role::Height), |z| Ok(Some(z)))
+    };
+    if let [Some(x), Some(y)] = map {
+        let all: Vec<usize> = [x, y].into_iter().chain(height(z)?).collect();
+        let letters = all.iter().any(|&i| words_of(table.header[i].text).0[0].len() == 1 && roles[i] != Role::Axis);
         let remark = letters.then(|| taken_columns(table, &all));
         return Ok((all, remark));
     }
-    let free = (0..table.width).filter(|&i| !taken.contains(&Some(i)));
-    let numeric = |i: &usize| table.first.get(*i).is_some_and(is_number);
-    if table.header.is_empty() {
-        let numbers: Vec<usize> = free.clone().filter(numeric).collect();
-        return Ok(match numbers.len() {
-            2 | 3 if numbers.len() == table.width => (numbers, None),
-            0 | 1 => (free.take(2).collect(), None),
-            2 | 3 => (numbers.clone(), Some(taken_columns(table, &numbers))),
-            _ => (numbers[..2].to_vec(), Some(taken_columns(table, &numbers[..2]))),
-        });
+    let pair = [Role::Abscissa, Role::Ordinate];
+    if let [Some(x), Some(y)] = [one_of(table, &roles, |r| r == pair[0])?, one_of(table, &roles, |r| r == pair[1])?] {
+        return Ok(([x, y].into_iter().chain(height(z)?).collect(), None));
     }
-    let other = |i: &usize| {
-        table.header.get(*i).is_some_and(|f| NOT_COORDINATES.iter().any(|n| f.text.eq_ignore_ascii_case(n)))
-    };
-    let numbers: Vec<usize> = free.filter(numeric).filter(|i| !other(i)).collect();
-    if (2..=3).contains(&numbers.len()) {
+    // The only numbers there are, if nothing says that they are something else, or the partner of one is missing.
+    let possible = |i: &usize| !matches!(roles[*i], Role::Label | Role::Other);
+    let numbers: Vec<usize> = free().filter(numeric).filter(possible).collect();
+    let heights = numbers.iter().filter(|i| roles[**i] == Role::Height).count();
+    let partner_missing = heights > 1 || numbers.iter().any(|i| roles[*i].is_of_a_pair());
+    let sampled = Sampled::of(table);
+    if (2..=3).contains(&numbers.len()) && !partner_missing && !sampled.numbers_points(&numbers) {
         let remark = taken_columns(table, &numbers);
         return Ok((numbers, Some(remark)));
     }
     let names = table.names(0..table.header.len());
+    let all: Vec<usize> = free().filter(numeric).collect();
+    let which = match numbers.len() {
+        // A profile, of stations and heights, is a curve too.
+        0 | 1 if all.len() == 2 => all,
+        0 | 1 => Vec::new(),
+        _ => sampled.without_numbers(&numbers),
+    };
     Err(table.header_refused(format!(
-        "no column is named x or y; there are {names}: name two or three of them (`--columns A,B`, in a document \
-         `columns`)"
+        "no column is named x or y; there are {names}: name two or three of them, x first (`--columns {}`, in a document \
+         `columns`)",
+        example(&which)
     )))
 }
 
-/// True if a word of a column's name is one of these, or ends in a long one: `lat_deg`, `X (Longitude)`, `GPSLatitude`.
-fn speaks_of(words: &[&str], field: &Field<'_>) -> bool {
-    let known = |word: &String| words.iter().any(|w| word == w || w.len() > 4 && word.ends_with(w));
-    words_of(field.text).0.iter().any(known)
+/// The columns of a file without names.
+fn found_without_names(
+    table: &Table<'_>,
+    numbers: &[usize],
+    free: impl Iterator<Item = usize>,
+) -> Result<Found, Box<Diagnostic>> {
+    let sampled = Sampled::of(table);
+    if numbers.len() > 2 && sampled.numbers_points(numbers) {
+        let others = sampled.without_numbers(numbers);
+        let both = if others.len() > 1 {
+            format!(
+                "; in the order number, northing, easting `--columns {}`",
+                numbers_of([others[1], others[0]].into_iter().chain(others.get(2).copied()))
+            )
+        } else {
+            String::new()
+        };
+        return Err(table.refused(format!(
+            "column {} seems to number the points, and the file has no header line to say so: choose the coordinates, x first \
+             (`--columns {}`, in a document `columns`){both}; if it is x, `--columns {}`",
+            numbers[0] + 1,
+            example(&others),
+            numbers_of(numbers.iter().copied().take(3)),
+        )));
+    }
+    Ok(match numbers.len() {
+        2 | 3 if numbers.len() == table.width => (numbers.to_vec(), None),
+        0 | 1 => (free.take(2).collect(), None),
+        2 | 3 => (numbers.to_vec(), Some(taken_columns(table, numbers))),
+        _ => (numbers[..2].to_vec(), Some(taken_columns(table, &numbers[..2]))),
+    })
+}
+
+/// Numbers of columns, from 1, as `--columns` takes them.
+pub(super) fn numbers_of(columns: impl IntoIterator<Item = usize>) -> String {
+    columns.into_iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>().join(",")
+}
+
+/// Two or three columns of those that may be meant, as `--columns` takes them.
+fn example(columns: &[usize]) -> String {
+    match columns.len() {
+        0 | 1 => "A,B".to_owned(),
+        2 | 3 => numbers_of(columns.iter().copied()),
+        _ => numbers_of(columns[..2].iter().copied()),
+    }
+}
+
+/// The column of a role: a word before a letter that may mean something else; two as clear are refused.
+fn one_of(table: &Table<'_>, roles: &[Role], fits: impl Fn(Role) -> bool) -> Result<Option<usize>, Box<Diagnostic>> {
+    let all: Vec<usize> = (0..roles.len()).filter(|i| fits(roles[*i])).collect();
+    let letter = |i: &usize| words_of(table.header[*i].text).0.first().is_some_and(|word| word.len() == 1);
+    let clear: Vec<usize> = all.iter().copied().filter(|i| !letter(i)).collect();
+    match if clear.is_empty() { &all[..] } else { &clear[..] } {
+        [] => Ok(None),
+        [only] => Ok(Some(*only)),
+        several => {
+            let names = table.names(several.iter().copied());
+            let message = format!(
+                "several columns may be one coordinate: {names}; choose (`--columns A,B`, in a document `columns`)"
+            );
+            Err(table.header_refused(message))
+        }
+    }
 }
 
 fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {
@@ -248,27 +312,10 @@ fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {
     format!("the columns {names}{all} are taken as coordinates; `columns` chooses others")
 }
 
-/// How a column's name speaks of an axis: `x` (0), `x_m` or `x coordinate` (1), `x_left` (2), `point_x` (3).
-pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
-    let (words, unit) = words_of(field.text);
-    let beside = |word: &String| BESIDE.contains(&word.as_str());
-    let joined = |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
-    match words.as_slice() {
-        [only] if only == letter => Some(0),
-        [first, _] if first == letter && unit => Some(1),
-        [first, second, ..] if first == letter && beside(second) => Some(1),
-        [first, ..] if first == letter => Some(2),
-        [before, last] if beside(before) && last == letter => Some(3),
-        [before, last, _] if beside(before) && last == letter && unit => Some(3),
-        [first, ..] if joined(first) => Some(3),
-        _ => None,
-    }
-}
-
 /// The column of an axis: `x` before `x_m` before `x_left` before `point_x`; two of the same kind are refused.
-fn axis(table: &Table<'_>, letter: &str) -> Result<Option<usize>, Box<Diagnostic>> {
-    let kinds: Vec<(usize, usize)> =
-        table.header.iter().enumerate().filter_map(|(i, f)| axis_kind(letter, f).map(|kind| (kind, i))).collect();
+fn axis(table: &Table<'_>, roles: &[Role], letter: &str) -> Result<Option<usize>, Box<Diagnostic>> {
+    let all = table.header.iter().enumerate().filter(|(i, _)| roles[*i] == Role::Axis);
+    let kinds: Vec<(usize, usize)> = all.filter_map(|(i, f)| axis_kind(letter, f).map(|kind| (kind, i))).collect();
     let Some(best) = kinds.iter().map(|(kind, _)| *kind).min() else { return Ok(None) };
     let of_it: Vec<usize> = kinds.iter().filter(|(kind, _)| *kind == best).map(|(_, i)| *i).collect();
     match of_it.as_slice() {
@@ -280,21 +327,6 @@ fn axis(table: &Table<'_>, letter: &str) -> Result<Option<usize>, Box<Diagnostic
             Err(table.header_refused(message))
         }
     }
-}
-
-/// The words of a column's name in small letters, and whether the last is a unit.
-pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
-    let words = name.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase);
-    let words: Vec<String> = words.collect();
-    let unit = words.len() > 1 && unit_in_name(name).is_some();
-    (words, unit)
-}
-
-/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`.
-fn unit_in_name(name: &str) -> Option<UnitWord> {
-    let mut words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty());
-    words.next()?;
-    UnitWord::of(&words.next_back()?.to_lowercase())
 }
 
 #[cfg(test)]
@@ -320,6 +352,9 @@ mod tests {
             ("x_left", None),
         ] {
             assert_eq!(unit_in_name(name), unit.map(UnitWord::Known), "{name}");
+        }
+        for name in ["x_us-ft", "x [ftUS]", "x (US survey feet)", "X_USFT", "E (US ft)"] {
+            assert_eq!(unit_in_name(name), Some(UnitWord::Known(Units::UsSurveyFoot)), "{name}");
         }
         for name in ["x_um", "x [km]", "x (\u{b5}m)", "x (\u{3bc}m)", "X_YD"] {
             assert_eq!(unit_in_name(name), Some(UnitWord::Other), "{name}");

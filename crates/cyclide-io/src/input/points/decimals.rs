@@ -1,5 +1,9 @@
-//! Numbers as tables write them: with decimal points, or with decimal commas where commas separate nothing.
+//! Numbers as tables write them: with decimal points, or with decimal commas where commas separate nothing, and with
+//! separators of thousands where these are certain.
 
+use std::borrow::Cow;
+
+use super::groups::{Evidence, Groups, has_certain_groups, may_have_groups};
 use super::table::{Delimiter, Field, Table};
 use crate::text::number::{NEARER_TO_ZERO, vanishes};
 use crate::text::place::{Diagnostic, Source, quoted};
@@ -12,9 +16,18 @@ pub(super) fn has_decimal_comma(text: &str) -> bool {
         && text.replacen(',', ".", 1).parse::<f64>().is_ok()
 }
 
+/// A number with the minus of typographers as programs write it.
+fn plain_sign(text: &str) -> Cow<'_, str> {
+    match text.strip_prefix('\u{2212}') {
+        Some(rest) => Cow::Owned(format!("-{rest}")),
+        None => Cow::Borrowed(text),
+    }
+}
+
 /// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
 pub(super) fn is_number(field: &Field<'_>) -> bool {
-    field.text.parse::<f64>().is_ok() || has_decimal_comma(field.text)
+    let text = plain_sign(field.text);
+    text.parse::<f64>().is_ok() || has_decimal_comma(&text) || has_certain_groups(&text)
 }
 
 /// How the numbers of a file write their fractions: one way in one file.
@@ -23,29 +36,74 @@ pub(super) struct Decimals {
     point: bool,
     /// True if numbers were read with decimal commas.
     pub(super) comma: bool,
+    /// What separates thousands.
+    groups: Option<Groups>,
+    /// True if numbers were read with separators of thousands.
+    pub(super) grouped: bool,
 }
 
 impl Decimals {
+    /// Looks through the columns that are read for separators of thousands; `None` takes all of them.
+    ///
+    /// # Errors
+    /// As reading the lines has them; where nothing tells fractions from thousands, at the first such number.
+    pub(super) fn of(
+        source: Source<'_>,
+        table: &Table<'_>,
+        columns: Option<&[usize]>,
+    ) -> Result<Self, Box<Diagnostic>> {
+        if !table.may_have_groups() {
+            return Ok(Self::default());
+        }
+        let mut evidence = Evidence::default();
+        let mut first: Option<Field<'_>> = None;
+        table.for_each_row(|row| {
+            for (column, field) in row.fields.iter().enumerate() {
+                if columns.is_none_or(|columns| columns.contains(&column)) {
+                    evidence.see(field.text);
+                    if first.is_none() && field.text.contains(',') && may_have_groups(field.text) {
+                        first = Some(*field);
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        if table.delimiter == Delimiter::Char(',')
+            && evidence.commas_may_be_either()
+            && let Some(field) = first
+        {
+            let message = format!(
+                "`{}` is a fraction with a decimal comma or a number with a separator of thousands, and no number of the file tells which: \
+                 separate the columns by semicolons if it is a fraction, else leave the separator out",
+                quoted(field.text)
+            );
+            return Err(field.refused(source, message));
+        }
+        Ok(Self { groups: evidence.groups(), ..Self::default() })
+    }
+
     /// A coordinate: any decimal number, but neither NaN nor infinite.
     pub(super) fn read(&mut self, source: Source<'_>, field: &Field<'_>) -> Result<f64, Box<Diagnostic>> {
-        let text = field.text;
+        let given = plain_sign(field.text);
+        let text = self.groups.map_or(Cow::Borrowed(&*given), |groups| groups.without(&given));
+        self.grouped |= text.len() != given.len();
         let parsed = match text.parse::<f64>() {
             Ok(value) => {
                 self.point |= text.contains('.');
                 Some(value)
             }
-            Err(_) if has_decimal_comma(text) => {
+            Err(_) if has_decimal_comma(&text) => {
                 self.comma = true;
                 text.replacen(',', ".", 1).parse().ok()
             }
             Err(_) => None,
         };
-        let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(text))));
+        let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(field.text))));
         match parsed {
             Some(_) if self.point && self.comma => {
                 refused("does not go with the numbers before: the file has decimal commas and decimal points")
             }
-            Some(value) if vanishes(text, value) => refused(NEARER_TO_ZERO),
+            Some(value) if vanishes(&text, value) => refused(NEARER_TO_ZERO),
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => refused("is not a finite number"),
             None if text.is_empty() => Err(field.refused(source, "a number is missing")),
@@ -56,7 +114,6 @@ impl Decimals {
         }
     }
 }
-
 /// Looks for rows of whole numbers in which commas may be decimal ones: `1,5,2,5`, or `1,5,2`.
 ///
 /// It takes a table without header, with three, four or six columns separated by commas, in which every field is a whole

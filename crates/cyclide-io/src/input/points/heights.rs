@@ -3,7 +3,8 @@
 use super::MOST_POINTS;
 use super::decimals::Decimals;
 use super::table::{Field, Table};
-use crate::text::place::{Diagnostic, Source, decode};
+use crate::text::encoding::decode_table;
+use crate::text::place::{Diagnostic, Source};
 
 /// A grid of heights, row by row.
 pub(crate) struct HeightTable {
@@ -19,9 +20,10 @@ pub(crate) struct HeightTable {
 /// A message with file, line and column: not UTF-8, no numbers, a field that is neither a finite number nor a hole, a row that is longer
 /// or shorter than the first one, more cells than points are read.
 pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<Diagnostic>> {
-    let source = Source { name, text: decode(name, bytes)? };
+    let decoded = decode_table(name, bytes)?;
+    let source = Source { name, text: &decoded.text };
     let table = Table::parse(source, &[])?;
-    let mut decimals = Decimals::default();
+    let mut decimals = Decimals::of(source, &table, None)?;
     let mut rows: Vec<Vec<Option<f64>>> = Vec::new();
     table.for_each_line(|fields, end| {
         let mut value = |field: &Field<'_>| match field.text {

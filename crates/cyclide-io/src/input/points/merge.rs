@@ -76,6 +76,7 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
     }
     list.points = kept.iter().map(|&i| list.points[i]).collect();
     list.offsets = kept.iter().filter_map(|&i| list.offsets.get(i).copied()).collect();
+    list.labels = kept.iter().filter_map(|&i| list.labels.get(i).cloned()).collect();
     list.corners = kept.iter().enumerate().filter(|&(_, &i)| marked[i]).map(|(k, _)| k).collect();
     let merged = runs.into_iter().map(|(first, count)| Warning::PointsMerged { first, count, limit });
     let closing = (closing > 0).then_some(Warning::ClosingPointMerged { index: closing });
@@ -92,6 +93,7 @@ mod tests {
             points: xy.iter().map(|p| Point3::new(p[0], p[1], 0.0)).collect(),
             corners: corners.to_vec(),
             offsets: (0..xy.len()).collect(),
+            labels: Vec::new(),
         }
     }
 

@@ -6,32 +6,47 @@
 //! ```
 //! A blank line starts a new contour (unless one stands after every point), or a column named `contour` says which one a
 //! point belongs to; a column named `corner` (0 or 1) marks corners. Coordinates are two or three columns: those asked
-//! for, else those named x, y (and z) or after the compass, else the only two or three numbers of a line; without a header
-//! the first two of more. Where that is a choice it is said, and where it would be a guess it is refused.
+//! for, else those named x, y (and z) or in the words of surveying, else the only two or three numbers of a line; without a
+//! header the first two of more. Numbers and names of points are no coordinates, they say what the points are called. Where
+//! that is a choice it is said, and where it would be a guess it is refused. Above the header there may be titles, below it a
+//! line of units; the text may be UTF-8, UTF-16 or Windows-1252.
 
+mod clock;
 mod columns;
 mod decimals;
+mod groups;
+mod headless;
 #[cfg(feature = "circular-mesh")]
 mod heights;
 mod merge;
+mod names;
 mod pose_columns;
+mod pose_names;
 mod poses;
+mod preamble;
+mod remarks;
+mod sampled;
 mod table;
 mod unit;
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use cyclide::{Point3, Units};
 
-use crate::text::place::{Diagnostic, Source, decode, quoted};
+use crate::text::encoding::decode_table;
+use crate::text::place::{Diagnostic, Source, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
 #[cfg(feature = "circular-mesh")]
 pub(crate) use heights::read_heights;
 pub(crate) use merge::{Merged, merge_repeated};
 pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};
-use table::{Row, Table};
+use table::{Field, Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
+
+/// The reason of the remark that coordinates look like those of a map grid, and no unit is named.
+pub(crate) const UNITS_ASSUMED: &str = "units-assumed";
 
 /// Most points of one input: a curve of so many takes some ten gigabytes.
 pub(crate) const MOST_POINTS: usize = 10_000_000;
@@ -70,6 +85,8 @@ pub struct PointTable {
     pub unit_hints: Vec<(String, Units)>,
     /// What could have been read another way.
     pub remarks: Vec<PointRemark>,
+    /// What was chosen with certainty and is not plain: columns by words, what the points are called, the encoding.
+    pub notes: Vec<String>,
 }
 
 /// What was read in one of several possible ways.
@@ -83,7 +100,7 @@ pub struct PointTable {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
     /// Stable kebab-case name: `columns-taken`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
-    /// `blank-lines`.
+    /// `blank-lines`, `units-assumed`.
     pub reason: &'static str,
     /// The sentence.
     pub message: String,
@@ -105,6 +122,8 @@ pub struct PointList {
     pub corners: Vec<usize>,
     /// Byte offset in the file's text of the first coordinate of each point; empty if they come from elsewhere.
     pub offsets: Vec<usize>,
+    /// Byte range in the file's text of what each point is called there; empty if no column says so.
+    pub labels: Vec<Range<usize>>,
 }
 
 /// Reads a point list from the bytes of a file; `name` is what messages call it.
@@ -117,14 +136,16 @@ pub struct PointList {
 /// ```
 ///
 /// # Errors
-/// A message with file, line and column: not UTF-8, no points, a field that is not a finite number or is lost below
+/// A message with file, line and column: not text, no points, a field that is not a finite number or is lost below
 /// the smallest, a missing column, columns that can only be guessed or speak of several units, a line or quote without end.
 pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<PointTable, Box<Diagnostic>> {
-    let source = Source { name, text: decode(name, bytes)? };
+    let decoded = decode_table(name, bytes)?;
+    let source = Source { name, text: &decoded.text };
     let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default())?;
     let chosen = Chosen::new(source, &table, columns)?;
     let mut pairs = columns.coordinates.is_none().then(|| Pairs::new(&table));
-    let mut contours = Contours::default();
+    let decimals = Decimals::of(source, &table, Some(&chosen.coordinates))?;
+    let mut contours = Contours { decimals, ..Contours::default() };
     let mut count = 0;
     table.for_each_row(|row| {
         count += 1;
@@ -134,7 +155,8 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
         contours.add(source, &chosen, row)
     })?;
-    let Contours { mut lists, decimals, .. } = contours;
+    let Contours { mut lists, decimals, last_label, .. } = contours;
+    remarks::refuse_total(source, last_label)?;
     let mut remarks = Vec::new();
     let mut remark = |reason, message: String| remarks.push(PointRemark { reason, message });
     if pairs.is_some_and(|pairs| pairs.found()) {
@@ -168,15 +190,22 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         lists = vec![joined(lists)];
         remark("blank-lines", "a blank line stands after every point: they separate no contours".to_owned());
     }
-    Ok(PointTable { contours: lists, unit_hints: chosen.unit_hints(&table), remarks })
+    let unit_hints = chosen.unit_hints(&table);
+    if unit_hints.is_empty() && chosen.unit_not_applied(&table).is_none() && remarks::seem_to_be_of_a_grid(&lists) {
+        remark(UNITS_ASSUMED, remarks::GRID_COORDINATES.to_owned());
+    }
+    let notes = remarks::notes(source, &table, &chosen, &decimals, decoded.encoding);
+    Ok(PointTable { contours: lists, unit_hints, remarks, notes })
 }
 
 /// The contours as far as they are read.
 #[derive(Default)]
 struct Contours<'a> {
     lists: Vec<PointList>,
-    labels: HashMap<&'a str, usize>,
+    indices: HashMap<&'a str, usize>,
     decimals: Decimals,
+    /// What the last point is called.
+    last_label: Option<Field<'a>>,
 }
 
 impl<'a> Contours<'a> {
@@ -185,7 +214,7 @@ impl<'a> Contours<'a> {
         let target = match chosen.contour {
             Some(column) => {
                 let label = row.field(source, column, "contour")?.text;
-                *self.labels.entry(label).or_insert(self.lists.len())
+                *self.indices.entry(label).or_insert(self.lists.len())
             }
             None => row.block,
         };
@@ -193,6 +222,7 @@ impl<'a> Contours<'a> {
             self.lists.push(PointList::default());
         }
         let list = &mut self.lists[target];
+        self.last_label = chosen.label.and_then(|column| row.fields.get(column).copied());
         let mut coordinates = [0.0; 3];
         for (value, &column) in coordinates.iter_mut().zip(&chosen.coordinates) {
             *value = self.decimals.read(source, &row.field(source, column, "coordinate")?)?;
@@ -208,6 +238,9 @@ impl<'a> Contours<'a> {
         let [x, y, z] = coordinates;
         list.points.push(Point3::new(x, y, z));
         list.offsets.push(row.fields[chosen.coordinates[0]].start);
+        if chosen.label.is_some() {
+            list.labels.push(self.last_label.map_or(0..0, |field| field.start..field.start + field.text.len()));
+        }
         Ok(())
     }
 }
@@ -227,6 +260,7 @@ fn joined(lists: Vec<PointList>) -> PointList {
         all.corners.extend(list.corners.iter().map(|corner| before + corner));
         all.points.extend(list.points);
         all.offsets.extend(list.offsets);
+        all.labels.extend(list.labels);
     }
     all
 }

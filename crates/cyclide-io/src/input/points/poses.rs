@@ -3,10 +3,14 @@
 use cyclide::{Error, Pose, Quat, Units, Vec3};
 use std::f64::consts::{PI, TAU};
 
+use super::clock::Clock;
 use super::decimals::Decimals;
-use super::pose_columns::{NAMES, PoseColumns, RotationColumns};
-use super::table::Table;
-use crate::text::place::{Diagnostic, Source, decode};
+use super::headless::Headless;
+use super::pose_columns::{PoseColumns, RotationColumns};
+use super::pose_names::{NAMES, is_of_pose};
+use super::table::{Field, Table};
+use crate::text::encoding::decode_table;
+use crate::text::place::{Diagnostic, Source};
 
 /// Matrices may be off those of rotations by this much without a word: six decimals.
 pub(crate) const SIX_DECIMALS: f64 = 1e-5;
@@ -34,6 +38,8 @@ pub(crate) struct PoseTable {
     pub(crate) unit_hints: Vec<(String, Units)>,
     /// The sentence about names that speak of a unit which no model has.
     pub(crate) unit_not_applied: Option<String>,
+    /// What was chosen with certainty and is not plain.
+    pub(crate) notes: Vec<String>,
 }
 
 /// What six decimals leave unknown of the difference of two angles, radians: as much as for half a turn.
@@ -47,21 +53,27 @@ pub(crate) fn whole_turns(before: [f64; 3], angles: [f64; 3]) -> Option<(usize, 
     (0..3).find(differs).map(|k| (k, angles[k] - before[k]))
 }
 
-/// Reads a table of poses.
+/// Reads a table of poses; `columns` says what its columns are, in place of a header.
 ///
 /// # Errors
 /// A message with file, line and column: no header, a missing column, a field that is no finite number, a rotation of zero, a matrix that is off by more than a
 /// limit, times that do not rise where they have to.
-pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> Result<PoseTable, Box<Diagnostic>> {
-    let source = Source { name, text: decode(name, bytes)? };
-    let table = Table::parse(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()])?;
-    if table.header.is_empty() {
-        return Err(
-            table.refused(format!("a table of poses needs a header line with the names of its columns: {NAMES}"))
-        );
-    }
-    let PoseColumns { position, time, rotation, absent } = PoseColumns::new(source, &table)?;
-    let mut decimals = Decimals::default();
+pub(crate) fn read_poses(
+    name: &str,
+    bytes: &[u8],
+    columns: Option<&[String]>,
+    rising: bool,
+    limit: f64,
+) -> Result<PoseTable, Box<Diagnostic>> {
+    let decoded = decode_table(name, bytes)?;
+    let source = Source { name, text: &decoded.text };
+    let mut table = Table::parse_with(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()], is_of_pose)?;
+    let mut notes: Vec<String> =
+        decoded.encoding.map(|name| format!("the text is read as {name}")).into_iter().collect();
+    name_columns(&mut table, columns, &mut notes)?;
+    let PoseColumns { position, time, nanoseconds, rotation, absent } = PoseColumns::new(source, &table)?;
+    let mut decimals = Decimals::of(source, &table, None)?;
+    let mut clock = time.map(|(_, unit)| Clock::new(unit));
     let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
     let (mut turned, mut turns): (Option<[f64; 3]>, Option<(usize, f64)>) = (None, None);
     let mut rounded: Option<(usize, usize, f64)> = None;
@@ -72,10 +84,16 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> 
         if poses.len() == MOST_POSES {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POSES} poses")));
         }
+        let at = time;
+        let time = match (time, &mut clock) {
+            (Some((column, _)), Some(clock)) => {
+                let parts = nanoseconds.map(|column| row.field(source, column, "number")).transpose()?;
+                Some(clock.read(source, &mut decimals, &row.field(source, column, "number")?, parts.as_ref())?)
+            }
+            _ => None,
+        };
         let mut value = |column: usize| decimals.read(source, &row.field(source, column, "number")?);
         let translation = Vec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), &mut value)?);
-        let at = time;
-        let time = time.map(|(column, seconds)| value(column).map(|time| time * seconds)).transpose()?;
         let before = poses.last().and_then(|pose: &TablePose| pose.time);
         if let (Some(time), Some(before), Some((column, _)), true) = (time, before, at, rising)
             && time <= before
@@ -102,6 +120,12 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> 
                 }
                 turned = Some(angles);
                 exact(Pose::from_roll_pitch_yaw(translation, angles))
+            }
+            RotationColumns::Vector(columns, unit) => {
+                let vector = Vec3::new(value(columns[0])?, value(columns[1])?, value(columns[2])?) * *unit;
+                let angle = vector.length();
+                let rotation = if angle > 0.0 { Quat::from_axis_angle(vector / angle, angle) } else { Quat::ONE };
+                exact(Pose::new(rotation, translation))
             }
             RotationColumns::Matrix(rows, last) => {
                 let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
@@ -131,6 +155,7 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> 
         Ok(())
     })?;
     let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
+    notes.extend(clock.and_then(|clock| clock.note));
     let taken_as_zero = (!absent.is_empty()).then(|| format!("no column is named {}: taken as 0", absent.join(", ")));
     let rounded_matrices = rounded.map(|(count, start, off)| (count, source.line_of(start), off));
     Ok(PoseTable {
@@ -141,5 +166,50 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8], rising: bool, limit: f64) -> 
         taken_as_zero,
         unit_hints,
         unit_not_applied,
+        notes,
     })
+}
+
+/// Gives the columns of a table their names, where it has none or a document says them.
+fn name_columns<'a>(
+    table: &mut Table<'a>,
+    columns: Option<&'a [String]>,
+    notes: &mut Vec<String>,
+) -> Result<(), Box<Diagnostic>> {
+    let names: Vec<&'a str> = match columns {
+        Some(columns) if columns.len() == table.width => columns.iter().map(String::as_str).collect(),
+        Some(columns) => {
+            let message = format!(
+                "`columns` says what {} columns are, and the table has {}: write `-` for those that are no part of the pose",
+                columns.len(),
+                table.width
+            );
+            return Err(table.refused(message));
+        }
+        None if !table.header.is_empty() => return Ok(()),
+        None => match Headless::of(table) {
+            Headless::Certain(names, sentence) => {
+                notes.push(format!("there is no header line, and {sentence}"));
+                names
+            }
+            Headless::QuaternionFirstOrLast => {
+                return Err(table.refused(
+                    "the table has no header line; its eight columns are a time, a place and a quaternion, whose w may be first or last: \
+                     say which, in the document `\"columns\": [\"t\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]` or \
+                     `[\"t\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"]`",
+                ));
+            }
+            Headless::Unknown => {
+                return Err(table.refused(format!(
+                    "a table of poses needs a header line with the names of its columns, or `\"columns\": […]` in the document, with a name for each column: {NAMES}"
+                )));
+            }
+        },
+    };
+    let places: Vec<usize> = match table.header.is_empty() {
+        true => table.first.iter().map(|field| field.start).collect(),
+        false => table.header.iter().map(|field| field.start).collect(),
+    };
+    table.header = names.into_iter().zip(places).map(|(text, start)| Field { text, start }).collect();
+    Ok(())
 }

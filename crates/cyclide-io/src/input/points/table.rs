@@ -1,12 +1,14 @@
 //! Lines and fields of a delimited text, with the place of each field; read line by line, nothing is kept of the rows.
 
-use super::decimals::{has_decimal_comma, is_number};
+use super::decimals::has_decimal_comma;
+use super::preamble::Preamble;
+use super::unit::UnitWord;
 use crate::text::lines::lines;
 use crate::text::place::{Diagnostic, Source, quoted};
 use crate::text::suggest::did_you_mean;
 
 /// Longest line that is read, in bytes; a row of a thousand columns is a third of it.
-const LONGEST_LINE: usize = 65_536;
+pub(super) const LONGEST_LINE: usize = 65_536;
 
 /// Names of columns in a message at most.
 const NAMED: usize = 12;
@@ -61,13 +63,15 @@ pub(super) enum Delimiter {
 
 impl Delimiter {
     /// The first of tab, semicolon, comma that occurs outside quotes, else blanks. Commas between digits of numbers that
-    /// blanks separate (`1,5 2,5`) are decimal.
-    fn of(line: &str) -> Self {
+    /// blanks separate (`1,5 2,5`, `P1 1,5 2,5`) are decimal.
+    pub(super) fn of(line: &str) -> Self {
         let outside: String = line.split('"').step_by(2).collect();
         let delimiter = ['\t', ';', ','].into_iter().find(|&c| outside.contains(c));
         let decimal = || {
             let mut words = line.split_whitespace();
-            words.clone().nth(1).is_some() && words.all(|w| has_decimal_comma(w) || w.parse::<f64>().is_ok())
+            let commas = words.clone().filter(|w| has_decimal_comma(w)).count();
+            words.clone().nth(1).is_some()
+                && (commas > 1 || words.all(|w| has_decimal_comma(w) || w.parse::<f64>().is_ok()))
         };
         match delimiter {
             Some(',') if decimal() => Self::Blanks,
@@ -75,16 +79,23 @@ impl Delimiter {
         }
     }
 
+    /// True for a `#` of a name (`Pt#2`, `Point #` before the next field), which starts no remark.
+    fn belongs_to_a_name(self, before: &str, after: &str) -> bool {
+        let field_ends = matches!(self, Self::Char(_)) && after.starts_with(|c| self.separates(c));
+        before.ends_with(char::is_alphabetic) || field_ends && !before.trim().is_empty()
+    }
+
     fn separates(self, c: char) -> bool {
         match self {
             Self::Char(delimiter) => c == delimiter,
-            Self::Blanks => c.is_whitespace(),
+            // Other blanks may stand in numbers, between thousands.
+            Self::Blanks => c.is_ascii_whitespace(),
         }
     }
 
     /// Appends the fields of a line that starts at byte `start` of the text, up to a remark. Quotes count at the start of
     /// a field; the error is the place of one that has no end.
-    fn split<'a>(self, line: &'a str, start: usize, out: &mut Vec<Field<'a>>) -> Result<(), usize> {
+    pub(super) fn split<'a>(self, line: &'a str, start: usize, out: &mut Vec<Field<'a>>) -> Result<(), usize> {
         let mut push = |from: usize, to: usize| {
             let piece = &line[from..to];
             let trimmed = piece.trim();
@@ -99,7 +110,7 @@ impl Delimiter {
         let mut end = line.len();
         let mut chars = line.char_indices().peekable();
         while let Some((at, c)) = chars.next() {
-            if c == '#' {
+            if c == '#' && !self.belongs_to_a_name(&line[..at], &line[at + 1..]) {
                 end = at;
                 break;
             }
@@ -137,6 +148,10 @@ pub(super) struct Table<'a> {
     pub(super) delimiter: Delimiter,
     /// Names of the columns; empty if the text has none.
     pub(super) header: Vec<Field<'a>>,
+    /// The units of a line of them below the header, one for each column; empty without such a line.
+    pub(super) units: Vec<Option<UnitWord>>,
+    /// Where lines of text above the header start, which are passed over.
+    pub(super) titles: Vec<usize>,
     /// Number of columns of the header, else of the first line of data.
     pub(super) width: usize,
     /// The first line of data.
@@ -149,59 +164,36 @@ impl<'a> Table<'a> {
     /// Reads up to the first line of data. `wanted` are column names asked for: they help to tell a header behind a `#`
     /// from a remark.
     pub(super) fn parse(source: Source<'a>, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
-        let empty = || source.diagnostic(0..0, "", "the file holds no points");
-        let data = |line: &str| !line.is_empty() && !line.split('#').next().unwrap_or_default().trim().is_empty();
-        let (at, first) = lines(source.text).find(|(_, line)| data(line)).ok_or_else(empty)?;
-        refuse_long(source, at, first)?;
-        let delimiter = Delimiter::of(first.split('#').next().unwrap_or_default());
-        let mut table = Self { source, delimiter, header: Vec::new(), width: 0, first: Vec::new(), start: 0 };
-        // The last remark before the data that could be a header.
-        let mut remark: Vec<Field<'a>> = Vec::new();
-        let mut fields = Vec::new();
-        for (start, line) in lines(source.text) {
-            if let Some(text) = line.trim_start().strip_prefix('#') {
-                let mut names = Vec::new();
-                if text.len() <= LONGEST_LINE
-                    && delimiter.split(text, start + line.len() - text.len(), &mut names).is_ok()
-                    && is_header(&names, wanted)
-                {
-                    remark = names;
-                }
-                continue;
-            }
-            table.split(start, line, &mut fields)?;
-            if fields.iter().all(|f| f.text.is_empty()) {
-                continue;
-            }
-            if table.header.is_empty() && !fields.iter().any(is_number) {
-                table.header = std::mem::take(&mut fields);
-                // Numbers with units or separators of thousands would be lost as names.
-                if table.header.len() > 1 && table.header.iter().all(begins_as_number) {
-                    return Err(table.header_refused(
-                        "no names of columns and no numbers: write numbers without units and separators of thousands",
-                    ));
-                }
-                continue;
-            }
-            table.start = start;
-            table.first = fields;
-            if table.header.is_empty() && remark.len() == table.first.len() {
-                table.header = remark;
-            }
-            table.width = if table.header.is_empty() { table.first.len() } else { table.header.len() };
-            return Ok(table);
-        }
-        Err(empty())
+        Self::parse_with(source, wanted, |_| false)
+    }
+
+    /// As [`parse`](Self::parse); `known` tells the names of columns that such a table has besides.
+    pub(super) fn parse_with(
+        source: Source<'a>,
+        wanted: &[String],
+        known: fn(&Field<'_>) -> bool,
+    ) -> Result<Self, Box<Diagnostic>> {
+        let preamble = Preamble::read(source, wanted, known)?;
+        let Preamble { delimiter, header, units, titles, first, start } = preamble;
+        let width = if header.is_empty() { first.len() } else { header.len() };
+        Ok(Self { source, delimiter, header, units, titles, width, first, start })
+    }
+
+    /// True if a mark that may separate thousands is in the data: a look at the bytes, which costs little.
+    pub(super) fn may_have_groups(&self) -> bool {
+        let data = &self.source.text[self.start..];
+        let comma_separates = self.delimiter == Delimiter::Char(',');
+        let commas = data.contains(',') && (!comma_separates || data.contains('"'));
+        let blanks = self.delimiter != Delimiter::Blanks && data.contains(' ');
+        commas
+            || blanks
+            || data.contains(['\'', '\u{2019}', '\u{a0}', '\u{202f}', '\u{2009}'])
+            || !comma_separates && data.contains('.')
     }
 
     /// Replaces `fields` by those of a line.
     fn split(&self, start: usize, line: &'a str, fields: &mut Vec<Field<'a>>) -> Result<(), Box<Diagnostic>> {
-        fields.clear();
-        refuse_long(self.source, start, line)?;
-        self.delimiter.split(line, start, fields).map_err(|quote| {
-            let message = "the quote has no end on this line: fields with line ends in them are not read";
-            self.source.diagnostic(quote..quote + 1, "", message)
-        })
+        split(self.source, self.delimiter, start, line, fields)
     }
 
     /// Visits the lines of data.
@@ -226,6 +218,19 @@ impl<'a> Table<'a> {
             visit(&row)?;
         }
         Ok(())
+    }
+
+    /// Visits the fields of the first lines of data, as long as that returns true and they can be read.
+    pub(super) fn for_first_rows(&self, mut visit: impl FnMut(&[Field<'a>]) -> bool) {
+        let mut fields = Vec::new();
+        for (start, line) in lines(&self.source.text[self.start..]) {
+            if self.split(self.start + start, line, &mut fields).is_err() {
+                return;
+            }
+            if fields.iter().any(|f| !f.text.is_empty()) && !visit(&fields) {
+                return;
+            }
+        }
     }
 
     /// Visits all lines that are not blank, from the first one on and those of empty fields too, with their fields and where they end.
@@ -259,12 +264,7 @@ impl<'a> Table<'a> {
     }
 
     fn about(&self, fields: &[Field<'_>], message: impl Into<String>) -> Box<Diagnostic> {
-        let span = match fields {
-            [first, .., last] => first.start..last.start + last.text.len(),
-            [only] => only.start..only.start + only.text.len(),
-            [] => 0..0,
-        };
-        self.source.diagnostic(span, "", message)
+        about(self.source, fields, message)
     }
 
     /// The names of columns for a message; their numbers where they have no names.
@@ -297,9 +297,30 @@ impl<'a> Table<'a> {
     }
 }
 
-/// True for what begins like a number.
-fn begins_as_number(field: &Field<'_>) -> bool {
-    field.text.trim_start_matches(['-', '+', '(', '[']).starts_with(|c: char| c.is_ascii_digit())
+/// A message about the fields of a line.
+pub(super) fn about(source: Source<'_>, fields: &[Field<'_>], message: impl Into<String>) -> Box<Diagnostic> {
+    let span = match fields {
+        [first, .., last] => first.start..last.start + last.text.len(),
+        [only] => only.start..only.start + only.text.len(),
+        [] => 0..0,
+    };
+    source.diagnostic(span, "", message)
+}
+
+/// Replaces `fields` by those of a line.
+pub(super) fn split<'a>(
+    source: Source<'a>,
+    delimiter: Delimiter,
+    start: usize,
+    line: &'a str,
+    fields: &mut Vec<Field<'a>>,
+) -> Result<(), Box<Diagnostic>> {
+    fields.clear();
+    refuse_long(source, start, line)?;
+    delimiter.split(line, start, fields).map_err(|quote| {
+        let message = "the quote has no end on this line: fields with line ends in them are not read";
+        source.diagnostic(quote..quote + 1, "", message)
+    })
 }
 
 fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<Diagnostic>> {
@@ -308,16 +329,6 @@ fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<D
     }
     let message = format!("the line has {} bytes, more than {LONGEST_LINE}", line.len());
     Err(source.diagnostic(start..start + 1, "", message))
-}
-
-/// A remark is a header if it names a column we would look for and holds no numbers.
-fn is_header(names: &[Field<'_>], wanted: &[String]) -> bool {
-    let known = |f: &Field<'_>| {
-        let base = f.text.split(['_', ' ', '[', '(']).next().unwrap_or_default();
-        ["x", "y", "z"].iter().any(|axis| base.eq_ignore_ascii_case(axis))
-            || wanted.iter().any(|w| w.eq_ignore_ascii_case(f.text))
-    };
-    names.len() > 1 && names.iter().any(known) && !names.iter().any(is_number)
 }
 
 /// A line up to a remark.

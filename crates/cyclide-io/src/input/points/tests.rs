@@ -93,8 +93,14 @@ fn every_refusal_has_its_place() {
         ("1,2\n3,4,five\n", "p.csv:2:5: the line has 3 fields for 2 columns"),
         ("1.5;2\n1,5;2,5\n", "p.csv:2:1: `1,5` does not go with the numbers before: the file has decimal commas and"),
         ("1,5;2\n1.5;2,5\n", "p.csv:2:1: `1.5` does not go with the numbers before"),
-        ("1;2\n1.234,5;2,5\n", "p.csv:2:1: `1.234,5` is not a number: write it without separators of thousands"),
-        ("1;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without separators"),
+        ("1.5;2\n1.234,5;2,5\n", "p.csv:2:1: `1.234,5` is not a number: write it without separators of thousands"),
+        ("1,5;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without separators"),
+        (
+            "x,y\n\"1,234\",\"5,678\"\n",
+            "p.csv:2:2: `1,234` is a fraction with a decimal comma or a number with a separator",
+        ),
+        ("Nr;x;y\n1;1;2\n2;3;5\nTotal;4;7\n", "p.csv:4:1: `Total` names no point: leave this line out"),
+        ("x;y\n1;2\nEnd of file\n", "p.csv:3:1: `End of file` is not a number"),
         ("1,2\n\"3,4\n", "p.csv:2:1: the quote has no end on this line"),
         ("\"x,y\n1,2\n", "p.csv:1:1: the quote has no end on this line"),
         ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns; if its commas are decimal, separate"),
@@ -176,7 +182,7 @@ fn heights_and_layers_that_are_not_read_are_named() {
     for (text, named) in [
         ("x,y,height\n0,0,5\n1,2,6\n", Some("height")),
         ("X_m,Y_m,Elevation_m,id\n0,0,5,1\n", Some("Elevation_m")),
-        ("easting;northing;Höhe;layer\n0;0;5;a\n", Some("Höhe, layer")),
+        ("easting;northing;Höhe;layer\n0;0;5;a\n", Some("layer")),
         ("x,y,z,height\n0,0,5,1\n", Some("height")),
         ("x,y,width\n0,0,5\n", None),
         ("x,y,contour\n0,0,5\n", None),
@@ -203,6 +209,16 @@ fn names_of_coordinates_are_known_in_many_forms() {
         ("x_mm,y_mm,x_in,z_order_x", "1,2,9,9"),
         ("x,y,x_smooth,y_smooth", "1,2,9,9"),
         ("Rechtswert;Hochwert", "1;2"),
+        ("N°;Abscisse;Ordonnée", "9;1;2"),
+        ("Nord,Est", "2,1"),
+        ("Pkt;Nord;Ost", "9;2;1"),
+        ("Punto;Este;Norte;Código", "9;1;2;B"),
+        ("Hochwert (X);Rechtswert (Y)", "2;1"),
+        ("station,northing,easting", "9,2,1"),
+        ("OBJECTID,POINT_X,POINT_Y", "9,1,2"),
+        ("#,X,Y", "9,1,2"),
+        ("Lfd. Nr.;Punktnummer;X;Y", "9;8;1;2"),
+        ("km;x;y", "9;1;2"),
     ] {
         let text = format!("{header}\n{row}\n");
         if header.starts_with("x_mm") {
@@ -236,7 +252,26 @@ fn columns_that_could_only_be_guessed_are_refused() {
         ("id,GPSLatitude,GPSLongitude\n1,50.2,7.1\n", "p.csv:1:1: GPSLongitude, GPSLatitude are angles on the globe"),
         ("X (Longitude),Y (Latitude)\n7.1,50.2\n", "p.csv:1:1: X (Longitude), Y (Latitude) are angles on the globe"),
         ("lat_deg,lon_deg\n50.2,7.1\n", "p.csv:1:1: lon_deg, lat_deg are angles on the globe"),
-        ("1.000,0;2.000,0\n1010,5;1\n", "p.csv:1:1: no names of columns and no numbers"),
+        ("1 1.5 2.5\n2 3.5 2.5\n3 3.5 4.5\n", "p.csv:1:1: column 1 seems to number the points"),
+        ("station,height,level\n0,1.5,2\n", "p.csv:1:1: no column is named x or y; there are station, height, level"),
+        (
+            "km;foo\n1;2\n",
+            "p.csv:1:1: no column is named x or y; there are km, foo: name two or three of them, x first (`--columns 1,2`",
+        ),
+        (
+            "merkmal;foo;bar\n1;2,5;3,5\n2;1,5;4\n3;8,5;1,5\n",
+            "p.csv:1:1: no column is named x or y; there are merkmal, foo, bar: name two or three of them, x first (`--columns 2,3`",
+        ),
+        ("easting,foo\n1,2\n", "p.csv:1:1: no column is named x or y"),
+        (
+            "Nr;Y;X\n1;4500010,5;5334000,1\n2;4500020,5;5334010,1\n",
+            "p.csv:1:1: y stands before x, and the coordinates are those of a map grid",
+        ),
+        (
+            "Hz;V;SD\n8,5;47,1;1\n",
+            "p.csv:1:1: no column is named x or y; there are Hz, V, SD: name two or three of them, x first (`--columns A,B`",
+        ),
+        ("southing,westing\n1,2\n", "p.csv:1:1: no column is named x or y"),
         ("0 mm,0 mm\n10,5\n", "p.csv:1:1: no names of columns and no numbers"),
         ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are angles on the globe"),
         ("x,x,y\n1,2,3\n", "p.csv:1:1: several columns may be x: x, x; choose"),
@@ -328,4 +363,71 @@ fn lines_and_fields_of_any_length_are_refused_at_once_and_quoted_in_part() {
         assert!(error.len() < 700, "{error}");
     }
     assert!(begin.elapsed().as_secs_f64() < 5.0, "30 MB are looked through in some ten milliseconds");
+}
+
+#[test]
+fn what_the_points_are_called_is_kept() {
+    for (text, called) in [
+        ("Nr;x;y\nB1;1;2\nB2;3;4\n", &["B1", "B2"][..]),
+        ("A 1.5 2\nB 3 4\n", &["A", "B"]),
+        ("x,y,name\n1,2,left\n3,4,\n", &["left", ""]),
+        ("km;x;y\n1;1;2\n2;3;4\n", &[]),
+        ("x,y\n1,2\n", &[]),
+    ] {
+        let table = read(text).unwrap();
+        let list = &table.contours[0];
+        let labels: Vec<&str> = list.labels.iter().map(|range| &text[range.clone()]).collect();
+        assert_eq!(labels, called, "{text:?}");
+    }
+    let notes = read("N°;Abscisse;Ordonnée\n1;1,5;2\n").unwrap().notes;
+    assert_eq!(notes, ["x is `Abscisse`, y is `Ordonnée`, the points are called as `N°` says"]);
+    assert_eq!(read("x_m,y_m\n1,2\n").unwrap().notes, [""; 0]);
+}
+
+#[test]
+fn heights_are_read_beside_coordinates_of_maps() {
+    for text in [
+        "Point,Northing,Easting,Elevation\n7,2,1,3\n",
+        "Punkt;Rechtswert;Hochwert;Höhe\nP7;1;2;3\n",
+        "Punto;Este;Norte;Cota\n7;1;2;3\n",
+        "Punto;Est;Nord;Quota\n7;1;2;3\n",
+        "N°;Abscisse;Ordonnée;Altitude\n7;1;2;3\n",
+        "E,N,RL\n1,2,3\n",
+    ] {
+        assert_eq!(xyz(&read(text).unwrap()), [[[1.0, 2.0, 3.0]]], "{text:?}");
+    }
+}
+
+#[test]
+fn tables_as_spreadsheets_write_them() {
+    let expected = [[[1234.5, 2.25, 0.0], [1300.0, 1000.0, 0.0]]];
+    for text in [
+        "sep=;\nNr;X;Y\n1;1.234,5;2,25\n2;1.300;1.000\n",
+        "Aufmaß Hof\n;;\nNr;X;Y\n;[m];[m]\n1;1234,5;2,25\n2;1300;1000\n;;\n",
+        "Nr,X,Y\n1,\"1,234.5\",2.25\n2,\"1,300\",\"1,000\"\n",
+        "Nr;X;Y\n1;1'234.5;2.25\n2;1'300;1'000\n",
+        "Nr;X;Y\n1;1 234,5;2,25\n2;1 300;1 000\n",
+        "Nr\tX\tY\n1\t1\u{a0}234,5\t2,25\n2\t1\u{a0}300\t1\u{a0}000\n",
+        "P1 1234,5 2,25\nP2 1300 1000\n",
+    ] {
+        assert_eq!(xyz(&read(text).unwrap()), expected, "{text:?}");
+    }
+    let units = read("Nr;X;Y\n;[m];[m]\n1;1,5;2\n").unwrap().unit_hints;
+    assert_eq!(units, [("X".to_owned(), Units::Metre), ("Y".to_owned(), Units::Metre)]);
+    let latin = b"N\xb0;Abscisse;Ordonn\xe9e\n1;1234,5;2,25\n2;1300;1000\n";
+    let table = read_points("p.csv", latin, &PointColumns::default()).unwrap();
+    assert_eq!(xyz(&table), expected);
+    assert_eq!(table.notes.last().unwrap(), "the text is read as Windows-1252 (Latin-1)");
+}
+
+#[test]
+fn coordinates_that_look_like_those_of_a_grid_are_said_without_a_unit() {
+    for (text, said) in [
+        ("Easting,Northing\n334000.5,5334000.25\n334010,5334020\n", true),
+        ("x_m,y_m\n334000.5,5334000.25\n334010,5334020\n", false),
+        ("x,y\n0,0\n150000,20000\n", false),
+        ("x,y\n1,2\n3,4\n", false),
+    ] {
+        assert_eq!(remarks(text).contains(&"units-assumed"), said, "{text:?}");
+    }
 }

@@ -5,7 +5,8 @@ use cyclide::Units;
 use super::PointColumns;
 use super::columns::Chosen;
 use super::table::Table;
-use crate::text::place::{Source, decode};
+use crate::text::encoding::decode_table;
+use crate::text::place::Source;
 
 /// A unit that columns name.
 ///
@@ -40,14 +41,40 @@ impl UnitWord {
             "metre" | "metres" | "meter" | "meters" => Units::Metre,
             "inch" | "inches" => Units::Inch,
             "foot" | "feet" => Units::Foot,
+            "usft" | "ftus" | "sft" | "usfeet" | "usfoot" | "us-foot" | "us-feet" => Units::UsSurveyFoot,
             "nm" | "nanometre" | "nanometres" | "nanometer" | "nanometers" | "um" | "\u{b5}m" | "\u{3bc}m"
             | "micron" | "microns" | "micrometre" | "micrometres" | "micrometer" | "micrometers" | "dm"
             | "decimetre" | "decimetres" | "decimeter" | "decimeters" | "km" | "kilometre" | "kilometres"
-            | "kilometer" | "kilometers" | "mil" | "mils" | "thou" | "usft" | "ftus" | "yd" | "yard" | "yards"
-            | "mi" | "mile" | "miles" => return Some(Self::Other),
+            | "kilometer" | "kilometers" | "mil" | "mils" | "thou" | "yd" | "yard" | "yards" | "mi" | "mile"
+            | "miles" => return Some(Self::Other),
             symbol => Units::from_symbol(symbol)?,
         };
         Some(Self::Known(unit))
+    }
+}
+
+/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`, `x (US survey feet)`.
+pub(super) fn unit_in_name(name: &str) -> Option<UnitWord> {
+    let words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty()).skip(1);
+    let words: Vec<String> = words.map(str::to_lowercase).collect();
+    unit_of_words(&words.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+/// The unit that a text in small letters is: `m`, `us survey feet`.
+pub(super) fn unit_alone(text: &str) -> Option<UnitWord> {
+    let words: Vec<&str> = text.split([' ', '_']).filter(|w| !w.is_empty()).collect();
+    let says_nothing_else = |word: &&str| matches!(*word, "us" | "u.s." | "survey" | "international" | "intl" | "in");
+    let unit = unit_of_words(&words)?;
+    words[..words.len() - 1].iter().all(|word| says_nothing_else(word)).then_some(unit)
+}
+
+/// The unit that the last of several words is, with those of the survey foot before it.
+fn unit_of_words(words: &[&str]) -> Option<UnitWord> {
+    let (last, before) = words.split_last()?;
+    let of_survey = before.iter().any(|word| matches!(*word, "us" | "u.s." | "survey"));
+    match UnitWord::of(last)? {
+        UnitWord::Known(Units::Foot) if of_survey => Some(UnitWord::Known(Units::UsSurveyFoot)),
+        unit => Some(unit),
     }
 }
 
@@ -63,9 +90,10 @@ impl UnitWord {
 pub fn unit_of_columns(head: &[u8], columns: &PointColumns) -> Option<ColumnUnit> {
     // The last line may be cut in two.
     let whole = head.iter().rposition(|byte| matches!(byte, b'\n' | b'\r')).map_or(head, |end| &head[..end]);
-    let source = Source { name: "", text: decode("", whole).ok()? };
+    let decoded = decode_table("", whole).ok()?;
+    let source = Source { name: "", text: &decoded.text };
     let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default()).ok()?;
     let hints = Chosen::new(source, &table, columns).ok()?.unit_hints(&table);
-    let &(_, unit) = hints.first()?;
+    let unit = hints.first()?.1;
     Some(ColumnUnit { unit, columns: hints.into_iter().map(|(name, _)| name).collect() })
 }

@@ -1,11 +1,12 @@
 //! Sewing of surfaces that go round an axis or along a pair of curves: rings of edges, and bands of faces between them.
 
+use super::planar_area::Cover;
 use super::turned_patch::turned_patch;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
-use crate::topology::{Body, EdgeCurve, FaceSurface, Sewing};
+use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Sewing};
 
 /// Vertices of neighbouring rings nearer to each other than this part of the coordinates are one.
 const SAME_POINT: f64 = 1e-12;
@@ -22,6 +23,16 @@ pub(super) struct Ring {
     /// The start of each edge, and the end of the last one if the ring is open.
     vertices: Vec<usize>,
     edges: Vec<Option<usize>>,
+}
+
+impl Ring {
+    /// The same closed ring from the vertex with this number on.
+    pub(super) fn turned(&self, by: usize) -> Self {
+        let mut ring = self.clone();
+        ring.vertices.rotate_left(by);
+        ring.edges.rotate_left(by);
+        ring
+    }
 }
 
 impl Bands {
@@ -114,6 +125,21 @@ impl Bands {
     /// The rows of an edge of a ring, or the point that stands for it.
     fn rows(&self, ring: &Ring, i: usize) -> std::result::Result<Vec<[f64; 4]>, Point3> {
         ring.edges[i].map(|edge| rows_of(&self.sewing.edges[edge].curve)).ok_or(self.sewing.vertices[ring.vertices[i]])
+    }
+
+    /// Adds the faces of a plane area between closed rings, the edges of which run along its contours, over an image of the plane. `same_sense` if the outside
+    /// is where the contours are seen to run counter-clockwise.
+    pub(super) fn cover(
+        &mut self,
+        cover: &Cover,
+        rings: &[&Ring],
+        image: impl Fn(Point3) -> Point3,
+        same_sense: bool,
+    ) -> Result<()> {
+        let vertices = rings.iter().flat_map(|ring| ring.vertices.iter().copied()).collect();
+        let edges = rings.iter().flat_map(|ring| ring.edges.iter().flatten());
+        let edges: Vec<FaceEdge> = edges.map(|&edge| FaceEdge { edge, forward: true }).collect();
+        cover.sew(&mut self.sewing, vertices, &edges, image, same_sense)
     }
 
     /// The body: closed outside outwards.

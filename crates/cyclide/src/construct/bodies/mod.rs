@@ -3,6 +3,7 @@
 mod angle_law;
 mod ball_centers;
 mod bands;
+mod carried;
 mod circular_surface;
 mod contact_blend;
 mod crossing_arcs;
@@ -25,7 +26,9 @@ mod ring_blend;
 mod rotated_rows;
 mod ruled;
 mod rulings;
+mod section;
 mod smooth_joint;
+mod sweep;
 mod swept;
 mod tee;
 mod tight_place;
@@ -43,10 +46,11 @@ pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 pub use ring_blend::{BlendRing, RingBlend};
+pub use sweep::{Sweep, SweepFrame, SweepOptions};
 pub use swept::SweptSurface;
 pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use torus_seam::TorusSeam;
-pub use tube::{Ball, RadiusLaw, Tube};
+pub use tube::{Ball, RadiusLaw, TaperedTube, Tube};
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.

@@ -6,7 +6,9 @@
 //! (`docs/math/motions.md#swept-surfaces`).
 
 use super::bands::{Bands, Ring, rows_of};
+use super::planar_area::Cover;
 use super::rails::{RailPiece, rail_pieces};
+use super::section::covered;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
@@ -61,8 +63,27 @@ impl SweptSurface {
     /// `too-few-points` (no piece), `disconnected`, `weight-not-positive`; `degree-too-high`; `motion-at-rest`; `not-a-shell` (a piece runs along itself, or
     /// stands still).
     pub fn new(profile: &[EdgeCurve], closed: bool, motion: &RationalMotion) -> Result<Self> {
-        let pieces: Vec<EdgeCurve> = rail_pieces([profile, profile], closed)?.into_iter().map(first_curve).collect();
+        Self::made(profile, closed, motion, false)
+    }
+
+    /// The solid over which the area inside a closed curve runs: as [`new`](Self::new), and closed by plane faces at the first and the last pose. A curve that is open, not in a plane,
+    /// or meets itself, and a motion that comes back, make what [`new`](Self::new) makes.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn solid(profile: &[EdgeCurve], closed: bool, motion: &RationalMotion) -> Result<Self> {
+        Self::made(profile, closed, motion, true)
+    }
+
+    fn made(profile: &[EdgeCurve], closed: bool, motion: &RationalMotion, capped: bool) -> Result<Self> {
+        let mut pieces: Vec<EdgeCurve> =
+            rail_pieces([profile, profile], closed)?.into_iter().map(first_curve).collect();
         let motion = motion.without_rests().with_positive_weights();
+        let ends = if closed && capped && !comes_back(&pieces, &motion) { covered(&pieces)? } else { None };
+        let ends = ends.map(|(_, cover)| cover);
+        if let Some(cover) = &ends {
+            pieces = cover.contours.iter().flatten().map(|side| side.curve.clone()).collect();
+        }
         check_moves(&pieces, &motion)?;
         let degree = pieces.iter().map(|piece| rows_of(piece).len() - 1).max().unwrap_or(0).max(2 * motion.degree());
         if degree > LARGEST_DEGREE {
@@ -73,9 +94,9 @@ impl SweptSurface {
         let comes_back = comes_back(&pieces, &motion);
         let folds = folds(&faces, closed, comes_back)?;
         let closes = comes_back && (closed || !folds_at_seam(&faces));
-        let mut body = sewn(&pieces, closed, &motion, &faces, closes)?;
+        let mut body = sewn((&pieces, closed), &motion, &faces, closes, ends.as_ref())?;
         if closes && closed && folds.is_some() && encloses_nothing(&body) {
-            body = sewn(&pieces, closed, &motion, &faces, false)?;
+            body = sewn((&pieces, closed), &motion, &faces, false, None)?;
         }
         Ok(Self { body, warnings: folds.into_iter().collect() })
     }
@@ -119,11 +140,11 @@ fn surfaces(piece: &EdgeCurve, motion: &RationalMotion) -> Result<Vec<RationalBe
 
 /// The faces with edges between them.
 fn sewn(
-    pieces: &[EdgeCurve],
-    closed: bool,
+    (pieces, closed): (&[EdgeCurve], bool),
     motion: &RationalMotion,
     faces: &[Vec<RationalBezierSurface>],
     comes_back: bool,
+    ends: Option<&Cover>,
 ) -> Result<Body> {
     let times = motion.times();
     let poses: Vec<Pose> = times.iter().map(|time| motion.pose(*time)).collect();
@@ -142,6 +163,10 @@ fn sewn(
     for (k, pair) in rings.windows(2).enumerate() {
         let across = |i: usize, _: [Point3; 2]| Ok(EdgeCurve::Rational(paths[i][k].clone()));
         bands.band([&pair[0], &pair[1]], across, |_, i| Ok(faces[i][k].clone()))?;
+    }
+    if let (Some(cover), [first, .., last]) = (ends, &poses[..]) {
+        bands.cover(cover, &[&rings[0]], |p| first.apply(p), false)?;
+        bands.cover(cover, &[&rings[rings.len() - 1]], |p| last.apply(p), true)?;
     }
     bands.finish()
 }

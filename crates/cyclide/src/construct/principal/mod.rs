@@ -2,6 +2,7 @@
 //! (`docs/math/principal-grids.md`).
 
 mod arc_length;
+mod choice;
 mod coordinates;
 mod cover;
 mod cross_field;
@@ -26,6 +27,7 @@ mod staircase;
 mod unknowns;
 mod walker;
 
+pub use choice::{FreeLayout, covering_principal_grids};
 pub use field::PrincipalField;
 pub use options::PrincipalGridOptions;
 pub use report::{GridPiece, PrincipalGridReport, Umbilic};
@@ -259,6 +261,7 @@ pub fn principal_grids(
             let (part, angle) = (found.off_lines, joined::OFF);
             warnings.push(Warning::OffCurvatureLines { part, angle, limit: OFF_LINES });
         }
+        report.border = GridBorder::Staircase;
         let mesh = found.layout;
         let mesh = mesh.with_points(mesh.points().iter().map(|p| to_world(*p)).collect())?;
         let grids: Vec<QuadGrid> = mesh.pieces().iter().map(|piece| piece.grid.clone()).collect();
@@ -310,6 +313,7 @@ pub fn principal_grids(
         // What is joined ends in steps, with umbilics or without.
         border: if joins && options.border == GridBorder::Inside { GridBorder::Staircase } else { options.border },
     };
+    report.border = steps.border;
     if cut && options.most_pieces.is_none() {
         steps.most = options::MOST_PIECES;
     }

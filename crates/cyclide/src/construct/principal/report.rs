@@ -1,6 +1,7 @@
 //! What was found of the surface, and what the grids are like.
 
 use crate::base::vector::Point3;
+use crate::construct::principal_rules::GridBorder;
 
 /// A place where a surface bends alike in all directions.
 ///
@@ -50,6 +51,8 @@ pub struct PrincipalGridReport {
     pub pieces: Vec<GridPiece>,
     /// The part of the surface's area that all grids cover.
     pub coverage: f64,
+    /// How far the grids go.
+    pub border: GridBorder,
     /// The distance of the vertices from a smooth surface: the median of the rms distances from fits to neighbours, as given.
     /// Of a coarse mesh of a curved surface that is mostly what the fits miss of its shape.
     pub noise: f64,

@@ -32,6 +32,30 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `section-not-plane`
+//! A section that is to be swept leaves its plane.
+//! ```
+//! use cyclide::{Arc, ArcPath, Point3, Sweep, SweepOptions};
+//! let path = ArcPath::rounded_polyline(&[Point3::ORIGIN, Point3::new(0.0, 0.0, 9.0)], false, &[0.0; 2])?;
+//! let section = [Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.1))?.into()];
+//! let error = Sweep::new(&[(section.to_vec(), false)], &path, &SweepOptions::default()).unwrap_err();
+//! assert_eq!(error.reason(), "section-not-plane");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `section-meets-itself`
+//! A closed section that is to be swept to a solid runs through itself.
+//! ```
+//! use cyclide::{Arc, ArcPath, EdgeCurve, Point3, Sweep, SweepOptions};
+//! let path = ArcPath::rounded_polyline(&[Point3::ORIGIN, Point3::new(0.0, 0.0, 9.0)], false, &[0.0; 2])?;
+//! let eight = [[0.0, 0.0, 0.0], [2.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(Point3::from);
+//! let side = |k: usize| Arc::segment(eight[k], eight[(k + 1) % 4]).map(EdgeCurve::from);
+//! let section = vec![side(0)?, side(1)?, side(2)?, side(3)?];
+//! let error = Sweep::new(&[(section, true)], &path, &SweepOptions::default()).unwrap_err();
+//! assert_eq!(error.reason(), "section-meets-itself");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `folded-profile`
 //! A profile in a plane across the axis goes out and comes back.
 //! ```

@@ -165,13 +165,37 @@
 //! assert_eq!(error.reason(), "no-g1-spline-in-tube");
 //! ```
 //!
+//! # `arc-limit-not-kept`
+//! A machine takes no arcs below some radius or length, and none other were found within the tolerance: here a half circle
+//! of radius 1.
+//! ```
+//! use cyclide::{ArcFit, ArcFitOptions, Point3};
+//! let at = |k: i32| (0.1 * f64::from(k)).sin_cos();
+//! let half: Vec<Point3> = (0..=31).map(at).map(|(s, c)| Point3::new(c, s, 0.0)).collect();
+//! let error = ArcFit::new(&half, &ArcFitOptions { min_radius: Some(2.0), ..ArcFitOptions::new(0.01) }).unwrap_err();
+//! assert_eq!(error.reason(), "arc-limit-not-kept");
+//! ```
+//!
 //! # `tolerance-not-reached`
-//! No fair curve within the tolerance was found: here of a zigzag, every tooth of which is a sharp turn.
+//! No fair curve within the tolerance was found: here coordinates of this size are rounded by more.
 //! ```
 //! use cyclide::{FairFit, FairFitOptions, Point3};
-//! let zigzag: Vec<Point3> = (0..100).map(|k| Point3::new(0.1 * f64::from(k), f64::from(k % 2), 0.0)).collect();
-//! let error = FairFit::new(&zigzag, &FairFitOptions::new(0.02)).unwrap_err();
+//! let wave: Vec<Point3> = (0..100).map(|k| Point3::new(1e9 + f64::from(k), (0.1 * f64::from(k)).sin(), 0.0)).collect();
+//! let error = FairFit::new(&wave, &FairFitOptions::new(1e-9)).unwrap_err();
 //! assert_eq!(error.reason(), "tolerance-not-reached");
+//! ```
+//!
+//! # `outliers`
+//! Points far from all others keep a fair curve from its tolerance.
+//! ```
+//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! let mut points: Vec<Point3> = (0..80)
+//!     .map(|k| Point3::new(f64::from(k), (0.1 * f64::from(k)).sin() + 0.05 * f64::from(k * k % 7), 0.0))
+//!     .collect();
+//! points[30].y += 20.0;
+//! let error = FairFit::new(&points, &FairFitOptions::new(1.0)).unwrap_err();
+//! assert_eq!(error.reason(), "outliers");
+//! assert_eq!(error.index(), Some(30));
 //! ```
 //!
 //! # `even-point-count`

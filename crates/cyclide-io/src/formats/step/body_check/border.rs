@@ -1,13 +1,8 @@
 //! Where the sides of parts of faces lie in the uncut model: on its edges, or on lines inside its faces along which these
 //! were cut. Two parts share a border where both have the same line over the same range.
 
-use super::distance::Piece;
 use crate::check::tiles::same_place;
 use cyclide::{FacePart, Shell, Side};
-
-/// A line inside a face without an edge in the file is no wider than this part of the model's size; how wide it is counts as
-/// a deviation.
-const NARROW: f64 = 1e-6;
 
 /// What a border is a part of.
 #[derive(Debug, Clone, Copy)]
@@ -54,6 +49,14 @@ impl Border {
         (side.runs_with_loop() == self.forward) == seen_from_normal
     }
 
+    /// What borders that may be the same have in common.
+    pub(super) fn key(&self) -> (usize, usize) {
+        match self.line {
+            Line::Edge(edge) => (edge, 2),
+            Line::Inside { face, direction, .. } => (face, direction),
+        }
+    }
+
     /// True if both are the same part of the same line.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let line = match (self.line, other.line) {
@@ -65,29 +68,4 @@ impl Border {
         };
         line && self.range.iter().zip(other.range).all(|(a, b)| same_place(*a, b))
     }
-}
-
-/// The sides of a part of a face that `count` edges in the file stand for, in the order of the loop seen from the outer side,
-/// and how far the sides for which none stands are from being one point: the narrowest ones. `None` if there is another number
-/// of them.
-pub(super) fn sides_with_edges(
-    shell: &Shell,
-    piece: &Piece<'_>,
-    (count, outer_side): (usize, bool),
-    size: f64,
-) -> Option<(Vec<(Side, Border)>, f64)> {
-    let with_border = |side| Some((side, Border::of(shell, piece.part, side)?));
-    let mut sides: Vec<(Side, Border)> = Side::LOOP.into_iter().filter_map(with_border).collect();
-    if !outer_side {
-        sides.reverse();
-    }
-    let mut width = 0.0_f64;
-    while sides.len() > count {
-        let inside = |(_, border): &&(Side, Border)| matches!(border.line, Line::Inside { .. });
-        let widths = sides.iter().filter(inside).map(|(side, _)| (piece.width(*side), *side));
-        let (narrowest, side) = widths.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(own, _)| *own <= NARROW * size)?;
-        sides.retain(|(other, _)| *other != side);
-        width = width.max(narrowest);
-    }
-    (sides.len() == count).then_some((sides, width))
 }

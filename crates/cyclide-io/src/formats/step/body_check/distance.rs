@@ -4,11 +4,12 @@
 
 use super::border::Border;
 use super::{Mismatch, require};
-use crate::check::bodies::{FileEdge, FileFace, FileSurface};
+use crate::check::bodies::{FileCurve, FileEdge, FileFace, FileSurface};
 use crate::check::deviation::larger;
+use crate::formats::step::layout::outward;
 use cyclide::{
     ChainPiece, FacePart, FaceSurface, NurbsCurve, ParamCurve as _, ParamSurface as _, PatchKind, Point2, Point3,
-    RationalBezierSurface, Side, Vec3,
+    RationalBezierSurface, Side,
 };
 
 /// Places per parameter at which surfaces and edges are compared.
@@ -34,7 +35,7 @@ impl Piece<'_> {
     }
 
     /// The points of one side from its start to its end.
-    fn along(&self, side: Side) -> impl Iterator<Item = Point3> {
+    pub(super) fn along(&self, side: Side) -> impl Iterator<Item = Point3> {
         (0..PLACES).map(move |i| self.point(side.place(parameter(i))))
     }
 
@@ -75,8 +76,9 @@ impl Piece<'_> {
             largest = larger(
                 largest,
                 match &edge.curve {
-                    ChainPiece::Arc(arc) => arc.closest_point(p).distance,
-                    ChainPiece::Spline(curve) => curve.point(along).distance(p),
+                    FileCurve::Piece(ChainPiece::Arc(arc)) => arc.closest_point(p).distance,
+                    FileCurve::Piece(ChainPiece::Spline(curve)) => curve.point(along).distance(p),
+                    FileCurve::Circle(_) => f64::INFINITY,
                 },
             );
             if i == 0 || i + 1 == PLACES {
@@ -84,27 +86,11 @@ impl Piece<'_> {
             }
         }
         let (start, end) = match &edge.curve {
-            ChainPiece::Arc(arc) => (arc.start(), arc.end()),
-            ChainPiece::Spline(curve) => (curve.point(0.0), curve.point(1.0)),
+            FileCurve::Piece(ChainPiece::Arc(arc)) => (arc.start(), arc.end()),
+            FileCurve::Piece(ChainPiece::Spline(curve)) => (curve.point(0.0), curve.point(1.0)),
+            FileCurve::Circle(circle) => (circle.start(), circle.start()),
         };
         larger(largest, larger(start.distance(edge.ends[0]), end.distance(edge.ends[1])))
-    }
-}
-
-/// A vector on the side of the surface's own normal.
-fn outward(kind: &PatchKind, p: Point3) -> Option<Vec3> {
-    let from_axis = |frame: &cyclide::Frame| {
-        let v = p - frame.origin();
-        v - frame.z() * v.dot(frame.z())
-    };
-    match kind {
-        PatchKind::Plane { frame } => Some(frame.z()),
-        PatchKind::Sphere { frame, .. } => Some(p - frame.origin()),
-        PatchKind::Cylinder { frame, .. } | PatchKind::Cone { frame, .. } => Some(from_axis(frame)),
-        PatchKind::Torus { frame, major_radius, .. } => {
-            Some(p - (frame.origin() + from_axis(frame).unit()? * *major_radius))
-        }
-        PatchKind::Cyclide => None,
     }
 }
 
@@ -117,9 +103,12 @@ pub(super) fn check_parameters(
     size: f64,
 ) -> Result<(), Mismatch> {
     let arc = match (&edge.curve, &edge.parameter_curve) {
-        (ChainPiece::Arc(arc), _) => arc,
-        (ChainPiece::Spline(_), None) => return Ok(()), // in the parameter of its faces, and compared there
-        (ChainPiece::Spline(curve), Some(on_face)) => return check_proportional(surface, curve, on_face, size),
+        (FileCurve::Piece(ChainPiece::Arc(arc)), _) => arc,
+        (FileCurve::Piece(ChainPiece::Spline(_)), None) => return Ok(()), // in the parameter of its faces, and compared there
+        (FileCurve::Piece(ChainPiece::Spline(curve)), Some(on_face)) => {
+            return check_proportional(surface, curve, on_face, size);
+        }
+        (FileCurve::Circle(_), _) => return Err(Mismatch("a whole circle round a rational face")),
     };
     // Far from the origin the file's points are as coarse as their numbers.
     let rounding = ROUNDING * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
@@ -146,17 +135,30 @@ pub(super) fn check_parameters(
     require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
 }
 
-/// The same of an analytic surface: rational edges have curves in the parameters of cylinders and cones; others readers find, as
-/// circles and lines are parameter lines.
+/// The same of an analytic surface: rational edges have curves in the parameters of cylinders and cones, arcs in those of spheres; others
+/// readers find, as circles and lines are parameter lines.
 pub(super) fn check_on_analytic(kind: &PatchKind, edge: &FileEdge, size: f64) -> Result<(), Mismatch> {
-    let (ChainPiece::Spline(curve), Some(on_face)) = (&edge.curve, &edge.parameter_curve) else {
-        return require(edge.parameter_curve.is_none(), "a curve in the parameters of a surface that needs none");
-    };
+    let none_needed = "a curve in the parameters of a surface that needs none";
+    let Some(on_face) = &edge.parameter_curve else { return Ok(()) };
     let (frame, radius, slope) = match kind {
         PatchKind::Cylinder { frame, radius, .. } => (frame, *radius, 0.0),
         PatchKind::Cone { frame, radius, half_angle, .. } => (frame, *radius, half_angle.tan()),
-        _ => return Err(Mismatch("a curve in the parameters of a surface that needs none")),
+        PatchKind::Sphere { frame, radius, .. } => {
+            let FileCurve::Piece(ChainPiece::Arc(arc)) = &edge.curve else { return Err(Mismatch(none_needed)) };
+            let on_sphere = |at: Point3| {
+                let ((sin, cos), (up, out)) = (at.x.sin_cos(), at.y.sin_cos());
+                frame.to_world(Point2::new(radius * out * cos, radius * out * sin)) + frame.z() * (radius * up)
+            };
+            let (from, to) = on_face.domain();
+            let same_range = from == 0.0 && (to - arc.angle()).abs() <= 1e-9 * to;
+            require(same_range, "a parameter curve has another range than its edge")?;
+            return check_near(size, arc.start(), |x| {
+                on_sphere(on_face.point_at_knot(to * x)).distance(arc.point_at_length(x))
+            });
+        }
+        _ => return Err(Mismatch(none_needed)),
     };
+    let FileCurve::Piece(ChainPiece::Spline(curve)) = &edge.curve else { return Err(Mismatch(none_needed)) };
     // Angle and height along the axis.
     let round_axis = |at: Point3| {
         let ((sin, cos), from_axis) = (at.x.sin_cos(), radius + slope * at.y);
@@ -184,12 +186,16 @@ fn check_where(
 ) -> Result<(), Mismatch> {
     let [range, on_face_range] = [curve, on_face].map(NurbsCurve::domain);
     require(range == on_face_range, "a parameter curve has another range than its edge")?;
-    let apart = |i: u32| {
-        let x = range.0 + (range.1 - range.0) * parameter(i);
+    check_near(size, curve.point_at_knot(range.0), |x| {
+        let x = range.0 + (range.1 - range.0) * x;
         surface(on_face.point_at_knot(x)).distance(curve.point_at_knot(x))
-    };
-    let rounding = ROUNDING * curve.point_at_knot(range.0).to_vec().max_abs();
-    let apart = (0..PLACES).map(apart).fold(0.0, larger);
+    })
+}
+
+/// Requires a distance of an edge from its face at fractions of the edge's parameter to be rounding.
+fn check_near(size: f64, start: Point3, apart: impl Fn(f64) -> f64) -> Result<(), Mismatch> {
+    let rounding = ROUNDING * start.to_vec().max_abs();
+    let apart = (0..PLACES).map(|i| apart(parameter(i))).fold(0.0, larger);
     require(apart <= PARAMETER_LIMIT.1 * size + rounding, "an edge leaves its face at equal parameters")
 }
 

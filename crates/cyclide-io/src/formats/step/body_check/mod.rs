@@ -1,27 +1,28 @@
 //! The distance between the bodies of a STEP file and those of the model, face by face, and their structure.
 //!
 //! A model's faces are cut until they are as the format wants them. The check knows nothing of how: it has the file, the
-//! uncut model and, from the writer, which part of which face each face of the file is ([`ShellPlan`]). These parts have
-//! to tile the faces; each face of the file is measured against the uncut face over its part (`distance`), and two of them
-//! have to share an edge exactly where their parts share a border (`border`). Readers repair wrong orientations and unshared edges
+//! uncut model and, from the writer, which parts of which faces each face of the file is, and which sides of these its edges are ([`ShellPlan`]). These parts have
+//! to tile the faces; each face of the file is measured against the uncut faces over its parts (`distance`), of which all sides that are no
+//! edges have to meet each other inside it (`face`), and two faces have to share an edge exactly where their parts share borders (`border`). Readers repair wrong orientations and unshared edges
 //! silently, so that both are checked here: each face looks to the model's outer side, loops run head to tail and
 //! counter-clockwise against it, and solids have positive volume.
 
 mod border;
 mod distance;
+mod face;
 #[cfg(test)]
 mod tests;
 
-use crate::check::bodies::{FileBody, FileFace, FileShell, FileSurface};
+use crate::check::bodies::{FileBody, FileCurve, FileFace, FileShell};
 use crate::check::deviation::larger;
 use crate::check::file_content::ReadError;
 use crate::check::made::Made;
 use crate::check::tiles::tile_faces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
-use border::{Border, Line, sides_with_edges};
+use border::{Border, Line};
 use cyclide::{Body, Shell};
-use distance::{Piece, check_on_analytic, check_parameters};
+use face::FaceCheck;
 use std::collections::HashMap;
 
 /// The largest distance between surfaces, edges and vertices of each body of the file and of the model.
@@ -56,7 +57,7 @@ fn body_deviation(body: &Body, plans: &[ShellPlan], file: &FileBody, size: f64) 
     require(file.shells.len() == plans.len(), "another number of shells")?;
     require(plans.is_sorted_by_key(|plan| plan.shell), "its shells have another order")?;
     for (index, shell) in shells.iter().enumerate() {
-        let parts = plans.iter().filter(|plan| plan.shell == index).flat_map(|plan| &plan.faces);
+        let parts = plans.iter().filter(|plan| plan.shell == index).flat_map(ShellPlan::parts);
         require(tile_faces(shell, parts), "its faces are not those of the model, each part once")?;
     }
     // Every shell has one at least.
@@ -75,9 +76,9 @@ fn body_deviation(body: &Body, plans: &[ShellPlan], file: &FileBody, size: f64) 
     Ok(largest)
 }
 
-/// An edge of the file: the border that it is and the faces that use it, with the directions in which they do.
+/// An edge of the file: the borders that it is, in its own direction, and the faces that use it, with the directions in which they do.
 struct Shared {
-    border: Border,
+    borders: Vec<Border>,
     uses: Vec<(usize, bool)>,
 }
 
@@ -86,26 +87,29 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
     require(file.faces.len() == plan.faces.len(), "another number of faces")?;
     let mut largest = 0.0_f64;
     let mut edges: HashMap<u64, Shared> = HashMap::new();
-    for (index, (part, file)) in plan.faces.iter().zip(&file.faces).enumerate() {
-        let face = shell.faces().get(part.face).ok_or(Mismatch("there is no such face"))?;
-        let outer_side = face.same_sense != flip;
-        let piece = Piece { surface: &face.surface, part };
-        largest = larger(largest, piece.surface_deviation(file, outer_side)?);
-        let found = sides_with_edges(shell, &piece, (file.edges.len(), outer_side), size);
-        let (sides, width) = found.ok_or(Mismatch("another number of edges round a face"))?;
-        largest = larger(largest, width);
-        for (i, ((side, border), edge)) in sides.into_iter().zip(&file.edges).enumerate() {
-            let next = &file.edges[(i + 1) % file.edges.len()];
-            require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
-            let forward = border.runs_forward(side, outer_side);
-            require(edge.forward == forward, "an edge runs the wrong way round a face")?;
-            let shared = edges.entry(edge.edge).or_insert(Shared { border, uses: Vec::new() });
-            require(shared.border.is_same(&border), "faces share an edge in the file only")?;
-            shared.uses.push((index, forward));
-            largest = larger(largest, piece.edge_deviation(side, border, edge));
-            match &file.surface {
-                FileSurface::Rational(surface) => check_parameters(surface, (side, border), edge, size)?,
-                FileSurface::Analytic(kind) => check_on_analytic(kind, edge, size)?,
+    for (index, (plan, file)) in plan.faces.iter().zip(&file.faces).enumerate() {
+        let face = FaceCheck::new(shell, plan, flip, size)?;
+        largest = larger(largest, face.surface_deviation(file)?);
+        largest = larger(largest, face.sides_deviation()?);
+        require(file.loops().count() == plan.loops.len(), "another number of loops round a face")?;
+        for (own, plan) in file.loops().zip(&plan.loops) {
+            require(own.len() == plan.len(), "another number of edges round a face")?;
+            for (i, (edge, sides)) in own.iter().zip(plan).enumerate() {
+                let next = &own[(i + 1) % own.len()];
+                require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
+                let (mut borders, off) = face.edge_deviation(file, edge, sides)?;
+                largest = larger(largest, off);
+                let shared =
+                    edges.entry(edge.edge).or_insert_with(|| Shared { borders: borders.clone(), uses: Vec::new() });
+                if matches!(edge.curve, FileCurve::Circle(_)) {
+                    // The vertex of a whole circle may be inside a side, from which either face may begin.
+                    let first = borders.iter().position(|own| shared.borders.first().is_some_and(|b| b.is_same(own)));
+                    borders.rotate_left(first.unwrap_or(0));
+                }
+                let is_same = shared.borders.len() == borders.len()
+                    && shared.borders.iter().zip(&borders).all(|(a, b)| a.is_same(b));
+                require(is_same, "faces share an edge in the file only")?;
+                shared.uses.push((index, edge.forward));
             }
         }
     }
@@ -117,11 +121,15 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
 /// Each edge is used by as many faces as meet there in the model, and once in each direction by two.
 fn check_uses(shell: &Shell, edges: &HashMap<u64, Shared>) -> Result<(), Mismatch> {
     let of_model = shell.edge_uses();
-    for Shared { border, uses } in edges.values() {
-        let expected = match border.line {
+    for Shared { borders, uses } in edges.values() {
+        let expected = |border: &Border| match border.line {
             Line::Edge(edge) => of_model.get(edge).copied().unwrap_or(0),
             Line::Inside { .. } => 2,
         };
+        // A seam across faces has no border, and its face on both sides.
+        let first = borders.first().map_or(2, expected);
+        require(borders.iter().all(|border| expected(border) == first), "an edge is a border on a part of it only")?;
+        let expected = first;
         require(uses.len() >= expected, "faces share an edge in the model only")?;
         let paired = matches!(uses[..], [(_, a), (_, b)] if a != b);
         require(uses.len() == expected && (paired || expected == 1), "an edge is not used once in each direction")?;
@@ -136,7 +144,7 @@ fn hang_together(faces: &[FileFace], edges: &HashMap<u64, Shared>) -> bool {
     let mut next = 0;
     while let Some(face) = reached.get(next).and_then(|&index| faces.get(index)) {
         next += 1;
-        let shared = face.edges.iter().filter_map(|edge| edges.get(&edge.edge));
+        let shared = face.loops().flatten().filter_map(|edge| edges.get(&edge.edge));
         let others = shared.flat_map(|shared| &shared.uses).map(|&(other, _)| other);
         reached.extend(others.filter(|&other| !std::mem::replace(&mut is_reached[other], true)));
     }

@@ -1,9 +1,9 @@
 //! Bodies: shells, faces with their surfaces and loops, edges with their curves.
 
 use super::{Basis, File, entity, enumeration, list, logical, number_of, numbers, reference, references, value};
-use crate::check::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
+use crate::check::bodies::{FileBody, FileCurve, FileEdge, FileFace, FileShell, FileSurface};
 use crate::check::file_content::ReadError;
-use cyclide::{Arc, ChainPiece, Frame, NurbsCurve, PatchKind, Point3, RationalBezierSurface, Vec3};
+use cyclide::{Arc, ChainPiece, Circle, Frame, NurbsCurve, PatchKind, Point3, RationalBezierSurface, Vec3};
 
 /// Entities that are bodies.
 const BODIES: [&str; 3] = ["MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "SHELL_BASED_SURFACE_MODEL"];
@@ -50,21 +50,31 @@ impl File<'_> {
         let place = format!("#{number}");
         let values = self.simple(number, "ADVANCED_FACE")?;
         let bounds = references(value(&values, 1, &place)?, &place)?;
-        let [bound] = bounds[..] else {
-            return Err(ReadError::unsupported("a face with several bounds", place));
-        };
         let surface_number = reference(value(&values, 2, &place)?, &place)?;
         let surface = self.surface(surface_number)?;
         let same_sense = logical(value(&values, 3, &place)?, &place)?;
-        let bound_place = format!("#{bound}");
-        let bound = self.simple(bound, "FACE_OUTER_BOUND")?;
-        if !logical(value(&bound, 2, &bound_place)?, &bound_place)? {
-            return Err(ReadError::unsupported("a reversed bound", bound_place));
+        let mut loops = Vec::with_capacity(bounds.len());
+        for (index, bound) in bounds.into_iter().enumerate() {
+            // The outer loop is the first one.
+            let name = if index == 0 { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
+            loops.push(self.bound(bound, name, surface_number)?);
         }
-        let edges = reference(value(&bound, 1, &bound_place)?, &bound_place)?;
-        let edges = references(value(&self.simple(edges, "EDGE_LOOP")?, 1, &bound_place)?, &bound_place)?;
-        let edges = edges.into_iter().map(|e| self.oriented_edge(e, surface_number)).collect::<Result<_, _>>()?;
-        Ok(FileFace { surface, same_sense, edges })
+        if loops.is_empty() {
+            return Err(ReadError::unsupported("a face without bounds", place));
+        }
+        let holes = loops.split_off(1);
+        Ok(FileFace { surface, same_sense, edges: loops.remove(0), holes })
+    }
+
+    fn bound(&self, number: u64, name: &str, surface: u64) -> Result<Vec<FileEdge>, ReadError> {
+        let place = format!("#{number}");
+        let bound = self.simple(number, name)?;
+        if !logical(value(&bound, 2, &place)?, &place)? {
+            return Err(ReadError::unsupported("a reversed bound", place));
+        }
+        let edges = reference(value(&bound, 1, &place)?, &place)?;
+        let edges = references(value(&self.simple(edges, "EDGE_LOOP")?, 1, &place)?, &place)?;
+        edges.into_iter().map(|e| self.oriented_edge(e, surface)).collect()
     }
 
     /// An edge as the loop of a face on this surface uses it.
@@ -89,7 +99,8 @@ impl File<'_> {
             Ok(values) => (reference(value(&values, 1, &place)?, &place)?, self.parameter_curve(part(3)?, surface)?),
             Err(_) => (part(3)?, None),
         };
-        let curve = self.edge_curve(curve, ends)?;
+        let curve =
+            if vertices[0] == vertices[1] { self.whole_circle(curve, ends[0])? } else { self.edge_curve(curve, ends)? };
         Ok(FileEdge { edge, vertices, ends, forward, curve, parameter_curve })
     }
 
@@ -116,13 +127,28 @@ impl File<'_> {
         Ok(None)
     }
 
+    /// The circle from a vertex to itself, from the foot of that; a spline may be closed too.
+    fn whole_circle(&self, number: u64, vertex: Point3) -> Result<FileCurve, ReadError> {
+        let place = format!("#{number}");
+        if self.instance(number)?.len() > 1 {
+            return self.edge_curve(number, [vertex; 2]);
+        }
+        let Basis::Circle { center, z, x, radius } = self.basis(number)? else {
+            return Err(ReadError::unsupported("a line from a vertex to itself", place));
+        };
+        let from = vertex - center;
+        let spoke = (x * from.dot(x) + z.cross(x) * from.dot(z.cross(x))).unit().unwrap_or(x);
+        let circle = Circle::from_center(center, z, center + spoke * radius);
+        circle.map(FileCurve::Circle).map_err(|source| ReadError::Geometry { place, source })
+    }
+
     /// The curve between two vertices: on a circle the way in its direction, from the foot of the first vertex.
-    fn edge_curve(&self, number: u64, [start, end]: [Point3; 2]) -> Result<ChainPiece, ReadError> {
+    fn edge_curve(&self, number: u64, [start, end]: [Point3; 2]) -> Result<FileCurve, ReadError> {
         let place = format!("#{number}");
         let fail = |source| ReadError::Geometry { place: place.clone(), source };
         let instance = self.instance(number)?;
         if instance.len() > 1 {
-            return Ok(ChainPiece::Spline(self.b_spline(&instance, number)?));
+            return Ok(FileCurve::Piece(ChainPiece::Spline(self.b_spline(&instance, number)?)));
         }
         let arc = match self.basis(number)? {
             Basis::Line { origin, direction } => {
@@ -137,7 +163,7 @@ impl File<'_> {
                 Arc::from_center(center, z, foot, (to - from).rem_euclid(std::f64::consts::TAU))
             }
         };
-        Ok(ChainPiece::Arc(arc.map_err(fail)?))
+        Ok(FileCurve::Piece(ChainPiece::Arc(arc.map_err(fail)?)))
     }
 
     fn surface(&self, number: u64) -> Result<FileSurface, ReadError> {

@@ -34,7 +34,7 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    fn locate(&self, p: Point3) -> Point2 {
+    pub(super) fn locate(&self, p: Point3) -> Point2 {
         let way = p - self.origin;
         Point2::new(way.dot(self.axes[0]), way.dot(self.axes[1]))
     }

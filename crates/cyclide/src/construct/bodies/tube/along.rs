@@ -10,9 +10,9 @@ use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 
 /// A radius that grows by less than this, for each length, away from linear is linear: rounding.
-const LINEAR: f64 = 1e-13;
+pub(super) const LINEAR: f64 = 1e-13;
 /// Halvings of a part of the spine at most.
-const MOST_HALVINGS: u32 = 24;
+pub(super) const MOST_HALVINGS: u32 = 24;
 /// Arcs of balls at most, and for each arc of the spine besides: a hundred megabytes of STEP.
 pub(super) const MOST_ARCS: usize = 4096;
 const MOST_ARCS_EACH: usize = 4;
@@ -29,11 +29,11 @@ pub(super) struct Along {
 
 /// A part of a spine within one of its arcs and one cubic of the law.
 #[derive(Clone)]
-struct Part<'a> {
-    arc: Arc,
+pub(super) struct Part<'a> {
+    pub(super) arc: Arc,
     /// Fractions of the length of the spine at its ends.
-    at: [f64; 2],
-    source: usize,
+    pub(super) at: [f64; 2],
+    pub(super) source: usize,
     law: &'a RadiusLaw,
     /// Length of the whole spine.
     whole: f64,
@@ -45,22 +45,35 @@ struct Part<'a> {
 /// `corner-not-mitred`, `radius-grows-too-fast`, `radius-not-closed`, `too-many-pieces`.
 pub(super) fn along(path: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<Along> {
     let law = if path.is_closed() { law.clone().closed()? } else { law.clone() };
+    let mut made = Along { arcs: Vec::new(), bound: 0.0, cap: most_arcs(path) };
+    for part in parts(path, &law)? {
+        part.add(tolerance, MOST_HALVINGS, &mut made)?;
+    }
+    Ok(made)
+}
+
+/// Most pieces of a tube along a path.
+pub(super) fn most_arcs(path: &ArcPath) -> usize {
+    MOST_ARCS + MOST_ARCS_EACH * path.arcs().len()
+}
+
+/// The parts of a path within one of its arcs, at most a third of a turn, and within one cubic of the law.
+///
+/// # Errors
+/// `corner-not-mitred`.
+pub(super) fn parts<'a>(path: &ArcPath, law: &'a RadiusLaw) -> Result<Vec<Part<'a>>> {
     check_joints(path)?;
     let whole = path.length();
-    let cap = MOST_ARCS + MOST_ARCS_EACH * path.arcs().len();
-    let mut made = Along { arcs: Vec::new(), bound: 0.0, cap };
-    let mut before = 0.0;
+    let (mut parts, mut before) = (Vec::new(), 0.0);
     for (source, arc) in path.arcs().iter().enumerate() {
         for arc in arc.in_parts(LARGEST_ARC)? {
             let length = arc.length();
             let at = [before / whole, ((before + length) / whole).min(1.0)];
-            for part in (Part { arc: arc.evened(), at, source, law: &law, whole }).at_knots()? {
-                part.add(tolerance, MOST_HALVINGS, &mut made)?;
-            }
+            parts.extend((Part { arc: arc.evened(), at, source, law, whole }).at_knots()?);
             before += length;
         }
     }
-    Ok(made)
+    Ok(parts)
 }
 
 pub(super) fn too_many(source: usize, cap: usize) -> Error {
@@ -103,7 +116,7 @@ impl<'a> Part<'a> {
         Ok(parts)
     }
 
-    fn split_at(self, place: f64) -> Result<[Self; 2]> {
+    pub(super) fn split_at(self, place: f64) -> Result<[Self; 2]> {
         let [from, to] = self.at;
         let t = self.arc.parameter_at_length((place - from) / (to - from));
         let (first, second) = self.arc.split(t)?;
@@ -111,12 +124,12 @@ impl<'a> Part<'a> {
         Ok([part(first, [from, place]), part(second, [place, to])])
     }
 
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         (self.at[1] - self.at[0]) * self.whole
     }
 
     /// Radius, and its slope and second derivative by the length; at its end those before it.
-    fn radius(&self, at: f64, before: bool) -> [f64; 3] {
+    pub(super) fn radius(&self, at: f64, before: bool) -> [f64; 3] {
         let [r, first, second] = self.law.jet(at, before);
         [r, first / self.whole, second / (self.whole * self.whole)]
     }

@@ -12,14 +12,14 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Pairs of parts that are looked at before a tube is given up as too near itself to tell.
-const MOST_PAIRS: usize = 20_000_000;
+pub(super) const MOST_PAIRS: usize = 20_000_000;
 /// Parts no longer than this many of their radii are not halved: balls of them are compared.
-const SHORT: f64 = 0.5;
+pub(super) const SHORT: f64 = 0.5;
 /// Steps in which the nearest balls beside two that meet are looked for, each half of the one before; and moves with one step.
 const NARROWINGS: usize = 60;
 const MOVES: usize = 64;
 /// Tubes may touch: distances that are short of the sum of radii by less than this part do.
-const TOUCHING: f64 = 1e-6;
+pub(super) const TOUCHING: f64 = 1e-6;
 
 /// The arcs of a tube, and what becomes of its ends.
 pub(super) struct Course<'a> {
@@ -45,10 +45,10 @@ struct Place {
 
 /// The disk in which a tube has the ball: its rim is the circle of contact.
 #[derive(Clone, Copy)]
-struct Section {
-    center: Point3,
-    axis: Vec3,
-    radius: f64,
+pub(super) struct Section {
+    pub(super) center: Point3,
+    pub(super) axis: Vec3,
+    pub(super) radius: f64,
 }
 
 impl Section {
@@ -66,7 +66,7 @@ impl Section {
     }
 
     /// True if two disks share a point: their parts of the line in which their planes meet do.
-    fn meets(self, other: Self) -> bool {
+    pub(super) fn meets(self, other: Self) -> bool {
         let Some(line) = self.axis.cross(other.axis).unit() else { return false };
         // From the first centre in its plane to the other plane.
         let to_plane = line.cross(self.axis);

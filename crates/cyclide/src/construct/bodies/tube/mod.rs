@@ -13,10 +13,12 @@ mod meeting;
 mod radius_law;
 mod ring;
 mod skin;
+mod tapered;
 mod through;
 
 pub use ball::Ball;
 pub use radius_law::RadiusLaw;
+pub use tapered::TaperedTube;
 
 use super::PipeEnds;
 use crate::base::range;

@@ -9,6 +9,7 @@
 //! alternate about the middle of the tube and never get long.) The count is near the minimum, not proved to be it.
 
 use super::curvature_interval::{CurvatureSweep, JointFrame, curvature_to};
+use super::options::ArcLimits;
 use super::trace::Trace;
 use crate::base::planar::{Point2, Vec2};
 use std::ops::RangeInclusive;
@@ -42,8 +43,8 @@ impl Run {
         }
     }
 
-    pub fn tube(&self, tolerance: f64) -> Tube<'_> {
-        Tube::new(self, tolerance)
+    pub fn tube(&self, tolerance: f64, limits: ArcLimits) -> Tube<'_> {
+        Tube::new(self, tolerance, limits)
     }
 }
 
@@ -55,6 +56,8 @@ pub(super) struct Tube<'a> {
     slack: &'a [f64],
     /// What is added to the tolerance for the edge that ends in each point.
     bulge: &'a [f64],
+    /// What arcs keep to.
+    limits: ArcLimits,
     /// Unit direction of the edge that ends in each vertex; the first repeats the second.
     directions: Vec<Vec2>,
     /// Whether a straight run goes on from each vertex.
@@ -63,7 +66,7 @@ pub(super) struct Tube<'a> {
 
 impl<'a> Tube<'a> {
     /// Neighbouring points must differ, and there must be at least two, with the slacks of each.
-    fn new(run: &'a Run, tolerance: f64) -> Self {
+    fn new(run: &'a Run, tolerance: f64, limits: ArcLimits) -> Self {
         let points = &run.points;
         let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let mut directions = Vec::with_capacity(points.len());
@@ -74,6 +77,7 @@ impl<'a> Tube<'a> {
             tolerance,
             slack: &run.slack,
             bulge: &run.bulge,
+            limits,
             directions,
             straight_ahead: &run.straight_ahead,
         }
@@ -90,7 +94,15 @@ impl<'a> Tube<'a> {
     }
 
     pub fn sweep_from(&self, frame: &JointFrame, vertex: usize) -> CurvatureSweep {
-        CurvatureSweep::new(frame.local(self.points[vertex]), self.tolerance)
+        let mut sweep = CurvatureSweep::new(frame.local(self.points[vertex]), self.tolerance);
+        sweep.lo = sweep.lo.max(-self.limits.curvature);
+        sweep.hi = sweep.hi.min(self.limits.curvature);
+        sweep
+    }
+
+    /// Whether an arc may have this chord; lines may have any.
+    pub fn allows(&self, curvature: f64, chord: f64) -> bool {
+        curvature == 0.0 || chord >= self.limits.length
     }
 
     /// States at the first point with a fan of tangents about the first edge: as far as the turn at the second
@@ -242,7 +254,7 @@ fn end_in_point(tube: &Tube<'_>, arena: &[Node], level: &Level) -> Option<(usize
         let end = level.ends_of(i).get(last - node.vertex - 1)?;
         let kappa = curvature_to(end.at);
         let margin = end.margin(kappa);
-        (margin >= 0.0).then_some((i, *end, kappa, margin))
+        (margin >= 0.0 && tube.allows(kappa, end.at.length())).then_some((i, *end, kappa, margin))
     };
     let better = |a: &(usize, End, f64, f64), b: &(usize, End, f64, f64)| {
         arena[a.0].lines.cmp(&arena[b.0].lines).then(a.3.total_cmp(&b.3))
@@ -332,6 +344,9 @@ fn fan_out(
         let angle = if cosine >= 0.0 { sine } else { (2.0 - sine.abs()).copysign(sine) };
         // The joint is at x/z along and a x/(z (z+b)) across.
         let chord = x / z * 1.0_f64.hypot(a / (z + b));
+        if !tube.allows(kappa, chord) {
+            return;
+        }
         let cell = ((offset / (0.5 * tube.tolerance)).round() as i64, (angle * chord / tube.tolerance).round() as i64);
         let lines = node.lines + u32::from(kappa == 0.0);
         let lean = ((a * mean_along - b * mean_across) / z).abs();

@@ -30,8 +30,8 @@ const FOOT_SLACK: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FitCertificate {
-    /// The deviation the tolerance binds: of the points for [`FitTarget::Points`], both ways between curve and
-    /// polyline for [`FitTarget::Polyline`].
+    /// The deviation the tolerance binds: of the points for [`FitTarget::Points`], and both ways of the edges that are
+    /// straight sides; both ways between curve and polyline for [`FitTarget::Polyline`].
     pub deviation: f64,
     /// Largest distance of a point from the part of the path that stands for it.
     pub vertex_deviation: f64,
@@ -142,6 +142,8 @@ pub(super) fn deviation_of(piece: &Piece, trace: &Trace, target: FitTarget) -> O
 /// Largest deviations so far, each with the vertex where it was found.
 struct Sheet {
     vertex: (f64, usize),
+    /// Of the vertices, and both ways of the edges that are bound.
+    bound: (f64, usize),
     polyline: (f64, usize),
     monotone: bool,
 }
@@ -154,13 +156,13 @@ fn raise(largest: &mut (f64, usize), value: f64, vertex: usize) {
 
 impl Sheet {
     fn new() -> Self {
-        Self { vertex: (0.0, 0), polyline: (0.0, 0), monotone: true }
+        Self { vertex: (0.0, 0), bound: (0.0, 0), polyline: (0.0, 0), monotone: true }
     }
 
     /// The deviation the tolerance binds, and where.
     fn bound(&self, target: FitTarget) -> (f64, usize) {
         match target {
-            FitTarget::Points => self.vertex,
+            FitTarget::Points => self.bound,
             FitTarget::Polyline => self.polyline,
         }
     }
@@ -178,10 +180,13 @@ impl Sheet {
         });
         let matched = [end(from, 0.0, arc.start())].into_iter().chain(inside).chain([end(to, 1.0, arc.end())]);
         let mut before: Option<(Point3, f64, f64)> = None;
+        // Whether the edge up to the next place is bound.
+        let mut bound = false;
         for (place, p, foot) in matched {
             let vertex = trace.vertex_before(place.index % n);
             if place.fraction == 0.0 && trace.vertex[place.index % n].is_some() {
                 raise(&mut self.vertex, foot.distance, vertex);
+                raise(&mut self.bound, foot.distance, vertex);
             }
             raise(&mut self.polyline, foot.distance, vertex);
             if let Some((q, t, distance)) = before {
@@ -198,8 +203,12 @@ impl Sheet {
                     largest + 0.5 * length * (0.25 * turn).tan()
                 };
                 raise(&mut self.polyline, edge.max(largest), vertex);
+                if bound {
+                    raise(&mut self.bound, edge.max(largest), vertex);
+                }
             }
             before = Some((p, foot.t, foot.distance));
+            bound = trace.bound[place.index % n];
         }
     }
 }

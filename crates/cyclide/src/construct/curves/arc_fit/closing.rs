@@ -6,6 +6,7 @@
 
 use super::beam::{BeamSize, ChainJoint, Goal, Level, Node, Run, Tube, search};
 use super::curvature_interval::{JointFrame, curvature_to};
+use super::options::ArcLimits;
 use super::trace::Trace;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::roots;
@@ -41,6 +42,10 @@ pub(super) fn end_in_joint(
             for kappa in closing_curvatures(&node.frame, end.lo, end.hi, end.at, goal) {
                 let middle = node.frame.end_over(kappa, end.at);
                 let Some(second) = second_margin(tube, &middle, vertex, goal) else { continue };
+                let chords = [node.frame.joint.distance(middle.joint), middle.joint.distance(goal.joint)];
+                if !(tube.allows(kappa, chords[0]) && tube.allows(1.0, chords[1])) {
+                    continue;
+                }
                 let margin = end.margin(kappa).min(second);
                 if best.as_ref().is_none_or(|b| margin > b.0) {
                     let joints = [
@@ -101,13 +106,14 @@ pub(super) fn closed_chain(
     points: &[Point2],
     trace: &Trace,
     tolerance: f64,
+    limits: ArcLimits,
     size: BeamSize,
     seams: &[f64],
 ) -> Result<(usize, Vec<ChainJoint>), usize> {
     let n = points.len();
     let around = |from: usize| Run::new(points, trace, from..=from + n);
     let run = around(0);
-    let tube = run.tube(tolerance);
+    let tube = run.tube(tolerance, limits);
     let open = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|v| v % n)?;
     let mut best: Option<(usize, Vec<ChainJoint>)> = None;
     let mut died = 0;
@@ -115,7 +121,7 @@ pub(super) fn closed_chain(
         for fraction in seams {
             let seam = open[((open.len() - 1) as f64 * fraction).round() as usize];
             let run = around(seam.vertex);
-            let tube = run.tube(tolerance);
+            let tube = run.tube(tolerance, limits);
             match search(&tube, &[seam.frame], Goal::Joint(seam.frame), BeamSize { cells, ..size }) {
                 Ok(joints) if best.as_ref().is_none_or(|b| joints.len() < b.1.len()) => {
                     best = Some((seam.vertex % n, joints));

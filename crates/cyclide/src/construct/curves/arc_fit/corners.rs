@@ -2,6 +2,7 @@
 
 use super::options::{ArcFitOptions, FitTarget};
 use crate::base::vector::Point3;
+use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
 
 /// A corner stands out if its turn is this many times those of its neighbours.
 const PROMINENCE: f64 = 3.0;
@@ -46,12 +47,27 @@ pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
     2.0 * tolerance / (0.25 * turn).tan()
 }
 
+/// The reading of the points for a fit: corners by the angle that is given, else by the rule of the target. Edges that are
+/// meant themselves need no reading.
+pub(super) fn outline(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Outline {
+    let mut outline = Outline::read(points, options.closed, options.tolerance, options.corner_angle, forced);
+    if options.target == FitTarget::Polyline {
+        if options.corner_angle.is_none() {
+            outline.corners = corners(points, forced, options);
+        }
+        outline.straight.fill(false);
+        outline.bound.fill(false);
+    }
+    outline
+}
+
 /// Corners in ascending order, with their turn. The ends of an open polyline are none.
 ///
 /// Asked for by index (ascending); or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
 /// are meant themselves (`Polyline`) also keep a corner whose rounding would be lost in its long legs.
 pub(in crate::construct) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
     let (n, closed) = (points.len(), options.closed);
+    let angle = options.corner_angle.unwrap_or(CORNER_ANGLE);
     let turns = turns(points, closed);
     let stands_out = |i: usize| {
         let (before, after) = ((i + n - 1) % n, (i + 1) % n);
@@ -60,9 +76,8 @@ pub(in crate::construct) fn corners(points: &[Point3], forced: &[usize], options
         let lost = options.target == FitTarget::Polyline && rounding_reach(turns[i], options.tolerance) < 0.5 * leg;
         prominent || lost
     };
-    let is_corner = |i: usize| {
-        forced.binary_search(&i).is_ok() || turns[i] > CUSP_ANGLE || (turns[i] > options.corner_angle && stands_out(i))
-    };
+    let is_corner =
+        |i: usize| forced.binary_search(&i).is_ok() || turns[i] > CUSP_ANGLE || (turns[i] > angle && stands_out(i));
     let range = if closed { 0..n } else { 1..n - 1 };
     range.filter(|i| is_corner(*i)).map(|i| (i, turns[i])).collect()
 }

@@ -96,6 +96,11 @@ impl Distinct {
         Ok(distinct)
     }
 
+    /// Points that were chosen or made from those of a list, each with the index it stands for, rising.
+    pub fn of(points: Vec<Point3>, source: Vec<usize>, warning: Option<Warning>) -> Self {
+        Self { points, source, tail: (usize::MAX, 0), warning, moved: 0.0 }
+    }
+
     /// Position in the merged list of a point of the user's list.
     pub fn position(&self, index: usize) -> usize {
         let (first, position) = self.tail;

@@ -3,6 +3,7 @@
 
 mod arc_certificate;
 mod beam;
+mod bends;
 mod bulge_interval;
 mod certificate;
 mod chord;
@@ -14,6 +15,7 @@ pub(super) mod input;
 mod options;
 mod piece;
 mod planar;
+mod polish;
 mod single;
 mod space;
 mod space_tangents;
@@ -25,14 +27,16 @@ pub use arc_certificate::{ArcCertificate, certify_arc};
 pub use bulge_interval::{BulgeIntervals, feasible_bulges};
 pub use certificate::FitCertificate;
 pub use curvature_interval::curvature_intervals;
+use options::ArcLimits;
 pub use options::{ArcFitOptions, Effort, FitTarget};
 
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
+use crate::construct::curves::outline::kept_corners;
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 use beam::ChainJoint;
 use certificate::certify;
@@ -70,10 +74,44 @@ impl ArcFit {
     /// minimum, which is an observation and no theorem; everything in the certificate is measured on the result.
     ///
     /// # Errors
-    /// `tolerance-not-positive`, `parameter-out-of-range` (corner angle or index), `too-few-points`, `not-finite`,
-    /// `coincident-points` (all points equal), `no-g1-spline-in-tube` with the point where the search died.
+    /// `tolerance-not-positive`, `parameter-out-of-range` (corner angle or index, limits of arcs), `too-few-points`, `not-finite`,
+    /// `coincident-points` (all points equal), `no-g1-spline-in-tube` with the point where the search died,
+    /// `arc-limit-not-kept` with the point where it is.
     pub fn new(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
         options.check(points.len())?;
+        let limits = options.limits();
+        match Self::in_any_tube(points, options) {
+            Err(died @ Error::NoG1SplineInTube { .. }) if options.min_radius.or(options.min_arc_length).is_some() => {
+                // What would do without them says where they are missed.
+                let free = ArcFitOptions { min_radius: None, min_arc_length: None, ..options.clone() };
+                let fit = Self::in_any_tube(points, &free)?;
+                Err(fit.missed(points, limits).unwrap_or(died))
+            }
+            fit => fit,
+        }
+    }
+
+    /// The arc that misses a limit by most, as an error with the point nearest to its middle.
+    fn missed(&self, points: &[Point3], limits: ArcLimits) -> Option<Error> {
+        let of = |arc: &Arc| {
+            let radius = arc.curvature() / limits.curvature;
+            let length = limits.length / arc.length();
+            let miss = if radius >= length {
+                (radius, ErrorItem::MinRadius, 1.0 / arc.curvature(), 1.0 / limits.curvature)
+            } else {
+                (length, ErrorItem::MinArcLength, arc.length(), limits.length)
+            };
+            (!limits.allow(arc)).then_some((arc.midpoint(), miss))
+        };
+        let (at, (_, name, value, limit)) =
+            self.path.arcs().iter().filter_map(of).max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+        let nearest = |a: &&usize, b: &&usize| points[**a].distance(at).total_cmp(&points[**b].distance(at));
+        let indices: Vec<usize> = (0..points.len()).collect();
+        let vertex = *indices.iter().min_by(nearest)?;
+        Some(Error::ArcLimitNotKept { vertex, name, value, limit })
+    }
+
+    fn in_any_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
         let fit = Self::within_tube(points, options);
         // A tube as wide as the figure gives the search no hold; a fit within less is within the tolerance too.
         let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
@@ -130,7 +168,8 @@ impl ArcFit {
         let tolerance = options.tolerance;
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
-        let corners = corners::corners(data, &forced, options);
+        let outline = corners::outline(data, &forced, options);
+        let corners = &outline.corners;
         let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
         let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
 
@@ -140,10 +179,22 @@ impl ArcFit {
         let plane = input::plane(data, tolerance);
         let (trace, pieces) = match &plane {
             Some(frame) => {
-                match planar::fit(data, &indices, frame, room, options, effort) {
+                match planar::fit(data, &outline, frame, room, options, effort) {
                     Ok((trace, chains)) => {
-                        let mut pieces = planar_pieces(&trace, &chains, frame)?;
+                        let found = planar_pieces(&trace, &chains, frame)?;
+                        let mut pieces = found.clone();
                         straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
+                        let pieces = if options.limits_kept(&pieces) { pieces } else { found };
+                        let polished = polish::polished(pieces.clone(), &trace, frame, room, options);
+                        let better = || {
+                            let sheet = certify(&polished, &trace, options.target, true);
+                            let judged = turning::Data::new(data, &outline, options);
+                            let turning = turning::of_pieces(&polished, options.closed);
+                            let turns_on = turning <= judged.limit(&polished, &trace)
+                                || turning <= turning::of_pieces(&pieces, options.closed);
+                            sheet.deviation <= tolerance && turns_on && options.limits_kept(&polished)
+                        };
+                        let pieces = if better() { polished } else { pieces };
                         (trace, pieces)
                     }
                     // Wild samples: biarcs through the points take more arcs but nearly always exist.
@@ -159,19 +210,19 @@ impl ArcFit {
         let path = ArcPath::new(pieces.iter().map(|p| p.arc).collect(), options.closed)?;
         let mut certificate = certify(&pieces, &trace, options.target, plane.is_some());
         let proved = certificate.monotone || options.target == FitTarget::Points;
-        if certificate.deviation > tolerance || !proved {
+        if certificate.deviation > tolerance || !proved || !options.limits_kept(&pieces) {
             return Err(died(certificate.worst));
         }
         certificate.worst = distinct.source[certificate.worst];
-        let judged = turning::Data::new(data, &corners, options);
+        let judged = turning::Data::new(data, &outline, options);
         certificate.turning = turning::of_pieces(&pieces, options.closed);
         certificate.turning_limit = judged.limit(&pieces, &trace);
         let mut warnings: Vec<Warning> = distinct.warning.into_iter().collect();
-        warnings.extend(
-            corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
-        );
+        warnings.extend(kept_corners(corners, &distinct.source));
         warnings.extend(doubts::coarse_samples(data, options));
-        warnings.extend(doubts::swing(data, &corners, options, certificate.polyline_deviation));
+        let distance = certificate.polyline_deviation;
+        let swing = doubts::swing(data, corners, options, distance);
+        warnings.extend(swing.or_else(|| doubts::read_as_curve(data, &outline, options, distance)));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
         warnings.extend(doubts::wide(data, tolerance));
         warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));

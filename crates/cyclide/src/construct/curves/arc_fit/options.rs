@@ -1,6 +1,8 @@
 //! What the user can ask of an arc fit.
 
 use super::beam::BeamSize;
+use super::piece::Piece;
+use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use std::f64::consts::PI;
 
@@ -24,7 +26,8 @@ use std::f64::consts::PI;
     schemars(rename = "Target", description = "What the points of an arc fit are.")
 )]
 pub enum FitTarget {
-    /// Samples of a smooth curve: the points are within the tolerance of the arcs.
+    /// Samples of a smooth curve, corners and straight sides of an outline, or both: the points are within the tolerance of the arcs, and
+    /// so are edges that no smooth curve through such samples explains, and the arcs of them.
     #[default]
     Points,
     /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs.
@@ -132,15 +135,36 @@ pub struct ArcFitOptions {
     pub target: FitTarget,
     /// How long to search.
     pub effort: Effort,
-    /// Turns above this angle (radians, in `(0, pi]`) that also stand out from their neighbours stay corners.
-    /// `pi`: only reversals.
-    pub corner_angle: f64,
+    /// Turns above this angle (radians, in `(0, pi]`) are corners and no others are, but for reversals; `pi`: only those.
+    /// `None`: turns above 30 degrees, of samples where no smooth curve explains them
+    /// (`docs/math/arc-fitting.md#outlines`), of a polyline where they stand out.
+    pub corner_angle: Option<f64>,
     /// Indices of points that are corners in any case.
     pub corners: Vec<usize>,
+    /// Least radius of an arc, in the unit of the points; positive. `None`: any.
+    pub min_radius: Option<f64>,
+    /// Least length of an arc, in the unit of the points; positive. `None`: any. Straight segments may be shorter.
+    pub min_arc_length: Option<f64>,
+}
+
+/// What the arcs of a fit keep to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ArcLimits {
+    /// Largest curvature.
+    pub curvature: f64,
+    /// Least length.
+    pub length: f64,
+}
+
+impl ArcLimits {
+    /// Whether the arc keeps them; lines do.
+    pub fn allow(&self, arc: &Arc) -> bool {
+        arc.is_straight() || (arc.curvature() <= self.curvature && arc.length() >= self.length)
+    }
 }
 
 impl ArcFitOptions {
-    /// Open, target points, default effort, corners above 30 degrees.
+    /// Open, target points, default effort, corners above 30 degrees where the points say so.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self {
@@ -148,18 +172,38 @@ impl ArcFitOptions {
             tolerance,
             target: FitTarget::default(),
             effort: Effort::default(),
-            corner_angle: PI / 6.0,
+            corner_angle: None,
             corners: Vec::new(),
+            min_radius: None,
+            min_arc_length: None,
         }
     }
 
+    /// Whether all arcs keep the limits.
+    pub(super) fn limits_kept(&self, pieces: &[Piece]) -> bool {
+        pieces.iter().all(|piece| self.limits().allow(&piece.arc))
+    }
+
+    /// The limits of the machine.
+    pub(super) fn limits(&self) -> ArcLimits {
+        let curvature = self.min_radius.map_or(f64::INFINITY, |radius| 1.0 / radius);
+        ArcLimits { curvature, length: self.min_arc_length.unwrap_or(0.0) }
+    }
+
     /// # Errors
-    /// `tolerance-not-positive`, `not-finite`, `parameter-out-of-range` (corner angle, corner index).
+    /// `tolerance-not-positive`, `not-finite`, `parameter-out-of-range` (corner angle, limits of arcs, corner index).
     pub(super) fn check(&self, points: usize) -> Result<()> {
         check_tolerance(self.tolerance)?;
-        if !(self.corner_angle > 0.0 && self.corner_angle <= PI) {
-            let value = self.corner_angle;
+        if let Some(value) = self.corner_angle
+            && !(value > 0.0 && value <= PI)
+        {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, min: 0.0, max: PI });
+        }
+        let limits = [(ErrorItem::MinRadius, self.min_radius), (ErrorItem::MinArcLength, self.min_arc_length)];
+        for (name, value) in limits.into_iter().filter_map(|(name, value)| Some((name, value?))) {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Error::ParameterOutOfRange { name, value, min: 0.0, max: f64::INFINITY });
+            }
         }
         if let Some(corner) = self.corners.iter().find(|c| **c >= points) {
             let max = points.saturating_sub(1) as f64;

@@ -100,3 +100,10 @@ fn one_arc(a: &Arc, b: &Arc) -> Option<Arc> {
     let through = arc.closest_point(a.end()).distance <= MERGE_ANGLE * a.length();
     (same_way && through).then_some(arc)
 }
+
+/// Both spans as one; the second may count from another lap.
+pub(super) fn joined(first: Span, second: Span, wraps: usize) -> Span {
+    let lap = |place: Place| Place { index: place.index + wraps, ..place };
+    let behind = second.from.along() + 0.5 < first.to.along();
+    Span { from: first.from, to: if behind { lap(second.to) } else { second.to } }
+}

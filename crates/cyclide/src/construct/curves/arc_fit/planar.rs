@@ -9,6 +9,7 @@ use super::trace::{Chain, Trace};
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
+use crate::construct::curves::outline::Outline;
 
 /// Most extra points per edge; tried one number after the other until a chain is found.
 const MAX_EXTRA_POINTS: usize = 3;
@@ -38,12 +39,13 @@ const MEANT_PLACES: usize = 3;
 /// search died.
 pub(super) fn fit(
     points: &[Point3],
-    corners: &[usize],
+    outline: &Outline,
     frame: &Frame,
     tolerance: f64,
     options: &ArcFitOptions,
     effort: Effort,
 ) -> Result<(Trace, Vec<Chain>), usize> {
+    let corners: &[usize] = &outline.corners.iter().map(|c| c.0).collect::<Vec<_>>();
     let dense = sagitta_quantile(points, options.closed, DENSE_FRACTION) < DENSE_SAGITTA * tolerance;
     let fewest = match options.target {
         FitTarget::Polyline => 1,
@@ -55,7 +57,7 @@ pub(super) fn fit(
         let options = &ArcFitOptions { tolerance: part * options.tolerance, ..options.clone() };
         let mut died = 0;
         for extra in fewest..=MAX_EXTRA_POINTS {
-            let trace = densified(points, corners, options, extra);
+            let trace = densified(points, corners, outline, options, extra);
             let at: Vec<usize> = trace.positions_of(corners);
             match fit_trace(&trace, &at, frame, part * tolerance, options, effort) {
                 Ok(chains) => return Ok((trace, chains)),
@@ -86,7 +88,9 @@ fn fit_trace(
 ) -> Result<Vec<Chain>, usize> {
     let flat: Vec<Point2> = trace.points.iter().map(|p| frame.to_local(*p).0).collect();
     let n = flat.len();
-    let edges = options.target == FitTarget::Polyline;
+    // Whether the curve is bound along the trace from one position to another, and not at its vertices alone.
+    let edges =
+        |mut range: std::ops::Range<usize>| options.target == FitTarget::Polyline || range.all(|i| trace.bound[i % n]);
     let size = effort.beam();
     let source = |died: usize| trace.vertex_before(died % n);
     // The points that bind as they are; the others only offer places for joints.
@@ -96,21 +100,24 @@ fn fit_trace(
     let place = |indices: &[usize]| -> Vec<Point2> { indices.iter().map(|i| flat[i % n]).collect() };
     if options.closed && corners.is_empty() {
         let anchors = binding(0..=n);
-        if let Some(mut joints) = single_circle(&place(&anchors[..anchors.len() - 1]), tolerance, edges) {
+        if let Some(mut joints) =
+            single_circle(&place(&anchors[..anchors.len() - 1]), tolerance, edges(0..n), options.limits())
+        {
             joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex]);
             return Ok(vec![Chain { first: 0, joints }]);
         }
-        let (first, joints) = closing::closed_chain(&flat, trace, tolerance, size, effort.seams()).map_err(source)?;
+        let (first, joints) =
+            closing::closed_chain(&flat, trace, tolerance, options.limits(), size, effort.seams()).map_err(source)?;
         return Ok(vec![Chain { first, joints }]);
     }
     let piece = |(from, to): (usize, usize)| {
         let anchors = binding(from..=to);
-        if let Some(mut joints) = single_arc(&place(&anchors), tolerance, edges) {
+        if let Some(mut joints) = single_arc(&place(&anchors), tolerance, edges(from..to), options.limits()) {
             joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex] - from);
             return Ok(Chain { first: from, joints });
         }
         let run = Run::new(&flat, trace, from..=to);
-        let tube = run.tube(tolerance);
+        let tube = run.tube(tolerance, options.limits());
         let joints = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|died| source(from + died))?;
         Ok(Chain { first: from, joints })
     };
@@ -119,18 +126,21 @@ fn fit_trace(
 
 /// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones and, on edges that are meant
 /// themselves, those where the rounding of the turns at the two ends can begin.
-fn densified(points: &[Point3], corners: &[usize], options: &ArcFitOptions, extra: usize) -> Trace {
+fn densified(points: &[Point3], corners: &[usize], outline: &Outline, options: &ArcFitOptions, extra: usize) -> Trace {
     let n = points.len();
     let turns = smooth_turns(points, corners, options.closed);
     let lone = lone_turns(points, &turns, options);
-    let meant = |from: usize| options.target == FitTarget::Polyline || lone[from] || lone[(from + 1) % n];
+    let meant = |from: usize| {
+        let lone = lone[from] || lone[(from + 1) % n];
+        options.target == FitTarget::Polyline || lone || outline.straight[from]
+    };
     let slack = |from: usize| {
         let end = (from + 1) % n;
         let length = points[from].distance(points[end]);
-        if meant(from) { 0.0 } else { EDGE_SLACK * length * turns[from].max(turns[end]) }
+        if meant(from) || outline.bound[from] { 0.0 } else { EDGE_SLACK * length * turns[from].max(turns[end]) }
     };
     // A line over a long straight run needs its direction exactly from the start.
-    let ahead = |from: usize| (1..=STRAIGHT_EDGES).any(|k| lone[(from + n + 1 - k) % n]);
+    let ahead = |from: usize| outline.straight[from % n] || (1..=STRAIGHT_EDGES).any(|k| lone[(from + n + 1 - k) % n]);
     let mut trace = Trace::empty(options.closed);
     for (i, p) in points.iter().enumerate() {
         trace.push(*p, i, slack((i + n - 1) % n));
@@ -160,10 +170,11 @@ fn densified(points: &[Point3], corners: &[usize], options: &ArcFitOptions, extr
         trace.straight_ahead[place] = match vertex {
             Some(vertex) => {
                 from = *vertex;
-                !lone[from] && ahead((from + n - 1) % n)
+                outline.straight[from] || (!lone[from] && ahead((from + n - 1) % n))
             }
             None => ahead(from),
         };
+        trace.bound[place] = outline.bound[from];
     }
     trace
 }

@@ -3,6 +3,7 @@
 use super::beam::ChainJoint;
 use super::chord::{ChordFrame, mirrored};
 use super::curvature_interval::JointFrame;
+use super::options::ArcLimits;
 use super::{certify_arc, feasible_bulges};
 use crate::base::planar::{Point2, Vec2};
 
@@ -14,9 +15,13 @@ const INTERVAL_MARGIN: f64 = 0.02;
 const LINE_PREFERENCE: f64 = 0.2;
 
 /// One arc or line from the first to the last point within the tolerance, as a chain of one.
-pub(super) fn single_arc(points: &[Point2], tolerance: f64, edges: bool) -> Option<Vec<ChainJoint>> {
+pub(super) fn single_arc(points: &[Point2], tolerance: f64, edges: bool, limits: ArcLimits) -> Option<Vec<ChainJoint>> {
     let bulge = single_bulge(points, tolerance, edges)?;
     let (a, b) = (points[0], points[points.len() - 1]);
+    let curvature = 4.0 * bulge.abs() / ((1.0 + bulge * bulge) * a.distance(b));
+    if bulge != 0.0 && (curvature > limits.curvature || 4.0 * bulge.abs().atan() < limits.length * curvature) {
+        return None;
+    }
     let chord = (b - a).unit()?;
     // Half the sweep before and after the chord: sine and cosine of 2 atan(bulge).
     let d = 1.0 + bulge * bulge;
@@ -66,14 +71,21 @@ fn least_squares(points: &[Point2], frame: &ChordFrame, sign: f64) -> f64 {
 
 /// A full circle within the tolerance of a closed polyline, as two arcs that meet over the first vertex and the one
 /// nearest to half a turn from it.
-pub(super) fn single_circle(points: &[Point2], tolerance: f64, edges: bool) -> Option<Vec<ChainJoint>> {
+pub(super) fn single_circle(
+    points: &[Point2],
+    tolerance: f64,
+    edges: bool,
+    limits: ArcLimits,
+) -> Option<Vec<ChainJoint>> {
     let n = points.len();
     let center = circle_center(points)?;
     let spokes: Vec<Vec2> = points.iter().map(|p| *p - center).collect();
     let (least, most) =
         spokes.iter().map(|u| u.length()).fold((f64::INFINITY, 0.0_f64), |(a, b), l| (a.min(l), b.max(l)));
     let radius = 0.5 * (least + most);
-    if !(most - radius <= tolerance && radius > tolerance) {
+    // It is written as two half circles.
+    let is_allowed = radius * limits.curvature >= 1.0 && std::f64::consts::PI * radius >= limits.length;
+    if !(most - radius <= tolerance && radius > tolerance && is_allowed) {
         return None;
     }
     let direction = spokes[0].cross(spokes[1]).signum();

@@ -8,7 +8,7 @@
 
 use super::certificate::deviation_of;
 use super::options::FitTarget;
-use super::piece::{Piece, Place, Span};
+use super::piece::{Piece, Place, Span, joined};
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
@@ -132,13 +132,6 @@ impl Triple {
         new.middle.arc = Arc::segment(start, end).ok()?;
         (forward && in_order).then_some(new)
     }
-}
-
-/// Both spans as one; the second may count from another lap.
-fn joined(first: Span, second: Span, wraps: usize) -> Span {
-    let lap = |place: Place| Place { index: place.index + wraps, ..place };
-    let behind = second.from.along() + 0.5 < first.to.along();
-    Span { from: first.from, to: if behind { lap(second.to) } else { second.to } }
 }
 
 /// The end of the arc from `p` with unit tangent `t` that arrives on the line through `q` with its direction `d`.

@@ -14,6 +14,8 @@ pub(super) struct Trace {
     pub bulge: Vec<f64>,
     /// Whether a straight run goes on from each point, after a turn between straight runs.
     pub straight_ahead: Vec<bool>,
+    /// Whether the edge that begins in each point is bound as the vertices are, where they are what is meant otherwise.
+    pub bound: Vec<bool>,
     pub closed: bool,
 }
 
@@ -25,6 +27,7 @@ impl Trace {
             slack: Vec::new(),
             bulge: Vec::new(),
             straight_ahead: Vec::new(),
+            bound: Vec::new(),
             closed,
         }
     }
@@ -39,6 +42,7 @@ impl Trace {
             slack: none.clone(),
             bulge: none,
             straight_ahead: vec![false; n],
+            bound: vec![false; n],
             closed,
         }
     }
@@ -50,6 +54,7 @@ impl Trace {
         self.slack.push(0.0);
         self.bulge.push(bulge);
         self.straight_ahead.push(false);
+        self.bound.push(false);
     }
 
     /// A point on an edge with this slack.
@@ -59,6 +64,7 @@ impl Trace {
         self.slack.push(slack);
         self.bulge.push(slack);
         self.straight_ahead.push(false);
+        self.bound.push(false);
     }
 
     /// Point at an index that may have wrapped around.

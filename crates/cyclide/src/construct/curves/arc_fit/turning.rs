@@ -18,6 +18,7 @@ use super::options::{ArcFitOptions, FitTarget};
 use super::piece::{Piece, Span};
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::outline::Outline;
 use crate::warning::Warning;
 use std::ops::Range;
 
@@ -31,7 +32,7 @@ const TIGHT: f64 = 4.0;
 /// The data a fit is judged by.
 pub(super) struct Data<'a> {
     points: &'a [Point3],
-    corners: &'a [(usize, f64)],
+    outline: &'a Outline,
     options: &'a ArcFitOptions,
     /// Turn at each point about its axis, zero at the ends of open data.
     turns: Vec<Vec3>,
@@ -39,7 +40,7 @@ pub(super) struct Data<'a> {
 
 impl<'a> Data<'a> {
     /// Neighbouring points must differ; corners in ascending order.
-    pub fn new(points: &'a [Point3], corners: &'a [(usize, f64)], options: &'a ArcFitOptions) -> Self {
+    pub fn new(points: &'a [Point3], outline: &'a Outline, options: &'a ArcFitOptions) -> Self {
         let n = points.len();
         let turn = |i: usize| {
             if !options.closed && (i == 0 || i == n - 1) {
@@ -49,7 +50,7 @@ impl<'a> Data<'a> {
             u.cross(v).unit().map_or(Vec3::ZERO, |axis| axis * u.angle(v))
         };
         let turns = (0..n).map(turn).collect();
-        Self { points, corners, options, turns }
+        Self { points, outline, options, turns }
     }
 
     fn length(&self, edge: usize) -> f64 {
@@ -60,7 +61,7 @@ impl<'a> Data<'a> {
     /// True where a run ends: its last edge turns like the one before it.
     fn is_end(&self, vertex: usize) -> bool {
         let open_end = !self.options.closed && (vertex == 0 || vertex + 1 == self.points.len());
-        open_end || self.corners.binary_search_by_key(&vertex, |c| c.0).is_ok()
+        open_end || self.outline.corners.binary_search_by_key(&vertex, |c| c.0).is_ok()
     }
 
     /// What the smooth curve through the points turns, corners included.
@@ -81,7 +82,7 @@ impl<'a> Data<'a> {
             let sum = a.length() + b.length();
             if a.dot(b) < 0.0 { 2.0 * sum } else { sum }
         };
-        (0..edges).map(of_edge).sum::<f64>() + self.corners.iter().map(|c| c.1).sum::<f64>()
+        (0..edges).map(of_edge).sum::<f64>() + self.outline.corners.iter().map(|c| c.1).sum::<f64>()
     }
 
     /// The points near a span of the trace: indices that may wrap around.
@@ -113,9 +114,11 @@ impl<'a> Data<'a> {
         }
         let (before, after) = (self.points[(vertex + n - 1) % n], self.points[(vertex + 1) % n]);
         let through = 0.5 * before.distance(after) / turn.sin().max(f64::MIN_POSITIVE);
-        match self.options.target {
-            FitTarget::Points => through,
-            FitTarget::Polyline => through.min(self.options.tolerance / (0.25 * turn).tan().powi(2)),
+        let meant = |edge: usize| self.options.target == FitTarget::Polyline || self.outline.straight[edge % n];
+        if meant(vertex) || meant(vertex + n - 1) {
+            through.min(self.options.tolerance / (0.25 * turn).tan().powi(2))
+        } else {
+            through
         }
     }
 
@@ -150,6 +153,11 @@ mod tests {
     use crate::construct::curves::arc_fit::piece::Place;
     use crate::curve::Arc;
 
+    /// Without corners.
+    fn read(points: &[Point3]) -> Outline {
+        Outline::read(points, false, 0.01, Some(std::f64::consts::PI), &[])
+    }
+
     fn piece(arc: Arc, from: usize, to: usize) -> Piece {
         Piece { arc, span: Span { from: Place::over(from), to: Place::over(to) }, smooth: true }
     }
@@ -163,7 +171,7 @@ mod tests {
         };
         let points: Vec<_> = (0..30).map(at).collect();
         let options = ArcFitOptions::new(0.01);
-        let data = Data::new(&points, &[], &options);
+        let data = Data::new(&points, &read(&points), &options);
         let trace = Trace::of_points(&points, false);
         let source: Vec<_> = (0..30).collect();
         let circle =
@@ -191,11 +199,11 @@ mod tests {
             })
             .collect();
         let options = ArcFitOptions::new(0.01);
-        assert!((Data::new(&arc, &[], &options).turning() - 2.0).abs() < 1e-12);
+        assert!((Data::new(&arc, &read(&arc), &options).turning() - 2.0).abs() < 1e-12);
         // Arcs through a zigzag of slope 1/10 turn by twice the turn of the polygon, but for the two ends.
         let zigzag: Vec<_> = (0..=40).map(|i| Point3::new(f64::from(i), 0.1 * f64::from(i % 2), 0.0)).collect();
         let turn = 2.0 * 0.1_f64.atan();
-        let got = Data::new(&zigzag, &[], &options).turning();
+        let got = Data::new(&zigzag, &read(&zigzag), &options).turning();
         // 38 inner edges swing by twice the turn, the two at the ends run on in their neighbour's circle.
         assert!((got - (38.0 * 2.0 + 2.0) * turn).abs() < 1e-9, "{got}");
     }

@@ -133,6 +133,60 @@ impl<const N: usize> BorderedBand<N> {
             }
         }
     }
+
+    /// The diagonal of the inverse, from the factor: inside the band by the recursion of Erisman and Tinney
+    /// (`docs/math/fair-fits.md#noise`), corrected for the border.
+    pub fn inverse_diagonal(&self) -> Vec<f64> {
+        let (inner, b) = (self.band.len(), self.border.len());
+        // Entries of the inverse of the band in the columns from the diagonal on.
+        let mut inverse = vec![[0.0; N]; inner];
+        for i in (0..inner).rev() {
+            let last = (i + N - 1).min(inner - 1);
+            let below: [f64; N] = std::array::from_fn(|k| {
+                let row = i + k;
+                if k == 0 || row > last { 0.0 } else { self.band[row][N - 1 - k] * self.band[i][N - 1] }
+            });
+            let entry = |inverse: &[[f64; N]], r: usize, c: usize| {
+                let (r, c) = (r.min(c), r.max(c));
+                if c - r < N { inverse[r][c - r] } else { 0.0 }
+            };
+            for j in (i..=last).rev() {
+                let sum: f64 = (i + 1..=last).map(|k| below[k - i] * entry(&inverse, k, j)).sum();
+                inverse[i][j - i] = if i == j { self.band[i][N - 1].powi(2) - sum } else { -sum };
+            }
+        }
+        let mut diagonal: Vec<f64> = inverse.iter().map(|row| row[0]).collect();
+        // The border: columns of the inverse that belong to it.
+        let columns: Vec<Vec<f64>> = (0..b)
+            .map(|k| {
+                let mut x = vec![0.0; inner + b];
+                x[inner + k] = 1.0;
+                self.solve(&mut x);
+                x
+            })
+            .collect();
+        diagonal.extend((0..b).map(|k| columns[k][inner + k]));
+        if b > 0 {
+            // inverse = inverse of the band + X S X^T, and the columns are -X S: with S by Cholesky, X S X^T = C S^-1 C^T.
+            let s = |i: usize, j: usize| columns[j][inner + i];
+            let mut factor = vec![vec![0.0_f64; b]; b];
+            for i in 0..b {
+                for j in 0..=i {
+                    let sum: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+                    factor[i][j] = if i == j { (s(i, i) - sum).sqrt() } else { (s(i, j) - sum) / factor[j][j] };
+                }
+            }
+            for (r, d) in diagonal.iter_mut().take(inner).enumerate() {
+                let mut y = vec![0.0; b];
+                for i in 0..b {
+                    let sum: f64 = (0..i).map(|k| factor[i][k] * y[k]).sum();
+                    y[i] = (columns[i][r] - sum) / factor[i][i];
+                }
+                *d += y.iter().map(|y| y * y).sum::<f64>();
+            }
+        }
+        diagonal
+    }
 }
 
 #[cfg(test)]
@@ -188,6 +242,28 @@ mod tests {
             let (mut matrix, _) = example::<4>(9, ring);
             *matrix.entry(2, 2) = f64::NAN;
             assert!(!matrix.factor());
+        }
+    }
+
+    #[test]
+    fn the_diagonal_of_the_inverse_is_that_of_solving() {
+        for (n, ring) in [(9, false), (9, true), (40, true), (1, false)] {
+            let mut a = BorderedBand::<4>::zero(n, ring);
+            for i in 0..n {
+                *a.entry(i, i) += 5.0 + (i as f64).sin();
+                for k in 1..4 {
+                    if i + k < n || (ring && n > 7) {
+                        *a.entry(i, (i + k) % n) += 0.7 * ((i * k) as f64).cos();
+                    }
+                }
+            }
+            assert!(a.factor());
+            for (i, d) in a.inverse_diagonal().into_iter().enumerate() {
+                let mut x = vec![0.0; n];
+                x[i] = 1.0;
+                a.solve(&mut x);
+                assert!((x[i] - d).abs() < 1e-12, "{n} {ring} {i}: {} {d}", x[i]);
+            }
         }
     }
 }

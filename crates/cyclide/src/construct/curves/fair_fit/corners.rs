@@ -1,11 +1,12 @@
-//! Which points a fair fit keeps as corners (`docs/math/fair-fits.md#nodes`): those asked for, and with a corner angle
-//! those of the rule of arc fits (`docs/math/arc-fitting.md#corners`) that are corners at the scale of the tolerance
-//! too, and no bends. Without the second condition every dense noisy line would have corners.
+//! Which points a fair fit keeps as corners, and which edges of their polyline it keeps to: what outlines are read as
+//! (`docs/math/arc-fitting.md#outlines`), by the same rule as fits of arcs.
 
 use super::options::FairFitOptions;
 use crate::base::vector::Point3;
-use crate::construct::curves::arc_fit::corners::corners as standing_out;
-use crate::construct::curves::arc_fit::{ArcFitOptions, FitTarget};
+use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
+
+/// Places on a straight side, at least and at most.
+const PLACES: [f64; 2] = [3.0, 64.0];
 
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
@@ -13,28 +14,30 @@ const LEGS: f64 = 8.0;
 /// With legs half as long a corner keeps this part of its turn; a circle keeps half.
 const SHARP: f64 = 0.75;
 
-/// Corners in ascending order, with their turn. The ends of an open polyline are none.
+/// Corners in ascending order, with their turn, and the straight sides. The ends of an open polyline are no corners.
 ///
-/// `forced` are asked for by index, ascending.
-pub(super) fn corners(points: &[Point3], forced: &[usize], options: &FairFitOptions) -> Vec<(usize, f64)> {
-    let rule = ArcFitOptions {
-        closed: options.closed,
-        corner_angle: options.corner_angle.unwrap_or(std::f64::consts::PI),
-        target: if options.edge_points > 0 { FitTarget::Polyline } else { FitTarget::Points },
-        ..ArcFitOptions::new(options.tolerance)
-    };
+/// `forced` are asked for by index, ascending. The others are corners at the scale of the tolerance too, and no bends:
+/// else every dense noisy line would have some. Within an infinite tolerance there are none.
+pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOptions, tolerance: f64) -> Outline {
+    let is_forced = |i: usize| forced.binary_search(&i).is_ok();
+    let mut outline = Outline::read(points, options.closed, tolerance.min(f64::MAX), options.corner_angle, forced);
+    if tolerance == f64::INFINITY {
+        outline.corners.retain(|(i, _)| is_forced(*i));
+        outline.straight.fill(false);
+        return outline;
+    }
     let turn = |i: usize, length: f64| {
         let [before, after] = [false, true].map(|forward| leg(points, i, length, options.closed, forward));
         before.zip(after).map_or(0.0, |(before, after)| (points[i] - before).angle(after - points[i]))
     };
-    let length = LEGS * options.tolerance;
+    let length = LEGS * tolerance;
     // The turn of a bend grows with the legs, that of a corner does not.
     let lasting = |i: usize| {
         let long = turn(i, length);
-        options.corner_angle.is_some_and(|angle| long > angle) && turn(i, 0.5 * length) > SHARP * long
+        long > options.corner_angle.unwrap_or(CORNER_ANGLE) && turn(i, 0.5 * length) > SHARP * long
     };
-    let found = standing_out(points, forced, &rule);
-    found.into_iter().filter(|(i, _)| forced.binary_search(i).is_ok() || lasting(*i)).collect()
+    outline.corners.retain(|(i, _)| is_forced(*i) || lasting(*i));
+    outline
 }
 
 /// The nearest point along the polyline that is a leg's length away; without one, the last on that side.
@@ -48,4 +51,16 @@ fn leg(points: &[Point3], corner: usize, length: f64, closed: bool, forward: boo
     };
     let at = |k: usize| points[if forward { corner + k } else { corner + n - k } % n];
     (1..=steps).map(at).find(far).or_else(|| (steps > 0).then(|| at(steps)))
+}
+
+/// How many places the curve is held to on each edge, so that it keeps to the straight sides.
+pub(super) fn places_on_edges(points: &[Point3], straight: &[bool], options: &FairFitOptions) -> Vec<usize> {
+    let n = points.len();
+    let length = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let mut others: Vec<f64> = (0..n).filter(|i| !straight[*i]).map(length).collect();
+    others.sort_by(f64::total_cmp);
+    let usual = others.get(others.len() / 2).copied().unwrap_or(f64::INFINITY);
+    let places = |i: usize| (length(i) / usual).clamp(PLACES[0], PLACES[1]) as usize;
+    let on = |i: usize| if straight[i] { places(i).max(options.edge_points) } else { options.edge_points };
+    (0..n).map(on).collect()
 }

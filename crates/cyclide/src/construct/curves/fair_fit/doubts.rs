@@ -31,6 +31,8 @@ pub(super) struct Doubts<'a> {
     pub options: &'a FairFitOptions,
     /// What the curve keeps to.
     pub kept_to: f64,
+    /// The data have had noise, which the certificate tells.
+    pub measured: bool,
 }
 
 impl Doubts<'_> {
@@ -58,6 +60,10 @@ impl Doubts<'_> {
     }
 
     fn feet_not_monotone(&self) -> Option<Warning> {
+        if self.measured {
+            // Noisy points step back as their noise wills.
+            return None;
+        }
         let back = |piece: &PieceFit| piece.sheet.back.map(|(point, count)| (self.source[piece.numbers[point]], count));
         let mut backs = self.pieces.iter().filter_map(back);
         let (point, first) = backs.next()?;
@@ -91,14 +97,14 @@ impl Doubts<'_> {
 
     fn many_nodes(&self) -> Option<Warning> {
         let (nodes, points) = (self.sheet.nodes, self.data.len());
-        let many = points >= FEW_POINTS && nodes as f64 > MANY * points as f64;
+        let many = !self.measured && points >= FEW_POINTS && nodes as f64 > MANY * points as f64;
         let changes = || changes(self.data, self.options.closed, self.kept_to);
         many.then(|| Warning::ManyNodes { nodes, points, changes: changes() })
     }
 
     fn leans_on_walls(&self) -> Option<Warning> {
         let (rms, limit) = (self.sheet.rms, LEANING * self.kept_to);
-        if self.options.centre > 0.0 || rms <= limit {
+        if self.measured || self.options.centre > 0.0 || rms <= limit {
             return None;
         }
         let (sum, count) = self.pieces.iter().fold((0.0, 0), |(sum, count), piece| {

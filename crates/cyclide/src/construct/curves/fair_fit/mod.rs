@@ -26,6 +26,8 @@ mod feet;
 mod fit;
 mod interior_point;
 mod linear_model;
+mod measured;
+mod noise;
 mod options;
 mod parts;
 mod places;
@@ -36,7 +38,7 @@ mod tube_curve;
 mod whittaker;
 mod working_frame;
 
-pub use options::FairFitOptions;
+pub use options::{FairFitOptions, Heights, Noise, Outliers};
 
 use crate::base::range;
 use crate::base::vector::Point3;
@@ -45,6 +47,7 @@ use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 use canonical_start::runs_backwards;
+use measured::{Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use parts::Parts;
 use working_frame::WorkingFrame;
 
@@ -103,6 +106,14 @@ pub struct FairFitCertificate {
     pub worst: usize,
     /// Nodes of the spline.
     pub nodes: usize,
+    /// Where heights have a tolerance of their own: bound on how far z of the curve is from that of the points. The deviation
+    /// is then of points whose heights are smoothed.
+    pub deviation_z: Option<f64>,
+    /// Standard deviation of the noise of the points across the curve, in one direction, where the strength follows it: the
+    /// one that was estimated, or the one given.
+    pub noise: Option<f64>,
+    /// That of their heights, where these have one of their own.
+    pub noise_z: Option<f64>,
     /// `J`: the integral of the squared derivative of curvature by length, by one value per segment, over all smooth
     /// pieces; 1/length³.
     pub fairness: f64,
@@ -144,10 +155,52 @@ impl FairFit {
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
-        let distinct = Distinct::new(points, options.closed, options.tolerance)?;
+        let Prepared { mut distinct, warnings } = prepared(points, options)?;
+        if options.noise.is_some() {
+            return Self::by_noise(Prepared { distinct, warnings }, options);
+        }
+        let mut warnings = warnings;
+        if options.outliers == Outliers::Drop {
+            let cuts = Self::cuts(&distinct, options, options.tolerance);
+            if let Some(found) = read(&distinct, options, &cuts).filter(|found| !found.outliers.is_empty()) {
+                warnings.extend(outliers_named(&found, &distinct.source, true));
+                distinct = without_outliers(&distinct, &found);
+            }
+        }
+        let mut loose = None;
+        if let Heights::Within(within) = options.heights {
+            let cuts = Self::cuts(&distinct, options, options.tolerance);
+            let (points, moved) = with_loose_heights(&distinct, options, &cuts, within)?;
+            (distinct, loose) = (points, Some(moved));
+        }
+        let mut fit =
+            Self::near(&distinct, options, None).map_err(|e| Self::because_of_outliers(e, &distinct, options))?;
+        fit.certificate.deviation_z = loose.map(|moved| moved + fit.certificate.deviation);
+        warnings.append(&mut fit.warnings);
+        fit.warnings = warnings;
+        Ok(fit)
+    }
+
+    /// What is told of a tolerance that is not reached: the outliers, where some are why.
+    fn because_of_outliers(error: Error, distinct: &Distinct, options: &FairFitOptions) -> Error {
+        let Error::ToleranceNotReached { tolerance, .. } = error else { return error };
+        let cuts = Self::cuts(distinct, options, tolerance);
+        let Some(found) = read(distinct, options, &cuts) else { return error };
+        // The others have to be within it.
+        let outside: Vec<(usize, f64)> = found.outliers.iter().copied().filter(|o| o.1 > tolerance).collect();
+        if outside.is_empty() || options.outliers == Outliers::Drop {
+            return error;
+        }
+        let points = outside.into_iter().map(|(i, distance)| (distinct.source[i], distance)).collect();
+        Error::OutliersOutside { points, noise: found.deviation, tolerance }
+    }
+
+    /// The fit within the tolerance of points that differ. With `measured` these are points without their noise, and those
+    /// are what is certified.
+    fn near(distinct: &Distinct, options: &FairFitOptions, measured: Option<&[Point3]>) -> Result<Self> {
         // What a merged point is away from the one that stands for it counts.
         let full = options.tolerance - distinct.moved;
-        let (mut fit, kept_to) = Self::best_within(&distinct, options, full)?;
+        let (mut fit, kept_to) = Self::best_within(distinct, options, full, measured)?;
         if kept_to < full {
             fit.warnings.push(Warning::WideTolerance { tolerance: options.tolerance, used: kept_to });
         }
@@ -156,24 +209,36 @@ impl FairFit {
         };
         // The points alone do not hold the curve where a corner is thinner than they are dense.
         let held = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
-        let held = if options.edge_points == 0 { Self::within(&distinct, &held, kept_to).ok() } else { None };
+        let held = if options.edge_points == 0 { Self::within(distinct, &held, kept_to, measured).ok() } else { None };
         let (mut fit, held) = match held {
             Some(held) if held.swing.is_none() => (held, true),
             _ => (fit, false),
         };
-        fit.warnings.push(Warning::SwingsOut { distance, limit, held });
+        fit.warnings.push(Warning::SwingsOut { distance, limit, held, has_target: false });
         Ok(fit)
     }
 
+    /// Positions of the corners.
+    fn cuts(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Vec<usize> {
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        corners::outline(&distinct.points, &forced, options, tolerance).corners.into_iter().map(|c| c.0).collect()
+    }
+
     /// The fit within a tolerance, or within less where it is wide: the fairest that keeps the shape. With what it keeps to.
-    fn best_within(distinct: &Distinct, options: &FairFitOptions, full: f64) -> Result<(Self, f64)> {
+    fn best_within(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        full: f64,
+        measured: Option<&[Point3]>,
+    ) -> Result<(Self, f64)> {
         let size = diameter(&distinct.points);
         let narrower = WIDE.map(|part| part * size).into_iter().filter(|t| *t < NARROWER * full);
         // Wider than the widest of these nothing is held at all; that is tried only if nothing else succeeds.
         let widest = (full <= WIDE[0] * size / NARROWER).then_some(full);
         let mut best: Option<(Self, f64)> = None;
         for tolerance in widest.into_iter().chain(narrower) {
-            let found = match Self::within(distinct, options, tolerance) {
+            let found = match Self::within(distinct, options, tolerance, measured) {
                 Ok(found) => found,
                 // Nothing smaller than what does not suffice will do.
                 Err(error) if best.is_none() && widest == Some(tolerance) => return Err(error),
@@ -190,7 +255,7 @@ impl FairFit {
         }
         match best {
             Some(best) => Ok(best),
-            None => Ok((Self::within(distinct, options, full)?, full)),
+            None => Ok((Self::within(distinct, options, full, measured)?, full)),
         }
     }
 
@@ -200,16 +265,24 @@ impl FairFit {
     }
 
     /// The fit with these very options, within a tolerance.
-    fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Result<Self> {
+    fn within(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        tolerance: f64,
+        measured: Option<&[Point3]>,
+    ) -> Result<Self> {
         let data = &distinct.points;
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
-        let corners = corners::corners(data, &forced, options);
+        let outline =
+            corners::outline(data, &forced, options, if measured.is_some() { f64::INFINITY } else { tolerance });
+        let on_edges = corners::places_on_edges(data, &outline.straight, options);
+        let corners = outline.corners;
         let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
 
         let frame = WorkingFrame::new(data, tolerance);
         let backwards = cuts.is_empty() && runs_backwards(data, options.closed);
-        let mut parts = Parts::new(data, tolerance, &frame, options);
+        let mut parts = Parts::new(data, tolerance, &frame, options, measured, on_edges);
         for (from, to) in runs(data.len(), options.closed, &cuts) {
             let mut numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
             let whole = options.closed && cuts.is_empty();

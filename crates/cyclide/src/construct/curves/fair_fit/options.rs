@@ -10,6 +10,57 @@ const MAX_BUDGET: f64 = 1e3;
 /// Most places on an edge that the tolerance binds.
 const MAX_EDGE_POINTS: usize = 100;
 
+/// How large the errors of measured points are.
+///
+/// ```
+/// use cyclide::{FairFitOptions, Noise};
+/// assert_eq!(FairFitOptions::by_noise(Noise::Known(1.5)).noise, Some(Noise::Known(1.5)));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Noise {
+    /// As the points themselves say.
+    #[default]
+    Estimated,
+    /// The standard deviation across the curve, in the unit of the points; positive.
+    Known(f64),
+}
+
+/// What becomes of points that do not belong to the others.
+///
+/// ```
+/// assert_eq!(cyclide::Outliers::default(), cyclide::Outliers::Keep);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Outliers {
+    /// They are named and count as the others do; where the strength follows the noise, with a bounded influence.
+    #[default]
+    Keep,
+    /// They are named and left out.
+    Drop,
+}
+
+/// Tolerance of the heights, apart from that across.
+///
+/// ```
+/// use cyclide::{FairFitOptions, Heights};
+/// let options = FairFitOptions { heights: Heights::Within(0.3), ..FairFitOptions::new(0.1) };
+/// assert_eq!(options.heights, Heights::Within(0.3));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Heights {
+    /// One for all directions.
+    #[default]
+    AsAll,
+    /// The z of the curve is within this of the z of each point, which must be more than the tolerance.
+    Within(f64),
+    /// The strength in z follows the noise in z. Needs a strength that follows the noise.
+    ByNoise,
+}
+
 /// Options of [`FairFit::new`](super::FairFit::new).
 ///
 /// ```
@@ -21,8 +72,16 @@ const MAX_EDGE_POINTS: usize = 100;
 pub struct FairFitOptions {
     /// The last point joins the first.
     pub closed: bool,
-    /// Largest distance of a point from the curve, in the unit of the points; positive.
+    /// Largest distance of a point from the curve, in the unit of the points; positive. Infinite: none, with
+    /// [`noise`](Self::noise).
     pub tolerance: f64,
+    /// The strength follows the noise of the points: the root mean square of the distances is its standard deviation, less
+    /// what the curve takes of it by chance. `None`: the tolerance alone decides. With it `centre` has no effect.
+    pub noise: Option<Noise>,
+    /// What becomes of outliers.
+    pub outliers: Outliers,
+    /// Tolerance in z.
+    pub heights: Heights,
     /// Turns above this angle (radians, in `(0, pi]`) that stand out from their neighbours, and that a line eight
     /// tolerances long on either side confirms, stay corners. `None`: only the [`corners`](Self::corners) given.
     pub corner_angle: Option<f64>,
@@ -53,6 +112,9 @@ impl FairFitOptions {
         Self {
             closed: false,
             tolerance,
+            noise: None,
+            outliers: Outliers::Keep,
+            heights: Heights::AsAll,
             corner_angle: None,
             corners: Vec::new(),
             fix_ends: false,
@@ -64,10 +126,21 @@ impl FairFitOptions {
         }
     }
 
+    /// Open with free ends, no corners, as strong as the noise of the points asks.
+    #[must_use]
+    pub fn by_noise(noise: Noise) -> Self {
+        Self { noise: Some(noise), ..Self::new(f64::INFINITY) }
+    }
+
     /// # Errors
     /// `tolerance-not-positive`, `not-finite`, `parameter-out-of-range`.
     pub(super) fn check(&self, points: usize) -> Result<()> {
-        check_tolerance(self.tolerance)?;
+        if !(self.noise.is_some() && self.tolerance == f64::INFINITY) {
+            check_tolerance(self.tolerance)?;
+        }
+        if let Some(Noise::Known(noise)) = self.noise {
+            check_tolerance(noise)?;
+        }
         let within = |name, value: f64, [min, max]: [f64; 2]| {
             if value >= min && value <= max {
                 Ok(())

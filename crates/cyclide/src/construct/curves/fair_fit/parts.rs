@@ -3,6 +3,7 @@
 
 use super::certificate::{PieceSheet, certify};
 use super::doubts::{Doubts, swing};
+use super::feet::COLD;
 use super::fit::Data;
 use super::removal::{RemovalLimits, Stop};
 use super::run::{Outcome, Reached, floor, run};
@@ -10,6 +11,7 @@ use super::working_frame::WorkingFrame;
 use super::{FairFit, FairFitCertificate, FairFitOptions};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::Distinct;
+use crate::construct::curves::outline::kept_corners;
 use crate::curve::{BlendSegment, CircleSpline};
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;
@@ -22,6 +24,10 @@ pub(super) struct Parts<'a> {
     tolerance: f64,
     frame: &'a WorkingFrame,
     options: &'a FairFitOptions,
+    /// What the data were before their noise was taken off: it is what the proof sheet is about.
+    measured: Option<&'a [Point3]>,
+    /// Places on the edge after each point that are bound too.
+    on_edges: Vec<usize>,
     spline: Vec<BlendSegment>,
     kinks: Vec<usize>,
     pieces: Vec<PieceFit>,
@@ -43,15 +49,33 @@ pub(super) struct PieceFit {
 }
 
 impl<'a> Parts<'a> {
-    pub fn new(data: &'a [Point3], tolerance: f64, frame: &'a WorkingFrame, options: &'a FairFitOptions) -> Self {
-        Self { data, tolerance, frame, options, spline: Vec::new(), kinks: Vec::new(), pieces: Vec::new() }
+    pub fn new(
+        data: &'a [Point3],
+        tolerance: f64,
+        frame: &'a WorkingFrame,
+        options: &'a FairFitOptions,
+        measured: Option<&'a [Point3]>,
+        on_edges: Vec<usize>,
+    ) -> Self {
+        Self {
+            data,
+            tolerance,
+            frame,
+            options,
+            measured,
+            on_edges,
+            spline: Vec::new(),
+            kinks: Vec::new(),
+            pieces: Vec::new(),
+        }
     }
 
     /// Fits one smooth piece: the points with these numbers, closed or with ends that may be fixed.
     pub fn add(&mut self, numbers: &[usize], closed: bool, fixed: [bool; 2]) -> Result<()> {
         let (frame, options) = (self.frame, self.options);
         let points: Vec<Point3> = numbers.iter().map(|i| self.data[*i]).collect();
-        let (bound, stride) = with_edge_points(&points, closed, options.edge_points);
+        let on_edges: Vec<usize> = numbers.iter().map(|i| self.on_edges[*i]).collect();
+        let (bound, own) = with_edge_points(&points, closed, &on_edges);
         let local: Vec<Point3> = bound.iter().map(|p| frame.to_local(*p)).collect();
         let fixed = if closed { [false; 2] } else { fixed };
         let tolerance = frame.length(self.tolerance);
@@ -62,7 +86,8 @@ impl<'a> Parts<'a> {
         let Reached { fit, stop, first: first_nodes, length } = match run(&data, &limits) {
             Outcome::Reached(reached) => reached,
             Outcome::Missed { outside, farthest } => {
-                let mut points: Vec<usize> = outside.iter().map(|i| numbers[i / stride]).collect();
+                let mut points: Vec<usize> =
+                    outside.iter().map(|i| numbers[own.partition_point(|k| k <= i) - 1]).collect();
                 points.dedup();
                 let deviation = farthest / frame.length(1.0);
                 return Err(Error::ToleranceNotReached { points, deviation, tolerance: options.tolerance });
@@ -85,7 +110,14 @@ impl<'a> Parts<'a> {
             let j = (i + 1) % nodes.len();
             self.spline.push(BlendSegment::fair(world[i], tangents[i], world[j], tangents[j], 1.0)?);
         }
-        let feet: Vec<f64> = fit.feet.iter().step_by(stride).map(|f| f.place.position()).collect();
+        let mut points = points;
+        let places: Vec<_> = own.iter().map(|i| fit.feet[*i].place).collect();
+        let mut feet: Vec<f64> = places.iter().map(|place| place.position()).collect();
+        if let Some(measured) = self.measured {
+            points = numbers.iter().map(|i| measured[*i]).collect();
+            let local: Vec<Point3> = points.iter().map(|p| frame.to_local(*p)).collect();
+            feet = fit.curve.feet(&local, places.into_iter(), COLD).iter().map(|f| f.place.position()).collect();
+        }
         let quartics: Vec<RationalBezier> = self.spline[first..].iter().filter_map(BlendSegment::to_bezier).collect();
         self.pieces.push(PieceFit {
             sheet: certify(&quartics, closed, &points, &feet),
@@ -103,7 +135,7 @@ impl<'a> Parts<'a> {
     pub fn finished(self, distinct: &Distinct, corners: &[(usize, f64)]) -> Result<FairFit> {
         let (options, source) = (self.options, &distinct.source);
         let sheet = self.certificate(distinct);
-        if sheet.deviation > options.tolerance {
+        if self.measured.is_none() && sheet.deviation > options.tolerance {
             // Only the rounding of coordinates far larger than the tolerance can do that.
             let points = vec![sheet.worst];
             return Err(Error::ToleranceNotReached {
@@ -112,9 +144,8 @@ impl<'a> Parts<'a> {
                 tolerance: options.tolerance,
             });
         }
-        let kept = |(i, angle): &(usize, f64)| Warning::CornerKept { vertex: source[*i], angle: *angle };
         let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
-        warnings.extend(corners.iter().map(kept));
+        warnings.extend(kept_corners(corners, source));
         let spline = CircleSpline::from_segments(self.spline, options.closed, self.kinks, Vec::new());
         let doubts = Doubts {
             data: &distinct.points,
@@ -124,9 +155,12 @@ impl<'a> Parts<'a> {
             sheet: &sheet,
             options,
             kept_to: self.tolerance,
+            measured: self.measured.is_some(),
         };
         warnings.extend(doubts.all());
-        let swing = swing(&sheet, &distinct.points, self.tolerance, options.closed);
+        // The curve is as far from the polyline of measured points as from these.
+        let kept_to = if self.measured.is_some() { sheet.deviation } else { self.tolerance };
+        let swing = swing(&sheet, &distinct.points, kept_to, options.closed);
         Ok(FairFit { spline, certificate: sheet, warnings, swing })
     }
 
@@ -138,6 +172,9 @@ impl<'a> Parts<'a> {
             monotone: true,
             worst: 0,
             nodes: self.spline.len() + usize::from(!self.options.closed),
+            deviation_z: None,
+            noise: None,
+            noise_z: None,
             fairness: 0.0,
         };
         let mut squares = 0.0;
@@ -157,16 +194,17 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// The points with places on the edges between them, and how many of these there are to a point.
-fn with_edge_points(points: &[Point3], closed: bool, on_edge: usize) -> (Vec<Point3>, usize) {
-    let (n, stride) = (points.len(), on_edge + 1);
-    let mut all = Vec::with_capacity(n * stride);
+/// The points with so many places on the edges between them, and which of all are points.
+fn with_edge_points(points: &[Point3], closed: bool, on_edges: &[usize]) -> (Vec<Point3>, Vec<usize>) {
+    let n = points.len();
+    let (mut all, mut own) = (Vec::with_capacity(n), Vec::with_capacity(n));
     for (i, p) in points.iter().enumerate() {
+        own.push(all.len());
         all.push(*p);
         if closed || i + 1 < n {
-            let next = points[(i + 1) % n];
-            all.extend((1..stride).map(|k| p.lerp(next, k as f64 / stride as f64)));
+            let (next, steps) = (points[(i + 1) % n], on_edges[i] + 1);
+            all.extend((1..steps).map(|k| p.lerp(next, k as f64 / steps as f64)));
         }
     }
-    (all, stride)
+    (all, own)
 }

@@ -9,7 +9,7 @@ use super::bordered_band::BorderedBand;
 use crate::base::vector::{Point3, Vec3};
 
 /// Part of the tolerance the smoothed points may be away from the data.
-const ROOM: f64 = 0.7;
+pub(super) const ROOM: f64 = 0.7;
 /// Largest weight, in fifth powers of the mean chord: above it rounding would show.
 const STIFFEST: f64 = 1e12;
 const SOFTEST: f64 = 1e-6;
@@ -33,7 +33,13 @@ pub(super) fn smooth(points: &[Point3], chords: &[f64], closed: bool, fixed: [bo
     if n < 4 {
         return Smoothed { points: points.to_vec(), stiffest: false, length: 0.0 };
     }
-    let smoother = Smoother::new(points, chords, closed, fixed);
+    let mut weights = vec![1.0; n];
+    for (end, fixed) in [0, n - 1].into_iter().zip(fixed) {
+        if fixed {
+            weights[end] = FIXED;
+        }
+    }
+    let smoother = Smoother::new(points, chords, closed, weights, &[]);
     let h = chords.iter().sum::<f64>() / chords.len() as f64;
     let unit = h * h * h * h * h;
     let limit = ROOM * tolerance;
@@ -69,58 +75,82 @@ pub(super) fn smooth(points: &[Point3], chords: &[f64], closed: bool, fixed: [bo
     Smoothed { points: smoothed, stiffest, length }
 }
 
-struct Smoother {
+/// Whittaker's smoother of some data, for every strength.
+pub(super) struct Smoother {
     /// `K`, and `K p` by coordinates.
     penalty: BorderedBand<4>,
     pull: [Vec<f64>; 3],
     weights: Vec<f64>,
+    /// The third differences: first datum and coefficients.
+    differences: Vec<(usize, [f64; 4])>,
 }
 
 impl Smoother {
-    fn new(points: &[Point3], chords: &[f64], closed: bool, fixed: [bool; 2]) -> Self {
+    /// `stiffness` of each third difference; empty: 1 of all.
+    pub fn new(points: &[Point3], chords: &[f64], closed: bool, weights: Vec<f64>, stiffness: &[f64]) -> Self {
         let n = points.len();
         let mut penalty = BorderedBand::zero(n, closed);
         let mut pull = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
+        let mut differences = Vec::with_capacity(n);
         for i in 0..if closed { n } else { n - 3 } {
             let at: [usize; 4] = std::array::from_fn(|k| (i + k) % n);
             let row = third_difference([chords[i], chords[(i + 1) % n], chords[(i + 2) % n]]);
+            let stiff = stiffness.get(i).copied().unwrap_or(1.0);
             // Differences to the first point lose no digits far from the origin.
             let difference = (1..4).fold(Vec3::ZERO, |sum, k| sum + (points[at[k]] - points[at[0]]) * row[k]);
             for a in 0..4 {
                 for (axis, d) in pull.iter_mut().zip(difference.to_array()) {
-                    axis[at[a]] += row[a] * d;
+                    axis[at[a]] += stiff * row[a] * d;
                 }
                 for b in 0..=a {
-                    *penalty.entry(at[a], at[b]) += row[a] * row[b];
+                    *penalty.entry(at[a], at[b]) += stiff * row[a] * row[b];
                 }
             }
+            differences.push((i, row));
         }
-        let mut weights = vec![1.0; n];
-        if fixed[0] {
-            weights[0] = FIXED;
-        }
-        if fixed[1] {
-            weights[n - 1] = FIXED;
-        }
-        Self { penalty, pull, weights }
+        Self { penalty, pull, weights, differences }
+    }
+
+    /// Squares of the third differences of points in place of the data.
+    pub fn variations(&self, points: &[Point3]) -> Vec<f64> {
+        let n = points.len();
+        let square = |(i, row): &(usize, [f64; 4])| {
+            let from = points[*i];
+            (1..4).fold(Vec3::ZERO, |sum, k| sum + (points[(i + k) % n] - from) * row[k]).length_squared()
+        };
+        self.differences.iter().map(square).collect()
     }
 
     /// What is smoothed away with this weight.
     fn residuals(&self, weight: f64) -> Option<Vec<Vec3>> {
+        Some(self.rest(&self.factor(weight)?, weight))
+    }
+
+    /// What is smoothed away with this weight, and the degrees of freedom that are left: the trace of the matrix that takes
+    /// the data to the smoothed ones.
+    pub fn fitted(&self, weight: f64) -> Option<(Vec<Vec3>, f64)> {
+        let factor = self.factor(weight)?;
+        let freedom = factor.inverse_diagonal().iter().zip(&self.weights).map(|(d, w)| d * w).sum::<f64>();
+        let rest = self.rest(&factor, weight);
+        (freedom.is_finite() && rest.iter().all(|w| w.is_finite())).then_some((rest, freedom))
+    }
+
+    fn factor(&self, weight: f64) -> Option<BorderedBand<4>> {
         let mut matrix = self.penalty.clone();
         matrix.scale(weight);
         for (i, w) in self.weights.iter().enumerate() {
             *matrix.entry(i, i) += w;
         }
-        if !matrix.factor() {
-            return None;
-        }
+        matrix.factor().then_some(matrix)
+    }
+
+    fn rest(&self, factor: &BorderedBand<4>, weight: f64) -> Vec<Vec3> {
         let axes = self.pull.each_ref().map(|pull| {
             let mut w: Vec<f64> = pull.iter().map(|p| weight * p).collect();
-            matrix.solve(&mut w);
+            factor.solve(&mut w);
             w
         });
-        Some((0..self.weights.len()).map(|i| Vec3::new(axes[0][i], axes[1][i], axes[2][i])).collect())
+        (0..self.weights.len()).map(|i| Vec3::new(axes[0][i], axes[1][i], axes[2][i])).collect()
     }
 }
 

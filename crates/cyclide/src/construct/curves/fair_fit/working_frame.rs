@@ -26,6 +26,11 @@ impl WorkingFrame {
         Self { origin: sorted[0], plane: plane(&sorted, tolerance), scale: (-exponent).exp2() }
     }
 
+    /// The frame of points with the axes they have, planar or not.
+    pub fn in_axes(points: &[Point3]) -> Self {
+        Self { plane: None, ..Self::new(points, 0.0) }
+    }
+
     pub fn planar(&self) -> bool {
         self.plane.is_some()
     }

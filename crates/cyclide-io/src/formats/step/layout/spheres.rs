@@ -1,0 +1,88 @@
+//! The axes that spheres are written about: such that borders are meridians and parallels, else such that the poles are far away.
+
+use super::half_edges::HalfEdge;
+use super::parameters::pole;
+use super::regions::Region;
+use cyclide::{Arc, Frame, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
+
+/// Angle up to which circles of a sphere are parallel to, or contain, an axis.
+const AXIS_LIMIT: f64 = 1e-10;
+/// A face without such an axis is at most so far from its middle, radians: its poles are a quarter of a turn away.
+const LARGEST_REACH: f64 = 1.2;
+/// Directions nearer than this are one.
+const SAME_AXIS: f64 = 1e-6;
+/// So many axes are tried.
+const MOST_AXES: usize = 12;
+
+/// The placements of a region's surface to try, the best one first: of all but spheres the one that it has.
+pub(super) fn framings(
+    shell: &Shell,
+    region: &Region,
+    borders: &[Vec<HalfEdge>],
+    arcs: &[Option<Arc>],
+) -> Vec<PatchKind> {
+    let PatchKind::Sphere { frame, radius, outward } = region.kind else { return vec![region.kind] };
+    let center = frame.origin();
+    let about = |axis: Vec3| {
+        let frame = Frame::from_normal(center, axis, axis.any_perpendicular()).ok()?;
+        Some(PatchKind::Sphere { frame, radius, outward })
+    };
+    let border: Vec<Arc> = borders.iter().flatten().filter_map(|half| arcs[half.edge]).collect();
+    if border.len() < borders.iter().map(Vec::len).sum() {
+        return Vec::new();
+    }
+    let mut axes: Vec<Vec3> = Vec::new();
+    let mut propose = |axis: Option<Vec3>| {
+        if let Some(axis) = axis
+            && axes.len() < MOST_AXES
+            && axes.iter().all(|other| other.cross(axis).length() > SAME_AXIS)
+        {
+            axes.push(axis);
+        }
+    };
+    // Where parameter lines of its faces shrink to points, where meridians cross, and across parallels.
+    for face in region.faces.iter().map(|&face| &shell.faces()[face]) {
+        for side in cyclide::Side::ALL.into_iter().filter(|&side| face.side(side).is_none()) {
+            let (s, t) = side.place(0.5);
+            propose((face.surface.point(s, t) - center).unit());
+        }
+    }
+    let is_great = |arc: &Arc| arc.normal().is_some_and(|n| (arc.start() - center).dot(n).abs() <= AXIS_LIMIT * radius);
+    let great: Vec<Vec3> = border.iter().filter(|arc| is_great(arc)).filter_map(Arc::normal).collect();
+    for (i, first) in great.iter().enumerate().take(MOST_AXES) {
+        let second = great[i + 1..].iter().find(|n| n.cross(*first).length() > 1e-4);
+        propose(second.and_then(|second| second.cross(*first).unit()));
+    }
+    for arc in border.iter().filter(|arc| !is_great(arc)) {
+        propose(arc.normal());
+    }
+    great.first().into_iter().for_each(|normal| propose(Some(*normal)));
+    if border.is_empty() {
+        propose(Some(frame.z()));
+    }
+    let mut found: Vec<PatchKind> = axes.into_iter().filter_map(about).collect();
+    found.retain(|kind| border.iter().all(|arc| is_parameter_line(kind, arc)));
+    found.extend(free(shell, region, &border, (center, radius)).and_then(about));
+    found
+}
+
+/// An axis at right angles to the direction of the middle of a region that is small enough.
+fn free(shell: &Shell, region: &Region, border: &[Arc], (center, radius): (Point3, f64)) -> Option<Vec3> {
+    let directions = region.faces.iter().map(|&face| shell.faces()[face].surface.point(0.5, 0.5) - center);
+    let middle = directions.fold(Vec3::ZERO, |sum, v| sum + v).unit()?;
+    let reach = |p: Point3| middle.angle(p - center);
+    let farthest = border.iter().flat_map(|arc| [arc.start(), arc.midpoint()]).map(reach).fold(0.0, f64::max);
+    (farthest <= LARGEST_REACH && radius > 0.0 && !border.is_empty()).then(|| middle.any_perpendicular())
+}
+
+/// Whether an arc on a sphere is a part of a meridian or a parallel.
+pub(in crate::formats::step) fn is_parameter_line(kind: &PatchKind, arc: &Arc) -> bool {
+    let PatchKind::Sphere { frame, radius, .. } = kind else { return true };
+    let Some(normal) = arc.normal() else { return false };
+    let is_parallel = normal.cross(frame.z()).length() <= AXIS_LIMIT;
+    let contains_axis = normal.dot(frame.z()).abs() <= AXIS_LIMIT
+        && (arc.start() - frame.origin()).dot(normal).abs() <= AXIS_LIMIT * radius;
+    // A meridian that goes on beyond a pole is two.
+    let passes = || (1..8).any(|i| pole(kind, arc.point(f64::from(i) / 8.0)).is_some());
+    is_parallel || (contains_axis && !passes())
+}

@@ -1,0 +1,123 @@
+//! Times of tables: in the unit that their column names, or that the figures of a date tell, and in whole numbers too large for a
+//! double exactly.
+
+use super::decimals::Decimals;
+use super::pose_names::TimeUnit;
+use super::table::Field;
+use crate::text::place::{Diagnostic, Source};
+
+/// Whole numbers from here on are not all doubles.
+const NOT_ALL_DOUBLES: i128 = 1 << 53;
+
+/// Reads the times of a table.
+#[derive(Debug)]
+pub(super) struct Clock {
+    unit: TimeUnit,
+    /// The first time, in whole units, where those are too large for a double: the others count from it.
+    first: Option<i128>,
+    begun: bool,
+    /// What was chosen.
+    pub(super) note: Option<String>,
+}
+
+impl Clock {
+    pub(super) const fn new(unit: TimeUnit) -> Self {
+        Self { unit, first: None, begun: false, note: None }
+    }
+
+    /// The time of a row in seconds, with its whole nanoseconds, if they have a column of their own.
+    ///
+    /// # Errors
+    /// As [`Decimals::read`] has them.
+    pub(super) fn read(
+        &mut self,
+        source: Source<'_>,
+        decimals: &mut Decimals,
+        field: &Field<'_>,
+        nanoseconds: Option<&Field<'_>>,
+    ) -> Result<f64, Box<Diagnostic>> {
+        let value = decimals.read(source, field)?;
+        let whole = field.text.parse::<i128>().ok();
+        if let Some(parts) = nanoseconds {
+            let parts_value = decimals.read(source, parts)?;
+            if let (Some(seconds), Some(parts)) = (whole, parts.text.parse::<i128>().ok()) {
+                return Ok(self.since_first(seconds.saturating_mul(1_000_000_000).saturating_add(parts), 1e9));
+            }
+            return Ok(value + parts_value / 1e9);
+        }
+        if !self.begun {
+            self.begun = true;
+            if let (TimeUnit::Unsaid, Some(whole)) = (self.unit, whole) {
+                // Dates since 1970 from 2001 to 2286: ten figures in seconds.
+                let found = match whole {
+                    1_000_000_000_000..10_000_000_000_000 => Some((1e3, "milliseconds")),
+                    1_000_000_000_000_000..10_000_000_000_000_000 => Some((1e6, "microseconds")),
+                    1_000_000_000_000_000_000..10_000_000_000_000_000_000 => Some((1e9, "nanoseconds")),
+                    _ => None,
+                };
+                if let Some((per_second, name)) = found {
+                    self.unit = TimeUnit::PerSecond(per_second);
+                    self.note = Some(format!("the times are dates in {name}, by their figures"));
+                }
+            }
+        }
+        let per_second = match self.unit {
+            TimeUnit::PerSecond(count) => count,
+            TimeUnit::Unsaid => 1.0,
+        };
+        Ok(match whole {
+            Some(whole) if self.first.is_some() || whole.abs() >= NOT_ALL_DOUBLES => {
+                self.since_first(whole, per_second)
+            }
+            _ => value / per_second,
+        })
+    }
+
+    /// Seconds from the first time, whose difference is exact.
+    fn since_first(&mut self, whole: i128, per_second: f64) -> f64 {
+        self.begun = true;
+        if self.first.is_none() {
+            let before = self.note.take().map(|note| format!("{note}; ")).unwrap_or_default();
+            self.note = Some(format!("{before}times count from the first, {whole}, so that none is rounded"));
+        }
+        let first = *self.first.get_or_insert(whole);
+        whole.saturating_sub(first) as f64 / per_second
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(unit: TimeUnit, times: &[&str]) -> (Vec<f64>, Option<String>) {
+        let mut clock = Clock::new(unit);
+        let (source, mut decimals) = (Source { name: "t", text: "" }, Decimals::default());
+        let read = |text: &&str| clock.read(source, &mut decimals, &Field { text, start: 0 }, None).unwrap();
+        let times = times.iter().map(read).collect();
+        (times, clock.note)
+    }
+
+    #[test]
+    fn times_are_seconds_whatever_their_unit() {
+        let half = ["1403636580838555648", "1403636581338555648", "1403636581338555649"];
+        for unit in [TimeUnit::PerSecond(1e9), TimeUnit::Unsaid] {
+            let (times, note) = read(unit, &half);
+            assert_eq!(times, [0.0, 0.5, 0.500_000_001]);
+            assert!(
+                note.unwrap().ends_with("times count from the first, 1403636580838555648, so that none is rounded")
+            );
+        }
+        assert_eq!(read(TimeUnit::Unsaid, &["1700000000", "1700000002.5"]), (vec![1.7e9, 1_700_000_002.5], None));
+        assert_eq!(read(TimeUnit::Unsaid, &["0", "2"]), (vec![0.0, 2.0], None));
+        assert_eq!(read(TimeUnit::PerSecond(1e9), &["0", "2000000000"]), (vec![0.0, 2.0], None));
+        assert_eq!(read(TimeUnit::Unsaid, &["1700000000000", "1700000000500"]).0, [1.7e9, 1_700_000_000.5]);
+        let mut clock = Clock::new(TimeUnit::PerSecond(1.0));
+        let source = Source { name: "t", text: "" };
+        let mut decimals = Decimals::default();
+        let mut at = |seconds, parts| {
+            let [seconds, parts] = [seconds, parts].map(|text| Field { text, start: 0 });
+            clock.read(source, &mut decimals, &seconds, Some(&parts)).unwrap()
+        };
+        assert_eq!((at("1403636580", "999999999"), at("1403636581", "1")), (0.0, 2e-9));
+    }
+}

@@ -1,0 +1,743 @@
+//! What the name of a column says: the words of surveying, maps and CAD in English, German, French, Italian and Spanish.
+
+use super::table::Field;
+use super::unit::unit_in_name;
+
+/// What a column is by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// The x coordinate of maps. `clear` is false for letters that may mean something else.
+    East {
+        clear: bool,
+    },
+    /// The y coordinate of maps.
+    North {
+        clear: bool,
+    },
+    /// A height over the map.
+    Height,
+    /// Abscissa and ordinate.
+    Abscissa,
+    Ordinate,
+    /// An axis by its letter: see [`axis_kind`].
+    Axis,
+    /// What a point is called, or its number.
+    Label,
+    /// Something else that has numbers: times, stations, distances, angles, qualities.
+    Other,
+    /// Not known.
+    Unknown,
+}
+
+const EAST: &[&str] =
+    &["e", "east", "easting", "eastings", "rechtswert", "rechts", "rw", "ost", "ostwert", "est", "este", "oest"];
+const NORTH: &[&str] =
+    &["n", "north", "northing", "northings", "hochwert", "hoch", "hw", "nord", "nordwert", "norden", "norte"];
+const HEIGHT: &[&str] = &[
+    "h",
+    "q",
+    "height",
+    "heights",
+    "ht",
+    "hgt",
+    "elevation",
+    "elev",
+    "elevacion",
+    "el",
+    "altitude",
+    "alt",
+    "altitud",
+    "altura",
+    "altezza",
+    "hauteur",
+    "hohe",
+    "hoehe",
+    "hohen",
+    "quota",
+    "quote",
+    "cota",
+    "cote",
+    "level",
+    "lvl",
+    "rl",
+    "niveau",
+];
+const ABSCISSA: &[&str] = &["abscissa", "abscisse", "abscisses", "ascissa", "abscisa", "abszisse"];
+const ORDINATE: &[&str] = &["ordinate", "ordonnee", "ordonnees", "ordinata", "ordenada"];
+
+/// Words of which the names of numbers and codes of points are made, alone (`Nr.`), beside each other (`Lfd. Nr.`) or joined
+/// (`Punktnummer`).
+const LABEL: &[&str] = &[
+    "no",
+    "nr",
+    "nro",
+    "num",
+    "numb",
+    "nums",
+    "number",
+    "numbers",
+    "numero",
+    "numeros",
+    "nummer",
+    "nummern",
+    "nº",
+    "n°",
+    "nø",
+    "id",
+    "ids",
+    "ident",
+    "identifier",
+    "fid",
+    "oid",
+    "gid",
+    "uid",
+    "uuid",
+    "guid",
+    "pid",
+    "key",
+    "index",
+    "indice",
+    "idx",
+    "ix",
+    "row",
+    "line",
+    "seq",
+    "sequence",
+    "secuencia",
+    "sequenza",
+    "order",
+    "ordre",
+    "orden",
+    "ordine",
+    "count",
+    "counter",
+    "lfd",
+    "laufende",
+    "pos",
+    "point",
+    "points",
+    "pointe",
+    "pt",
+    "pts",
+    "pnt",
+    "pkt",
+    "punkt",
+    "punkte",
+    "punto",
+    "punti",
+    "puntos",
+    "pto",
+    "vertex",
+    "vertices",
+    "vert",
+    "vertice",
+    "vertici",
+    "node",
+    "nodes",
+    "knoten",
+    "noeud",
+    "nodo",
+    "sommet",
+    "matricule",
+    "matricola",
+    "matricula",
+    "bezeichnung",
+    "kennung",
+    "name",
+    "names",
+    "nom",
+    "nombre",
+    "nome",
+    "label",
+    "labels",
+    "etiquette",
+    "etiqueta",
+    "etichetta",
+    "tag",
+    "marker",
+    "target",
+    "ziel",
+    "ref",
+    "reference",
+    "referenz",
+    "referencia",
+    "riferimento",
+    "site",
+    "waypoint",
+    "wp",
+    "wpt",
+    "feature",
+    "object",
+    "objekt",
+    "record",
+    "rec",
+    "sample",
+    "measurement",
+    "messung",
+    "mesure",
+    "sr",
+    "sl",
+    "serial",
+    "ser",
+    "item",
+    "shot",
+    "peg",
+    "borne",
+    "piquet",
+    "picchetto",
+    "estaca",
+    "mojon",
+    "p",
+    "sno",
+    "marke",
+    "stutz",
+    "grenz",
+    "fest",
+    "satz",
+    "zeile",
+    "ligne",
+    "linea",
+    "riga",
+    "fila",
+    "vermessungs",
+    "pose",
+];
+
+/// Words that stand beside them and say nothing.
+const FILLERS: &[&str] =
+    &["of", "de", "du", "des", "di", "del", "della", "delle", "the", "der", "le", "la", "el", "il", "d"];
+
+/// Words of columns that have numbers which are no coordinates.
+const OTHER: &[&str] = &[
+    "station",
+    "stations",
+    "stationing",
+    "stationierung",
+    "stazione",
+    "estacion",
+    "sta",
+    "chainage",
+    "ch",
+    "km",
+    "kp",
+    "mp",
+    "pk",
+    "pr",
+    "kilometer",
+    "kilometre",
+    "kilometrage",
+    "kilometrierung",
+    "progressiva",
+    "progressive",
+    "progressivo",
+    "mileage",
+    "milepost",
+    "distance",
+    "distancia",
+    "distanza",
+    "dist",
+    "distanz",
+    "abstand",
+    "entfernung",
+    "cumul",
+    "cumulative",
+    "offset",
+    "offsets",
+    "versatz",
+    "deport",
+    "time",
+    "timestamp",
+    "t",
+    "stamp",
+    "date",
+    "datum",
+    "fecha",
+    "data",
+    "heure",
+    "hora",
+    "ora",
+    "uhrzeit",
+    "zeit",
+    "temps",
+    "tiempo",
+    "tempo",
+    "epoch",
+    "week",
+    "secs",
+    "nsecs",
+    "hz",
+    "vz",
+    "sd",
+    "hd",
+    "vd",
+    "azimuth",
+    "azimut",
+    "bearing",
+    "heading",
+    "course",
+    "kurs",
+    "richtung",
+    "gisement",
+    "winkel",
+    "angle",
+    "angolo",
+    "angulo",
+    "zenith",
+    "tilt",
+    "speed",
+    "velocity",
+    "geschwindigkeit",
+    "vitesse",
+    "velocidad",
+    "velocita",
+    "hdop",
+    "pdop",
+    "vdop",
+    "gdop",
+    "dop",
+    "sats",
+    "satellites",
+    "fix",
+    "quality",
+    "qual",
+    "accuracy",
+    "acc",
+    "genauigkeit",
+    "precision",
+    "precisione",
+    "sigma",
+    "std",
+    "stdev",
+    "stddev",
+    "error",
+    "err",
+    "rms",
+    "hrms",
+    "vrms",
+    "rmse",
+    "cq",
+    "hcq",
+    "vcq",
+    "residual",
+    "weight",
+    "gewicht",
+    "poids",
+    "temperature",
+    "temp",
+    "intensity",
+    "epsg",
+    "srid",
+    "zone",
+    "cant",
+    "curvature",
+    "length",
+    "lange",
+    "laenge",
+    "width",
+    "breite",
+    "radius",
+    "radio",
+    "rayon",
+    "raggio",
+    "westing",
+    "westings",
+    "southing",
+    "southings",
+    "west",
+    "south",
+    "ouest",
+    "sud",
+    "suden",
+    "oeste",
+    "sur",
+    "ovest",
+    "westen",
+    "code",
+    "codigo",
+    "codice",
+    "kode",
+    "desc",
+    "description",
+    "descripcion",
+    "descrizione",
+    "beschreibung",
+    "remark",
+    "remarks",
+    "remarque",
+    "comment",
+    "comments",
+    "commentaire",
+    "kommentar",
+    "bemerkung",
+    "bemerkungen",
+    "note",
+    "notes",
+    "nota",
+    "notas",
+    "type",
+    "typ",
+    "tipo",
+    "art",
+    "layer",
+    "ebene",
+    "calque",
+    "capa",
+    "class",
+    "klasse",
+    "classe",
+    "clase",
+    "group",
+    "gruppe",
+    "color",
+    "colour",
+    "farbe",
+    "couleur",
+    "contour",
+    "corner",
+    "part",
+    "polyline",
+    "ring",
+];
+
+/// Words of maps and reference systems that may stand beside a coordinate or a height; words with a digit are such too.
+const BESIDE_MAP: &[&str] = &[
+    "utm",
+    "grid",
+    "map",
+    "gk",
+    "lambert",
+    "nad",
+    "nn",
+    "nhn",
+    "mga",
+    "ngf",
+    "igm",
+    "ign",
+    "local",
+    "lokal",
+    "locale",
+    "ellipsoidal",
+    "ellipsoidisch",
+    "orthometric",
+    "ellip",
+    "ortho",
+    "u",
+    "ue",
+    "uber",
+    "ueber",
+    "m",
+    "false",
+    "state",
+    "plane",
+    "reduced",
+    "msl",
+    "amsl",
+    "ahd",
+    "gauss",
+    "kruger",
+    "boaga",
+];
+
+/// Words beside the letter of an axis: `point_x`, `x coordinate`.
+const BESIDE: &[&str] = &[
+    "coord",
+    "coords",
+    "coordinate",
+    "coordinates",
+    "coor",
+    "coordenada",
+    "coordonnee",
+    "coordinata",
+    "koordinate",
+    "koord",
+    "wert",
+    "value",
+    "valor",
+    "valeur",
+    "valore",
+    "point",
+    "pt",
+    "pos",
+    "position",
+    "p",
+    "loc",
+    "location",
+    "axis",
+    "achse",
+];
+
+/// Words that stand for the angles of places on the globe.
+pub(super) const GLOBE: [&[&str]; 2] = [
+    &["lon", "lng", "long", "longitude", "longitud", "longitudine", "langengrad"],
+    &["lat", "latitude", "latitud", "latitudine", "breitengrad"],
+];
+
+impl Role {
+    /// By a name, with whatever stands beside it.
+    pub(super) fn of(field: &Field<'_>) -> Self {
+        let raw = field.text.trim();
+        // `N°` is a number, not a north, and so is `#`, or no name beside names.
+        let mut start = raw.chars().map(|c| c.to_ascii_lowercase());
+        if raw.is_empty() || raw.starts_with('#') {
+            return Self::Label;
+        }
+        if start.next() == Some('n')
+            && matches!(start.next(), Some('\u{b0}' | '\u{ba}' | '\u{2da}' | '\u{f8}' | '\u{a1}'))
+        {
+            return Self::Label;
+        }
+        let words = folded(raw);
+        let unit = words.len() > 1 && unit_in_name(raw).is_some();
+        let words: Vec<&str> = words[..words.len() - usize::from(unit)].iter().map(String::as_str).collect();
+        let has_digit = |word: &str| word.chars().any(|c| c.is_ascii_digit());
+        let beside = |word: &str| BESIDE.contains(&word) || BESIDE_MAP.contains(&word) || has_digit(word);
+        let own: Vec<&str> = match words.as_slice() {
+            [only] => vec![*only],
+            several => several.iter().copied().filter(|word| !beside(word)).collect(),
+        };
+        // `Rechtswert (Y)`: the word of the map counts, not the letter beside it.
+        let is_axis = |word: &&&str| matches!(**word, "x" | "y" | "z");
+        let spoken: Vec<&str> = own.iter().filter(|word| !is_axis(word)).copied().collect();
+        if let [word] = spoken.as_slice() {
+            let (is, clear) = (|list: &[&str]| list.contains(word), word.len() > 1);
+            // A letter beside the letter of an axis is anything.
+            if clear || own.len() == 1 {
+                if is(EAST) {
+                    return Self::East { clear };
+                } else if is(NORTH) {
+                    return Self::North { clear };
+                } else if is(HEIGHT) {
+                    return Self::Height;
+                } else if is(ABSCISSA) {
+                    return Self::Abscissa;
+                } else if is(ORDINATE) {
+                    return Self::Ordinate;
+                }
+            }
+        }
+        if ["x", "y", "z"].iter().any(|letter| axis_kind(letter, field).is_some()) {
+            return Self::Axis;
+        }
+        if is_label(&words) {
+            return Self::Label;
+        }
+        if words.iter().any(|word| OTHER.contains(word)) {
+            return Self::Other;
+        }
+        Self::Unknown
+    }
+
+    /// True for what is a coordinate of a map, or an abscissa: nothing but its partner goes with it.
+    pub(super) const fn is_of_a_pair(self) -> bool {
+        matches!(self, Self::East { clear: true } | Self::North { clear: true } | Self::Abscissa | Self::Ordinate)
+    }
+}
+
+/// True if words are those of numbers and names of points.
+fn is_label(words: &[&str]) -> bool {
+    let own: Vec<&str> = words.iter().copied().filter(|word| !FILLERS.contains(word)).collect();
+    // `P1`, the name of a point, is no name of a column of them.
+    !own.is_empty() && own.iter().all(|word| is_made_of_labels(word))
+}
+
+/// True if a word is one of those of labels, or several of them joined.
+fn is_made_of_labels(word: &str) -> bool {
+    let whole = |rest: &str| LABEL.contains(&rest);
+    // Joined words are long enough not to be met by chance.
+    whole(word)
+        || (1..word.len())
+            .filter(|at| word.is_char_boundary(*at))
+            .any(|at| at > 1 && word.len() - at > 1 && whole(&word[..at]) && is_made_of_labels(&word[at..]))
+}
+
+/// True if a word of a column's name is one of these, or ends in a long one: `lat_deg`, `X (Longitude)`, `GPSLatitude`.
+pub(super) fn speaks_of(words: &[&str], field: &Field<'_>) -> bool {
+    let known = |word: &String| words.iter().any(|w| word == w || w.len() > 6 && word.ends_with(w));
+    folded(field.text).iter().any(known)
+}
+
+/// How a column's name speaks of an axis: `x` (0), `x_m` or `x coordinate` (1), `x_left` (2), `point_x` (3).
+pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
+    let (words, unit) = words_of(field.text);
+    let beside = |word: &String| BESIDE.contains(&word.as_str());
+    let joined = |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
+    match words.as_slice() {
+        [only] if only == letter => Some(0),
+        [first, _] if first == letter && unit => Some(1),
+        [first, second, ..] if first == letter && beside(second) => Some(1),
+        [first, ..] if first == letter => Some(2),
+        [before, last] if beside(before) && last == letter => Some(3),
+        [before, last, _] if beside(before) && last == letter && unit => Some(3),
+        [first, ..] if joined(first) => Some(3),
+        _ => None,
+    }
+}
+
+/// The words of a column's name in small letters without accents, and whether the last is a unit.
+pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
+    let words = folded(name);
+    let unit = words.len() > 1 && unit_in_name(name).is_some();
+    (words, unit)
+}
+
+/// The words of a name in small letters, without accents.
+fn folded(name: &str) -> Vec<String> {
+    let words = name.split(|c: char| !c.is_alphanumeric() && !is_accent(c)).filter(|word| !word.is_empty());
+    words
+        .map(|word| word.chars().flat_map(char::to_lowercase).filter(|c| !is_accent(*c)).map(plain).collect())
+        .collect()
+}
+
+/// Accents that stand behind their letter.
+fn is_accent(c: char) -> bool {
+    matches!(c, '\u{300}'..='\u{36f}')
+}
+
+/// A letter without its accent.
+const fn plain(c: char) -> char {
+    match c {
+        'à' | 'á' | 'â' | 'ä' | 'ã' => 'a',
+        'è' | 'é' | 'ê' | 'ë' => 'e',
+        'ì' | 'í' | 'î' | 'ï' => 'i',
+        'ò' | 'ó' | 'ô' | 'ö' | 'õ' => 'o',
+        'ù' | 'ú' | 'û' | 'ü' => 'u',
+        'ñ' => 'n',
+        'ç' => 'c',
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn role(text: &str) -> Role {
+        Role::of(&Field { text, start: 0 })
+    }
+
+    #[test]
+    fn numbers_and_names_of_points_are_known_in_five_languages() {
+        for name in [
+            "N°",
+            "n° point",
+            "Nº",
+            "No.",
+            "Nr.",
+            "NR",
+            "Num.",
+            "Num. punto",
+            "Pkt",
+            "Pkt.-Nr.",
+            "PktNr",
+            "Punkt",
+            "Punktnummer",
+            "Punkt-Nr",
+            "Punktnr.",
+            "Punktbezeichnung",
+            "Lfd. Nr.",
+            "lfdnr",
+            "OBJECTID",
+            "FID",
+            "ID",
+            "id_point",
+            "PtID",
+            "Point ID",
+            "PointNumber",
+            "Pt No",
+            "Pt#",
+            "#",
+            "",
+            "Vertex",
+            "vertex_index",
+            "seq",
+            "Matricule",
+            "Punto",
+            "Numéro",
+            "Número",
+            "Nombre",
+            "idx",
+            "index",
+            "Name",
+            "Numero punto",
+            "Knoten",
+            "Stützpunkt",
+            "Grenzpunkt",
+            "Sr. No.",
+            "S.No.".trim_start_matches("S."),
+            "Waypoint",
+            "Id. del punto",
+        ] {
+            assert_eq!(role(name), Role::Label, "{name}");
+        }
+        for name in [
+            "Station",
+            "station_m",
+            "Chainage",
+            "km",
+            "KM",
+            "PK",
+            "Pk (km)",
+            "t",
+            "Time",
+            "Progressiva",
+            "Distance",
+            "HDOP",
+            "Code",
+            "Southing",
+            "Hz",
+            "Stationierung",
+        ] {
+            assert_eq!(role(name), Role::Other, "{name}");
+        }
+    }
+
+    #[test]
+    fn coordinates_of_maps_are_known_in_five_languages() {
+        for name in [
+            "Easting",
+            "EAST",
+            "East (m)",
+            "Rechtswert",
+            "Rechtswert (Y)",
+            "Y (Rechtswert)",
+            "Ost",
+            "Ostwert",
+            "Est",
+            "Este",
+            "Coord. Este",
+            "Easting_ETRS89",
+            "UTM East",
+        ] {
+            assert_eq!(role(name), Role::East { clear: true }, "{name}");
+        }
+        for name in ["Northing", "Hochwert", "Hochwert X", "Nord", "Norte", "Coordenada Norte", "North_ft"] {
+            assert_eq!(role(name), Role::North { clear: true }, "{name}");
+        }
+        for name in [
+            "Elevation",
+            "Elev.",
+            "Höhe",
+            "HOEHE",
+            "Höhe ü. NN",
+            "Altitude",
+            "Quota",
+            "Cota",
+            "RL",
+            "Level",
+            "H",
+            "Altura",
+            "Ho\u{308}he",
+            "Cote NGF",
+        ] {
+            assert_eq!(role(name), Role::Height, "{name}");
+        }
+        assert_eq!((role("E"), role("n")), (Role::East { clear: false }, Role::North { clear: false }));
+        assert_eq!((role("Abscisse"), role("Ordonnée")), (Role::Abscissa, Role::Ordinate));
+        for name in ["x", "X_m", "POINT_X", "Koordinate Y", "xcoord", "Y-Wert", "z [mm]", "COORD_X", "x_left"] {
+            assert_eq!(role(name), Role::Axis, "{name}");
+        }
+        for name in ["u", "foo", "a", "merkmal", "xylem", "nord est"] {
+            assert_eq!(role(name), Role::Unknown, "{name}");
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! What stands above the data of a table: `sep=`, titles, the names of the columns, a line of units.
+
+use super::decimals::is_number;
+use super::names::Role;
+use super::table::{Delimiter, Field, LONGEST_LINE, about, split};
+use super::unit::{UnitWord, unit_alone};
+use crate::text::lines::lines;
+use crate::text::place::{Diagnostic, Source};
+
+/// Lines that are looked at to find what separates the columns.
+const LOOKED_AT: usize = 64;
+/// Lines of text above the data at most.
+const MOST_TITLES: usize = 32;
+
+/// A text up to its first line of data.
+pub(super) struct Preamble<'a> {
+    pub(super) delimiter: Delimiter,
+    /// Names of the columns; empty without any.
+    pub(super) header: Vec<Field<'a>>,
+    /// The units of a line of them, one for each column.
+    pub(super) units: Vec<Option<UnitWord>>,
+    /// Where the lines that are passed over start.
+    pub(super) titles: Vec<usize>,
+    /// The first line of data, and where it starts.
+    pub(super) first: Vec<Field<'a>>,
+    pub(super) start: usize,
+}
+
+/// A line of text above the data.
+struct Line<'a> {
+    start: usize,
+    fields: Vec<Field<'a>>,
+}
+
+impl<'a> Preamble<'a> {
+    /// Reads up to the first line of data. `wanted` are column names asked for: they help to tell a header behind a `#`
+    /// from a remark.
+    pub(super) fn read(
+        source: Source<'a>,
+        wanted: &[String],
+        known: fn(&Field<'_>) -> bool,
+    ) -> Result<Self, Box<Diagnostic>> {
+        let empty = || source.diagnostic(0..0, "", "the file holds no points");
+        let delimiter = delimiter(source)?.ok_or_else(empty)?;
+        // The last remark before the data that could be a header.
+        let mut remark: Vec<Field<'a>> = Vec::new();
+        let mut text: Vec<Line<'a>> = Vec::new();
+        let mut fields = Vec::new();
+        for (start, line) in lines(source.text) {
+            if let Some(rest) = line.trim_start().strip_prefix('#') {
+                let mut names = Vec::new();
+                if rest.len() <= LONGEST_LINE
+                    && delimiter.split(rest, start + line.len() - rest.len(), &mut names).is_ok()
+                    && is_header(&names, wanted, known)
+                {
+                    remark = names;
+                }
+                continue;
+            }
+            if separator_said(line).is_some() && text.is_empty() {
+                continue;
+            }
+            split(source, delimiter, start, line, &mut fields)?;
+            if fields.iter().all(|f| f.text.is_empty()) {
+                continue;
+            }
+            if text.len() < MOST_TITLES && is_text(&fields, source, delimiter, (start, line.len()), !text.is_empty()) {
+                text.push(Line { start, fields: std::mem::take(&mut fields) });
+                continue;
+            }
+            let mut preamble =
+                Self { delimiter, header: Vec::new(), units: Vec::new(), titles: Vec::new(), first: fields, start };
+            preamble.take_text(source, text)?;
+            if preamble.header.is_empty() && remark.len() == preamble.first.len() {
+                preamble.header = remark;
+            }
+            return Ok(preamble);
+        }
+        Err(empty())
+    }
+
+    /// Finds the header among the lines of text above the data: the one that speaks of most columns.
+    fn take_text(&mut self, source: Source<'a>, text: Vec<Line<'a>>) -> Result<(), Box<Diagnostic>> {
+        let width = self.first.iter().filter(|field| !field.text.is_empty()).count();
+        let known = |line: &Line<'_>| {
+            let of_use = |field: &&Field<'_>| !field.text.is_empty() && Role::of(field) != Role::Unknown;
+            line.fields.iter().filter(of_use).count()
+        };
+        // A sentence has as many words as it likes.
+        let fits = |line: &Line<'_>| self.delimiter != Delimiter::Blanks || line.fields.len() == self.first.len();
+        let may_be = |line: &Line<'_>| (line.fields.len() > 1 || width < 2) && (known(line) > 0 || fits(line));
+        let is_units = |line: &Line<'_>| units_of(&line.fields).is_some();
+        let candidates = || text.iter().enumerate().filter(|(_, line)| may_be(line) && !is_units(line));
+        // Of several that know as much the first one, so that nothing that stands below it is passed over; of those that
+        // know nothing the one above the data.
+        let best = candidates().map(|(_, line)| known(line)).max();
+        let at = match best {
+            Some(0) => candidates().last(),
+            Some(best) => candidates().find(|(_, line)| known(line) == best),
+            None => None,
+        };
+        let Some((at, _)) = at else {
+            self.titles = text.iter().map(|line| line.start).collect();
+            return Ok(());
+        };
+        for (k, line) in text.into_iter().enumerate() {
+            if k < at {
+                self.titles.push(line.start);
+            } else if k == at {
+                // Numbers with units would be lost as names.
+                if line.fields.len() > 1 && line.fields.iter().all(begins_as_number) {
+                    let message =
+                        "no names of columns and no numbers: write numbers without units and separators of thousands";
+                    return Err(about(source, &line.fields, message));
+                }
+                self.header = line.fields;
+            } else if let Some(units) = units_of(&line.fields).filter(|_| k == at + 1) {
+                self.units = units;
+            } else {
+                // What stands below the names is data, and refused where it is no number.
+                (self.first, self.start) = (line.fields, line.start);
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// True for a line of text above the data: it has no number, or it is a title with some (`Project;17`, `Survey of 12 March`) over a
+/// line of names.
+fn is_text(
+    fields: &[Field<'_>],
+    source: Source<'_>,
+    delimiter: Delimiter,
+    (start, length): (usize, usize),
+    below: bool,
+) -> bool {
+    let numbers = fields.iter().filter(|field| is_number(field)).count();
+    let words = |fields: &[Field<'_>]| fields.iter().filter(|field| !field.text.is_empty()).count();
+    let begins = fields.first().is_some_and(|field| !field.text.is_empty() && !is_number(field));
+    if numbers == 0 || below || !begins {
+        return numbers == 0;
+    }
+    let mut next = Vec::new();
+    // A sentence has as many words as it likes, but none with as many numbers and words as a point.
+    let is_title = |names: usize| match delimiter {
+        Delimiter::Blanks => numbers == 1 || words(fields) != names,
+        Delimiter::Char(_) => numbers == 1 && words(fields) < names,
+    };
+    lines(&source.text[start + length..]).take(MOST_TITLES).skip(1).any(|(at, line)| {
+        next.clear();
+        delimiter.split(line, start + length + at, &mut next).is_ok()
+            && !next.iter().any(is_number)
+            && next.iter().filter(|field| Role::of(field) != Role::Unknown).count() > 1
+            && is_title(words(&next))
+    })
+}
+
+/// What separates the columns: what the first line says (`sep=;`), else what separates most of the lines that have numbers.
+fn delimiter(source: Source<'_>) -> Result<Option<Delimiter>, Box<Diagnostic>> {
+    let data = |line: &str| !line.split('#').next().unwrap_or_default().trim().is_empty();
+    let mut votes: Vec<(Delimiter, usize)> = Vec::new();
+    let mut first = None;
+    let mut fields = Vec::new();
+    let mut left = LOOKED_AT;
+    for (start, line) in lines(source.text) {
+        if line.len() > LONGEST_LINE && !line.starts_with('#') {
+            split(source, Delimiter::Blanks, start, line, &mut fields)?;
+        }
+        if left == 0 {
+            break;
+        }
+        if line.len() > LONGEST_LINE || !data(line) {
+            continue;
+        }
+        left -= 1;
+        if let (Some(said), None) = (separator_said(line), first) {
+            return Ok(Some(Delimiter::Char(said)));
+        }
+        let own = Delimiter::of(line.split('#').next().unwrap_or_default());
+        first = first.or(Some(own));
+        fields.clear();
+        if own.split(line, start, &mut fields).is_ok() && fields.iter().filter(|field| is_number(field)).count() > 1 {
+            match votes.iter_mut().find(|(delimiter, _)| *delimiter == own) {
+                Some((_, count)) => *count += 1,
+                None => votes.push((own, 1)),
+            }
+        }
+    }
+    let most = votes.iter().map(|(_, count)| *count).max();
+    Ok(votes.iter().find(|(_, count)| Some(*count) == most).map(|(delimiter, _)| *delimiter).or(first))
+}
+
+/// The separator that a line of spreadsheets names: `sep=;`.
+fn separator_said(line: &str) -> Option<char> {
+    let line = line.trim().trim_matches('"');
+    let said = line.get(..4).filter(|start| start.eq_ignore_ascii_case("sep=")).map(|_| &line[4..])?;
+    match said {
+        "\\t" | "" => Some('\t'),
+        other => {
+            let mut letters = other.chars();
+            letters.next().filter(|_| letters.next().is_none())
+        }
+    }
+}
+
+/// The units of a line that has nothing else: `[m];[m]`, `;m;m`, `-,(m),(m)`.
+fn units_of(fields: &[Field<'_>]) -> Option<Vec<Option<UnitWord>>> {
+    let mut found = Vec::with_capacity(fields.len());
+    for field in fields {
+        let word = field.text.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
+        match (word.as_str(), unit_alone(&word)) {
+            (_, Some(unit)) => found.push(Some(unit)),
+            ("" | "-" | "--" | "s" | "ns" | "ms" | "deg" | "\u{b0}" | "rad" | "text" | "1" | "m/s" | "gon", None) => {
+                found.push(None)
+            }
+            _ => return None,
+        }
+    }
+    found.iter().any(Option::is_some).then_some(found)
+}
+
+/// True for what begins like a number.
+fn begins_as_number(field: &Field<'_>) -> bool {
+    field.text.trim_start_matches(['-', '+', '(', '[']).starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// A remark is a header if it names a column we would look for and holds no numbers.
+fn is_header(names: &[Field<'_>], wanted: &[String], known: fn(&Field<'_>) -> bool) -> bool {
+    let of_points = |f: &Field<'_>| {
+        let base = f.text.split(['_', ' ', '[', '(']).next().unwrap_or_default();
+        ["x", "y", "z"].iter().any(|axis| base.eq_ignore_ascii_case(axis))
+            || wanted.iter().any(|w| w.eq_ignore_ascii_case(f.text))
+    };
+    let paired = names.iter().filter(|name| Role::of(name).is_of_a_pair() || known(name)).count() > 1;
+    names.len() > 1 && (paired || names.iter().any(of_points)) && !names.iter().any(is_number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Vec<&str>, Vec<bool>, usize, Vec<&str>) {
+        let preamble = Preamble::read(Source { name: "t", text }, &[], |_| false).unwrap();
+        let texts = |fields: &[Field<'_>]| -> Vec<&str> {
+            fields.iter().map(|f| &text[f.start..f.start + f.text.len()]).collect()
+        };
+        let units = preamble.units.iter().map(Option::is_some).collect();
+        (texts(&preamble.header), units, preamble.titles.len(), texts(&preamble.first))
+    }
+
+    #[test]
+    fn titles_names_and_units_are_told_apart() {
+        for (text, header, units, titles, first) in [
+            ("x;y\n1;2\n", &["x", "y"][..], &[][..], 0, &["1", "2"][..]),
+            ("sep=;\nx;y\n1,5;2\n", &["x", "y"], &[], 0, &["1,5", "2"]),
+            ("Aufmaß, Werkhof Süd\nNr;X;Y\n1;1,5;2\n", &["Nr", "X", "Y"], &[], 1, &["1", "1,5", "2"]),
+            ("Survey of 12 March\nx y z\n1 2 3\n", &["x", "y", "z"], &[], 1, &["1", "2", "3"]),
+            ("Projekt;17;;\n\nNr;X;Y;Code\n1;1,5;2;A\n", &["Nr", "X", "Y", "Code"], &[], 1, &["1", "1,5", "2", "A"]),
+            ("Nr;X;Y\n;[m];[m]\n1;1,5;2\n", &["Nr", "X", "Y"], &[false, true, true], 0, &["1", "1,5", "2"]),
+            ("X,Y\nm,m\n1,2\n", &["X", "Y"], &[true, true], 0, &["1", "2"]),
+            ("Survey of the yard\n1 2\n3 4\n", &[], &[], 1, &["1", "2"]),
+            ("x,y\nn/a,n/a\n1,2\n", &["x", "y"], &[], 0, &["n/a", "n/a"]),
+            ("Point #,Easting,Northing\nP1,1,2\n", &["Point #", "Easting", "Northing"], &[], 0, &["P1", "1", "2"]),
+            ("#,x,y\n1,1.5,2.5\n", &["", "x", "y"], &[], 0, &["1", "1.5", "2.5"]),
+            ("P1 1,5 2,25\nP2 3,5 4\n", &[], &[], 0, &["P1", "1,5", "2,25"]),
+        ] {
+            let found = read(text);
+            assert_eq!((&found.0[..], &found.1[..], found.2, &found.3[..]), (header, units, titles, first), "{text:?}");
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! What is said of a table of points that was read: how, and what it may be.
+
+use cyclide::Aabb;
+
+use super::PointList;
+use super::columns::Chosen;
+use super::decimals::Decimals;
+use super::names::{Role, axis_kind};
+use super::table::{Field, Table};
+use crate::text::place::{Diagnostic, Source, quoted};
+
+/// Eastings and northings have six or seven figures before the point, wherever the grid begins.
+pub(super) const GRID: f64 = 1e5;
+/// What is measured there is far smaller than its distance from the origin.
+pub(super) const PART_OF_GRID: f64 = 0.1;
+
+/// What is said of coordinates that [`seem_to_be_of_a_grid`].
+pub(super) const GRID_COORDINATES: &str = "no unit is named, and the coordinates look like those of a map grid in metres: they are taken in the model's unit \
+     (`--units m`, in a document `\"units\": \"m\"`, or name the columns x_m, y_m)";
+
+/// Words below the last point of a table that name no point.
+const TOTALS: [&str; 16] = [
+    "total",
+    "totals",
+    "totale",
+    "totaux",
+    "summe",
+    "gesamt",
+    "somme",
+    "somma",
+    "suma",
+    "sum",
+    "average",
+    "mean",
+    "mittelwert",
+    "moyenne",
+    "promedio",
+    "anzahl",
+];
+
+/// True if coordinates are far from the origin, as those of map grids are, and near to each other.
+pub(super) fn seem_to_be_of_a_grid(lists: &[PointList]) -> bool {
+    let points = lists.iter().flat_map(|list| &list.points);
+    let Some(bounds) = Aabb::of_points(points.map(|p| cyclide::Point3::new(p.x, p.y, 0.0))) else { return false };
+    let (low, high) = (bounds.min, bounds.max);
+    let far = low.x.abs().max(low.y.abs()).max(high.x.abs()).max(high.y.abs());
+    far >= GRID && bounds.diagonal() <= PART_OF_GRID * far
+}
+
+/// Refuses a last line that names no point.
+pub(super) fn refuse_total(source: Source<'_>, label: Option<Field<'_>>) -> Result<(), Box<Diagnostic>> {
+    let Some(field) = label.filter(|field| TOTALS.contains(&field.text.trim_end_matches(':').to_lowercase().as_str()))
+    else {
+        return Ok(());
+    };
+    Err(field.refused(source, format!("`{}` names no point: leave this line out", quoted(field.text))))
+}
+
+/// What was chosen with certainty and is not plain.
+pub(super) fn notes(
+    source: Source<'_>,
+    table: &Table<'_>,
+    chosen: &Chosen,
+    decimals: &Decimals,
+    encoding: Option<&str>,
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    let name = |i: usize| match table.header.get(i) {
+        Some(field) if !field.text.is_empty() => format!("`{}`", quoted(field.text)),
+        _ => format!("column {}", i + 1),
+    };
+    let axes = ["x", "y", "z"];
+    let by_words = |(k, i): (usize, &usize)| {
+        table.header.get(*i).is_some_and(|f| Role::of(f) != Role::Axis || axis_kind(axes[k], f).is_none())
+    };
+    // What a remark says is not said again.
+    let words = chosen.remark.is_none() && chosen.coordinates.iter().enumerate().any(by_words);
+    let mut columns: Vec<String> = Vec::new();
+    if words || chosen.label.is_some() {
+        columns.extend(chosen.coordinates.iter().zip(axes).map(|(i, axis)| format!("{axis} is {}", name(*i))));
+    }
+    columns.extend(chosen.label.map(|i| format!("the points are called as {} says", name(i))));
+    if !columns.is_empty() {
+        notes.push(columns.join(", "));
+    }
+    if let Some(start) = table.titles.first() {
+        let lines = match table.titles.len() {
+            1 => "line".to_owned(),
+            several => format!("the first of {several} lines"),
+        };
+        notes.push(format!("line {} is passed over ({lines} above the names of the columns)", source.line_of(*start)));
+    }
+    if decimals.grouped {
+        notes.push("thousands are separated in the numbers".to_owned());
+    }
+    if let Some(encoding) = encoding {
+        notes.push(format!("the text is read as {encoding}"));
+    }
+    notes
+}

@@ -1,0 +1,137 @@
+//! What the first lines of a table say about its columns: whether one of them numbers the points.
+
+use super::decimals::has_decimal_comma;
+use super::remarks::{GRID, PART_OF_GRID};
+use super::table::Table;
+
+/// Lines that are looked at.
+const LOOKED_AT: usize = 500;
+/// Fewer lines do not tell that a column counts.
+const FEWEST: usize = 3;
+/// Coordinates on a grid of whole numbers range about as far as the numbers of their points.
+const SAME_RANGE: f64 = 10.0;
+
+/// What is known of one column.
+#[derive(Debug, Clone, Default)]
+struct Column {
+    lines: usize,
+    /// True if a field has a fraction, or is no plain number.
+    fractions: bool,
+    /// The last number, and the step to it if all are equal.
+    last: Option<f64>,
+    step: Option<f64>,
+    even: bool,
+    rises: bool,
+    range: Option<[f64; 2]>,
+}
+
+/// What the first lines of a table say about its columns.
+#[derive(Debug)]
+pub(super) struct Sampled {
+    columns: Vec<Column>,
+}
+
+impl Sampled {
+    pub(super) fn of(table: &Table<'_>) -> Self {
+        let start = Column { even: true, rises: true, ..Column::default() };
+        let mut columns = vec![start; table.width];
+        let mut left = LOOKED_AT;
+        // What is wrong with a line is said where it is read.
+        table.for_first_rows(|fields| {
+            for (column, field) in columns.iter_mut().zip(fields) {
+                column.see(field.text);
+            }
+            left -= 1;
+            left > 0
+        });
+        Self { columns }
+    }
+
+    /// True if the first of these columns numbers the points: it counts on in equal steps, or rises in whole numbers, where the
+    /// others have fractions or range much farther.
+    pub(super) fn numbers_points(&self, columns: &[usize]) -> bool {
+        let [first, others @ ..] = columns else { return false };
+        let Some(first) = self.columns.get(*first) else { return false };
+        let others: Vec<&Column> = others.iter().filter_map(|i| self.columns.get(*i)).collect();
+        // Where a height is 0 throughout the others are x and y.
+        let flat = others.iter().any(|column| column.range.is_some_and(|range| range.iter().all(|z| z.abs() <= 0.0)));
+        if first.fractions || first.lines < FEWEST || others.len() < 2 || flat {
+            return false;
+        }
+        let width = |column: &Column| column.range.map_or(0.0, |[low, high]| high - low);
+        let fractions = others.iter().filter(|column| column.fractions).count();
+        let farther = others.iter().any(|column| width(column) > SAME_RANGE * width(first));
+        let counts = first.even && first.step.is_some_and(|step| step != 0.0);
+        counts && (fractions > 0 || farther && first.step == Some(1.0)) || first.rises && fractions > 1
+    }
+
+    /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
+    pub(super) fn are_on_a_grid(&self, columns: [usize; 2]) -> bool {
+        let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.range));
+        ranges.iter().all(|range| {
+            range.is_some_and(|[low, high]| {
+                low.abs().min(high.abs()) > GRID && high - low < PART_OF_GRID * low.abs().min(high.abs())
+            })
+        })
+    }
+
+    /// The columns but for those that number the points.
+    pub(super) fn without_numbers(&self, columns: &[usize]) -> Vec<usize> {
+        let mut rest = columns;
+        if self.numbers_points(rest) {
+            rest = &rest[1..];
+        }
+        rest.to_vec()
+    }
+}
+
+impl Column {
+    fn see(&mut self, text: &str) {
+        let comma = has_decimal_comma(text);
+        let number = if comma { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
+        let Ok(number) = number else {
+            self.fractions = true;
+            return;
+        };
+        self.lines += 1;
+        self.fractions |= !text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
+        if let Some(last) = self.last {
+            let step = number - last;
+            self.rises &= step > 0.0;
+            self.even &= self.step.is_none_or(|before| before.total_cmp(&step).is_eq());
+            self.step = Some(step);
+        }
+        self.last = Some(number);
+        let [low, high] = self.range.unwrap_or([number; 2]);
+        self.range = Some([low.min(number), high.max(number)]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::place::Source;
+
+    fn numbers_points(text: &str) -> bool {
+        let table = Table::parse(Source { name: "t", text }, &[]).unwrap();
+        Sampled::of(&table).numbers_points(&(0..table.width).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn columns_that_number_the_points_are_found() {
+        for (text, found) in [
+            ("1 10.5 20\n2 11 21\n3 13 20\n", true),
+            ("10;1,5;2\n20;2,5;2\n30;3,5;4\n", true),
+            ("1001 10.5 20.5\n1003 11.5 21.5\n1009 13.5 20.5\n", true),
+            ("1 1500 2000\n2 1700 2200\n3 1500 2900\n", true),
+            // Coordinates on a grid.
+            ("1 10 20\n2 11 21\n3 13 20\n", false),
+            ("0 0 0\n10 0 0\n20 10 0\n", false),
+            ("0 0.5 0\n2 0.7 0\n3 0.9 0\n", false),
+            ("1.0 1.5 2.5\n2.0 1.5 2.5\n3.0 1.5 2.5\n", false),
+            ("1 10.5\n2 11.5\n3 13.5\n", false),
+        ] {
+            assert_eq!(numbers_points(text), found, "{text:?}");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! How a motion keeps to its poses: how far it leaves the lines between them, how it closes, and how far a smoothed one is from them.
+
+use cyclide::{MotionJet, MovingBody, Schedule, Vec3};
+use serde::Serialize;
+
+use super::motion::larger;
+
+/// How far the origin of a body gets from the straight lines between its poses.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "kind": "linear", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// assert_eq!(found.off_chords.expect("it has poses").distance, 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct OffChordsReport {
+    /// The distance.
+    pub distance: f64,
+    /// When, seconds from the start.
+    pub time: f64,
+}
+
+/// How a motion that comes back to its first pose goes on from its end to its beginning.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let poses = r#"[{"position": [0, 0]}, {"position": [30, 0]}, {"position": [30, 30]}]"#;
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "closed": true, "poses": {poses}}}}}}}"#);
+/// let document: Document = text.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// assert!(found.closing.expect("it closes").corner < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MotionClosingReport {
+    /// The angle by which the way of the tool turns there, radians.
+    pub corner: f64,
+    /// By how much its velocity jumps.
+    pub velocity_jump: f64,
+    /// By how much the angular velocity jumps, radians per second.
+    pub angular_velocity_jump: f64,
+}
+
+impl MotionClosingReport {
+    /// Of a motion that closes.
+    pub(super) fn new(schedule: &Schedule<'_>, body: &MovingBody) -> Self {
+        let motion = body.motion();
+        // The directions do not depend on a law, under which the body may stop at both ends.
+        let [first, last] = motion.domain();
+        let [start, end] = [motion.jet(first, body.tool()), motion.jet(last, body.tool())].map(|jet| jet.point.d1);
+        let corner = start.cross(end).length().atan2(start.dot(end));
+        let spans = motion.times().len() - 1;
+        let [start, end] = [schedule.jet_in_span(0, 0.0), schedule.jet_in_span(spans - 1, 1.0)];
+        let jump = |f: fn(&MotionJet) -> Vec3| larger(0.0, (f(&start) - f(&end)).length());
+        Self {
+            corner,
+            velocity_jump: jump(|jet| jet.point.d1),
+            angular_velocity_jump: jump(|jet| jet.angular_velocity),
+        }
+    }
+}
+
+/// How far a smoothed motion is from its poses, at their times.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let poses = r#"[{"position": [0, 0]}, {"position": [10, 1]}, {"position": [20, 0]}, {"position": [30, 1]}]"#;
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 0.6}}, "poses": {poses}}}}}}}"#);
+/// let document: Document = text.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// assert!(found.deviation.expect("it is smoothed").place <= 0.6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DeviationReport {
+    /// The largest distance of the origin of the body from its place in a pose.
+    pub place: f64,
+    /// The largest angle from the turn of a pose, radians.
+    pub angle: f64,
+}

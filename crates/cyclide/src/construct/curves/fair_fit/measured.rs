@@ -1,0 +1,190 @@
+//! Fair fits of measured points: stops become one point, outliers are named, and the strength follows the noise
+//! (`docs/math/fair-fits.md#noise`).
+
+use super::noise::{self, Denoised, Reading, Run, Stop, denoised};
+use super::options::{Heights, Noise, Outliers};
+use super::{FairFit, FairFitOptions, runs, whittaker};
+use crate::base::vector::Point3;
+use crate::construct::curves::arc_fit::input::{Distinct, diameter};
+use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
+
+/// The curve keeps this near to the points without their noise, in deviations of these from what was measured,
+const NEARNESS: f64 = 0.5;
+/// and not nearer than this part of the size of the data.
+const NEAREST: f64 = 1e-7;
+/// Where it cannot, this many times as near will do, so often.
+const RELAXED: f64 = 2.0;
+const RELAXATIONS: usize = 5;
+/// Noise moves points by this many deviations.
+const OF_NOISE: f64 = 3.0;
+/// With more outliers than this each is not named any more.
+pub(super) const NAMED: usize = 20;
+
+/// What was done to measured points before their fit.
+pub(super) struct Prepared {
+    pub distinct: Distinct,
+    pub warnings: Vec<Warning>,
+}
+
+/// Merges equal neighbours, and the points of stops.
+pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Prepared> {
+    let merged = Distinct::new(points, options.closed, options.tolerance)?;
+    let stops = if options.edge_points == 0 { noise::stops(&merged.points) } else { Vec::new() };
+    let left = merged.points.len() - stops.iter().map(|s| s.last - s.first).sum::<usize>();
+    if stops.is_empty() || left < 4 {
+        return Ok(Prepared { distinct: merged, warnings: Vec::new() });
+    }
+    let (mut kept, mut source, mut next) = (Vec::new(), Vec::new(), 0);
+    let mut warnings = Vec::new();
+    for Stop { first, last, middle, radius } in stops {
+        kept.extend_from_slice(&merged.points[next..first]);
+        source.extend_from_slice(&merged.source[next..first]);
+        kept.push(middle);
+        source.push(merged.source[first]);
+        next = last + 1;
+        let range = [merged.source[first], merged.source[last]];
+        let count = range[1] + 1 - range[0];
+        warnings.push(Warning::StopMerged {
+            first: range[0],
+            last: range[1],
+            count,
+            at: middle.to_vec().to_array(),
+            radius,
+        });
+    }
+    kept.extend_from_slice(&merged.points[next..]);
+    source.extend_from_slice(&merged.source[next..]);
+    let moved = merged.moved;
+    let mut distinct = Distinct::of(kept, source, merged.warning);
+    distinct.moved = moved;
+    Ok(Prepared { distinct, warnings })
+}
+
+/// The smooth pieces of data, between corners (positions, rising).
+pub(super) fn pieces(n: usize, options: &FairFitOptions, cuts: &[usize]) -> Vec<Run> {
+    let whole = options.closed && cuts.is_empty();
+    let piece = |(from, to): (usize, usize)| {
+        let to = if whole { to - 1 } else { to };
+        let fixed = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % n)).is_ok());
+        Run {
+            numbers: (from..=to).map(|i| i % n).collect(),
+            closed: whole,
+            fixed: if whole { [false; 2] } else { fixed },
+        }
+    };
+    runs(n, options.closed, cuts).into_iter().map(piece).collect()
+}
+
+/// What the points say about their noise and about outliers among them; `None` of too few.
+pub(super) fn read(distinct: &Distinct, options: &FairFitOptions, cuts: &[usize]) -> Option<Denoised> {
+    let noise = match options.noise {
+        Some(Noise::Known(noise)) => Some(noise),
+        _ => None,
+    };
+    let reading =
+        Reading { noise, heights: options.heights == Heights::ByNoise, drop: options.outliers == Outliers::Drop };
+    denoised(&distinct.points, &pieces(distinct.points.len(), options, cuts), reading)
+}
+
+/// The points that belong to the others alone.
+pub(super) fn without_outliers(distinct: &Distinct, found: &Denoised) -> Distinct {
+    let is_out = |i: usize| found.outliers.binary_search_by_key(&i, |o| o.0).is_ok();
+    let kept: Vec<usize> = (0..distinct.points.len()).filter(|i| !is_out(*i)).collect();
+    let points = kept.iter().map(|i| distinct.points[*i]).collect();
+    let source = kept.iter().map(|i| distinct.source[*i]).collect();
+    let mut left = Distinct::of(points, source, distinct.warning.clone());
+    left.moved = distinct.moved;
+    left
+}
+
+/// The warnings about outliers.
+pub(super) fn outliers_named(found: &Denoised, source: &[usize], dropped: bool) -> Vec<Warning> {
+    let (noise, count) = (found.deviation, found.outliers.len());
+    let outlier = |(i, distance): &(usize, f64)| Warning::Outlier {
+        point: source[*i],
+        distance: *distance,
+        noise,
+        dropped,
+        count,
+    };
+    found.outliers.iter().take(NAMED).map(outlier).collect()
+}
+
+/// Data whose heights are smoothed as far as their tolerance exceeds that across, and how far one was moved: within the
+/// tolerance of these a curve is within both of the data.
+pub(super) fn with_loose_heights(
+    distinct: &Distinct,
+    options: &FairFitOptions,
+    cuts: &[usize],
+    within: f64,
+) -> Result<(Distinct, f64)> {
+    let (least, max) = (options.tolerance, f64::MAX);
+    if !(within > least && within.is_finite()) {
+        return Err(Error::ParameterOutOfRange { name: ErrorItem::ToleranceZ, value: within, min: least, max });
+    }
+    let mut points = distinct.points.clone();
+    let mut moved = 0.0_f64;
+    for run in pieces(points.len(), options, cuts) {
+        let own: Vec<Point3> = run.numbers.iter().map(|i| distinct.points[*i]).collect();
+        let flat: Vec<Point3> = own.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+        let heights: Vec<Point3> = own.iter().map(|p| Point3::new(0.0, 0.0, p.z)).collect();
+        let lengths = noise::lengths(&flat, run.closed);
+        let smooth = whittaker::smooth(&heights, &lengths, run.closed, run.fixed, (within - least) / whittaker::ROOM);
+        for (i, z) in run.numbers.iter().zip(&smooth.points) {
+            moved = moved.max((points[*i].z - z.z).abs());
+            points[*i].z = z.z;
+        }
+    }
+    let mut loose = Distinct::of(points, distinct.source.clone(), distinct.warning.clone());
+    loose.moved = distinct.moved;
+    Ok((loose, moved))
+}
+
+impl FairFit {
+    /// The fit whose strength follows the noise.
+    pub(super) fn by_noise(prepared: Prepared, options: &FairFitOptions) -> Result<Self> {
+        let Prepared { distinct, mut warnings } = prepared;
+        // Corners are what lasts over more than the noise, which the points say without any first.
+        let forced = Self::cuts(&distinct, &FairFitOptions { corner_angle: None, ..options.clone() }, f64::INFINITY);
+        let mut found = read(&distinct, options, &forced);
+        let noise = found.as_ref().map_or(0.0, |found| OF_NOISE * found.deviation);
+        let cuts = Self::cuts(&distinct, options, noise);
+        if cuts != forced {
+            found = read(&distinct, options, &cuts);
+        }
+        let Some(found) = found else {
+            return Err(Error::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST });
+        };
+        warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
+        let size = diameter(&distinct.points);
+        let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
+        let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
+        let places = Distinct::of(found.places, source, distinct.warning.clone());
+        let mut task = FairFitOptions {
+            tolerance: (NEARNESS * found.uncertainty).max(NEAREST * size),
+            corners: cuts.iter().map(|i| distinct.source[*i]).collect(),
+            corner_angle: None,
+            centre: 0.0,
+            ..options.clone()
+        };
+        let mut tries = 0;
+        let mut fit = loop {
+            match Self::near(&places, &task, Some(&measured)) {
+                Err(Error::ToleranceNotReached { .. }) if tries < RELAXATIONS => tries += 1,
+                other => break other?,
+            }
+            task.tolerance *= RELAXED;
+        };
+        if fit.certificate.deviation > options.tolerance {
+            let points = vec![fit.certificate.worst];
+            let (deviation, tolerance) = (fit.certificate.deviation, options.tolerance);
+            return Err(Error::ToleranceNotReached { points, deviation, tolerance });
+        }
+        fit.certificate.noise = Some(found.deviation);
+        fit.certificate.noise_z = found.heights;
+        warnings.append(&mut fit.warnings);
+        fit.warnings = warnings;
+        Ok(fit)
+    }
+}

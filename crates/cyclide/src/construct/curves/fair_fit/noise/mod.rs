@@ -1,0 +1,163 @@
+//! The noise of measured points: how large it is, which points do not belong to the others, where nothing moved, and what
+//! is left of the points without it (`docs/math/fair-fits.md#noise`).
+
+mod chords;
+mod outliers;
+mod residuals;
+mod smoother;
+mod stops;
+
+pub(super) use stops::{Stop, stops};
+
+use super::working_frame::WorkingFrame;
+use crate::base::vector::{Point3, Vec3};
+use outliers::cleaned;
+use smoother::{Series, Smoothed, smoothed};
+
+/// An outlier that is kept counts as one this many deviations away.
+const INFLUENCE: f64 = 2.0;
+/// Fewer points than this are not smoothed.
+pub(super) const FEWEST: usize = smoother::FEWEST;
+
+/// Lengths of the edges of a list, none of them 0.
+pub(super) fn lengths(points: &[Point3], closed: bool) -> Vec<f64> {
+    chords::above_shortest(chords::chords(points, closed))
+}
+
+/// One smooth piece of the data: their numbers, whether it is closed, and which ends stay.
+pub(super) struct Run {
+    pub numbers: Vec<usize>,
+    pub closed: bool,
+    pub fixed: [bool; 2],
+}
+
+/// How data are read.
+#[derive(Clone, Copy)]
+pub(super) struct Reading {
+    /// The deviation of their noise, and that of heights, where it is known.
+    pub noise: Option<f64>,
+    /// The heights have a noise of their own.
+    pub heights: bool,
+    /// Outliers are left out.
+    pub drop: bool,
+}
+
+/// Data without their noise.
+pub(super) struct Denoised {
+    /// Numbers of the data, in order, and where each would be without noise.
+    pub kept: Vec<usize>,
+    pub places: Vec<Point3>,
+    /// Deviation of the noise across the curve, in one direction; of heights, where they have their own.
+    pub deviation: f64,
+    pub heights: Option<f64>,
+    /// Deviation of the places from what was measured.
+    pub uncertainty: f64,
+    /// Data that do not belong to the others, and how far each is from the curve of these.
+    pub outliers: Vec<(usize, f64)>,
+}
+
+/// Sums over the runs.
+#[derive(Default)]
+struct Sums {
+    squares: f64,
+    free: f64,
+    uncertain: f64,
+    count: f64,
+    heights: f64,
+    heights_free: f64,
+}
+
+impl Sums {
+    fn add(&mut self, of: &Smoothed) {
+        let n = of.points.len() as f64;
+        self.squares += of.deviation.powi(2) * (n - of.freedom);
+        self.free += n - of.freedom;
+        self.uncertain += of.deviation.powi(2) * of.freedom;
+        self.count += n;
+    }
+
+    fn add_heights(&mut self, of: &Smoothed) {
+        let n = of.points.len() as f64;
+        self.heights += of.deviation.powi(2) * (n - of.freedom);
+        self.heights_free += n - of.freedom;
+    }
+}
+
+/// Reads the noise of data in runs; `None` where no run has enough points.
+pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoised> {
+    let frame = if reading.heights { WorkingFrame::in_axes(data) } else { WorkingFrame::new(data, 0.0) };
+    let unit = frame.length(1.0);
+    let mut sums = Sums::default();
+    let mut outliers = Vec::new();
+    let mut kept: Vec<(usize, Point3)> = Vec::new();
+    let mut heights_of_runs = false;
+    for run in runs {
+        let points: Vec<Point3> = run.numbers.iter().map(|i| frame.to_local(data[*i])).collect();
+        let flat = |p: &Point3| Point3::new(p.x, p.y, if reading.heights { 0.0 } else { p.z });
+        let across: Vec<Point3> = points.iter().map(flat).collect();
+        let series = Series {
+            points: &across,
+            closed: run.closed,
+            fixed: run.fixed,
+            directions: if frame.planar() || reading.heights { 1 } else { 2 },
+            chords: None,
+            noise: reading.noise.map(|noise| frame.length(noise)),
+            weights: None,
+        };
+        let last = points.len() - 1;
+        let protected = |i: usize| !run.closed && ((i == 0 && run.fixed[0]) || (i == last && run.fixed[1]));
+        let Some(found) = cleaned(&series, &protected) else {
+            kept.extend(run.numbers.iter().map(|i| (*i, data[*i])));
+            continue;
+        };
+        outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], far / unit)));
+        sums.add(&found.smoothed);
+        let (numbers, mut places) = if reading.drop || found.outliers.is_empty() {
+            (found.kept, found.smoothed.points)
+        } else {
+            let mut weights = vec![1.0; points.len()];
+            for (i, far) in &found.outliers {
+                weights[*i] = (INFLUENCE * found.smoothed.deviation / far).min(1.0);
+            }
+            let all = smoothed(&Series { weights: Some(&weights), noise: Some(found.smoothed.deviation), ..series })?;
+            ((0..points.len()).collect(), all.points)
+        };
+        if reading.heights {
+            let lengths = lengths(&places, run.closed);
+            let heights: Vec<Point3> = numbers.iter().map(|i| Point3::new(0.0, 0.0, points[*i].z)).collect();
+            let heights = Series {
+                points: &heights,
+                directions: 1,
+                chords: Some(&lengths),
+                noise: None,
+                weights: None,
+                ..series
+            };
+            let found = smoothed(&heights)?;
+            sums.add_heights(&found);
+            heights_of_runs = true;
+            places.iter_mut().zip(&found.points).for_each(|(p, z)| *p = *p + Vec3::new(0.0, 0.0, z.z));
+        }
+        let ends = [numbers.first().copied(), numbers.last().copied()];
+        for (i, place) in numbers.into_iter().zip(places) {
+            let fixed = !run.closed && ((run.fixed[0] && ends[0] == Some(i)) || (run.fixed[1] && ends[1] == Some(i)));
+            kept.push((run.numbers[i], if fixed { data[run.numbers[i]] } else { frame.to_world(place) }));
+        }
+    }
+    if sums.count == 0.0 {
+        return None;
+    }
+    // Corners end one run and begin the next.
+    kept.sort_by_key(|k| k.0);
+    kept.dedup_by_key(|k| k.0);
+    outliers.sort_by_key(|o| o.0);
+    let (kept, places) = kept.into_iter().unzip();
+    Some(Denoised {
+        kept,
+        places,
+        deviation: (sums.squares / sums.free).sqrt() / unit,
+        heights: heights_of_runs.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
+        uncertainty: (sums.uncertain / sums.count).sqrt() / unit,
+        outliers,
+    })
+}

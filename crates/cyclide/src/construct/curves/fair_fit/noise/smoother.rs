@@ -1,0 +1,268 @@
+//! The smoother of measured points: Whittaker's, stiffer where the curve varies less, its strength chosen by generalised
+//! cross-validation of the residuals across the curve (`docs/math/fair-fits.md#noise`).
+
+use super::super::density::point_at;
+use super::super::whittaker::Smoother;
+use super::chords::{above_shortest, chords, robust_chords};
+use super::residuals::{Residual, residuals, scale};
+use crate::base::vector::Point3;
+
+/// Fewer points than this are not smoothed: they say nothing about noise.
+pub(super) const FEWEST: usize = 8;
+/// Weight of a degree of freedom in the cross-validation: above 1 it does not take noise for shape by chance.
+const CAUTION: f64 = 1.4;
+/// Part of the points that must be left to errors.
+const LEFT: f64 = 0.05;
+/// Exponents of the strength, in fifth powers of the mean chord, and their step.
+const SOFTEST: f64 = -4.0;
+const STIFFEST: f64 = 12.0;
+const STEP: f64 = 0.5;
+/// Exponents beside the last choice that are tried again.
+const NEAR: f64 = 1.5;
+/// Data that want more than this are averaged in pairs first.
+const DENSE: f64 = 9.5;
+/// Averaged data are not fewer than this.
+const FEWEST_GROUPS: usize = 96;
+/// Rounds, of which the first are robust.
+const ROUNDS: usize = 7;
+const ROBUST: usize = 3;
+/// Residuals above this many deviations have no weight in the robust rounds; above the second they count as that.
+const FAR: f64 = 5.0;
+const CLIPPED: f64 = 3.0;
+/// Weight of a point without any.
+const NONE: f64 = 1e-6;
+/// Weight of an end that stays.
+const FIXED: f64 = 1e8;
+/// Largest ratio of the stiffness between calm and lively places.
+const CALM: f64 = 100.0;
+
+/// Data of one smooth piece.
+#[derive(Clone, Copy)]
+pub(super) struct Series<'a> {
+    pub points: &'a [Point3],
+    pub closed: bool,
+    pub fixed: [bool; 2],
+    /// Directions across the curve: 1 in a plane and of heights, 2 in space.
+    pub directions: usize,
+    /// Lengths that are known; then the residuals have no part along the curve.
+    pub chords: Option<&'a [f64]>,
+    /// The deviation to reach, where it is known.
+    pub noise: Option<f64>,
+    /// Weights of the points, 1 of most.
+    pub weights: Option<&'a [f64]>,
+}
+
+/// Smoothed data.
+pub(super) struct Smoothed {
+    pub points: Vec<Point3>,
+    /// Standard deviation of the errors across the curve, in one direction.
+    pub deviation: f64,
+    /// Degrees of freedom of the smoothed curve in one direction.
+    pub freedom: f64,
+    /// Robust deviations across and along the curve.
+    pub across: f64,
+    pub along: f64,
+    pub residuals: Vec<Residual>,
+}
+
+/// One strength tried.
+struct Choice {
+    exponent: f64,
+    points: Vec<Point3>,
+    freedom: f64,
+    squares: f64,
+    residuals: Vec<Residual>,
+}
+
+/// Smooths the data as their noise asks; `None` where they are too few.
+pub(super) fn smoothed(data: &Series<'_>) -> Option<Smoothed> {
+    let n = data.points.len();
+    let mut group = 1;
+    loop {
+        let (points, weights) = averaged(data, group);
+        let lengths = (group == 1).then_some(data.chords).flatten();
+        let coarse = Series { points: &points, weights: Some(&weights), chords: lengths, ..*data };
+        let choice = rounds(&coarse)?;
+        if choice.exponent > DENSE && n / (2 * group) >= FEWEST_GROUPS && data.chords.is_none() {
+            group *= 2;
+            continue;
+        }
+        return Some(finished(data, choice, group));
+    }
+}
+
+/// Means of so many neighbours each.
+fn averaged(data: &Series<'_>, group: usize) -> (Vec<Point3>, Vec<f64>) {
+    let given: Vec<f64> = data.weights.map_or_else(|| vec![1.0; data.points.len()], <[f64]>::to_vec);
+    if group == 1 {
+        return (data.points.to_vec(), given);
+    }
+    let first = data.points[0];
+    let mean = |(points, weights): (&[Point3], &[f64])| {
+        let whole: f64 = weights.iter().sum();
+        let sum = points.iter().zip(weights).fold(first - first, |sum, (p, w)| sum + (*p - first) * *w);
+        (first + sum / whole, whole)
+    };
+    data.points.chunks(group).zip(given.chunks(group)).map(mean).unzip()
+}
+
+/// The data smoothed in rounds: each takes lengths, stiffness and weights from the one before.
+fn rounds(data: &Series<'_>) -> Option<Choice> {
+    let (n, closed) = (data.points.len(), data.closed);
+    if n < FEWEST {
+        return None;
+    }
+    let mut lengths = data.chords.map_or_else(|| robust_chords(data.points, closed), <[f64]>::to_vec);
+    let given: Vec<f64> = data.weights.map_or_else(|| vec![1.0; n], <[f64]>::to_vec);
+    let mut weights = given.clone();
+    let mut stiffness = vec![1.0; if closed { n } else { n - 3 }];
+    let mut range = [SOFTEST, STIFFEST];
+    let mut chosen: Option<Choice> = None;
+    for round in 0..ROUNDS {
+        let smoother = smoother(data, &lengths, &weights, &stiffness);
+        let Some(choice) = choose(data, &smoother, &lengths, &weights, range, round < ROBUST) else { break };
+        range = [choice.exponent - NEAR, choice.exponent + NEAR];
+        if data.chords.is_none() {
+            lengths = above_shortest(chords(&choice.points, closed));
+        }
+        stiffness = calm(&smoother.variations(&choice.points), n as f64 / choice.freedom, closed);
+        weights.clone_from(&given);
+        if round + 1 < ROBUST {
+            for (w, far) in weights.iter_mut().zip(standing_out(&choice, data)) {
+                let part = (far / FAR).min(1.0);
+                *w = (*w * (1.0 - part * part).powi(2)).max(NONE);
+            }
+        }
+        chosen = Some(choice);
+    }
+    chosen
+}
+
+fn smoother(data: &Series<'_>, lengths: &[f64], weights: &[f64], stiffness: &[f64]) -> Smoother {
+    let mut weights = weights.to_vec();
+    let last = weights.len() - 1;
+    for (end, fixed) in [0, last].into_iter().zip(data.fixed) {
+        if fixed && !data.closed {
+            weights[end] = FIXED;
+        }
+    }
+    Smoother::new(data.points, lengths, data.closed, weights, stiffness)
+}
+
+/// The strength with the least score of cross-validation, or with the noise that is known.
+fn choose(
+    data: &Series<'_>,
+    smoother: &Smoother,
+    lengths: &[f64],
+    weights: &[f64],
+    range: [f64; 2],
+    robust: bool,
+) -> Option<Choice> {
+    let n = data.points.len() as f64;
+    let h = lengths.iter().sum::<f64>() / lengths.len() as f64;
+    let directions = data.directions as f64;
+    let mut best: Option<(f64, Choice)> = None;
+    let steps = ((range[1] - range[0]) / STEP).round() as usize;
+    for exponent in (0..=steps).map(|k| range[0] + STEP * k as f64).filter(|e| (SOFTEST..=STIFFEST).contains(e)) {
+        let Some((rest, freedom)) = smoother.fitted(h.powi(5) * 10_f64.powf(exponent)) else { continue };
+        if n - CAUTION * freedom <= LEFT * n {
+            continue;
+        }
+        let points: Vec<Point3> = data.points.iter().zip(rest).map(|(p, w)| *p - w).collect();
+        let residuals = residuals(data.points, &points, data.closed, data.chords.is_some());
+        let mut choice = Choice { exponent, points, freedom, squares: 0.0, residuals };
+        let deviation = scale(choice.residuals.iter().map(|r| r.across), data.directions) * (n / (n - freedom)).sqrt();
+        let clipped = |r: &Residual| {
+            let (far, limit) = (r.alone[0].hypot(r.alone[1]), CLIPPED * deviation.max(r.around));
+            if robust && far > limit { r.across * limit / far } else { r.across }
+        };
+        choice.squares = choice.residuals.iter().zip(weights).map(|(r, w)| w * clipped(r).powi(2)).sum();
+        let score = match data.noise {
+            // The stiffest that leaves no more than the noise, else the softest.
+            Some(noise) => {
+                let within = choice.squares <= noise * noise * (n - freedom) * directions;
+                if within { STIFFEST - exponent } else { 2.0 * STIFFEST + exponent }
+            }
+            None => choice.squares / (n - CAUTION * freedom).powi(2),
+        };
+        if score.is_finite() && best.as_ref().is_none_or(|(least, _)| score < *least) {
+            best = Some((score, choice));
+        }
+    }
+    best.map(|(_, choice)| choice)
+}
+
+/// By how many deviations each point stands out from its neighbours.
+fn standing_out(choice: &Choice, data: &Series<'_>) -> Vec<f64> {
+    let n = choice.points.len() as f64;
+    let grown = (n / (n - choice.freedom)).sqrt();
+    let across = scale(choice.residuals.iter().map(|r| r.across), data.directions) * grown;
+    let along = (scale(choice.residuals.iter().map(|r| r.along), 1) * grown).max(across);
+    let far = |r: &Residual| {
+        let across = across.max(r.around);
+        (r.alone[0] / across).hypot(r.alone[1] / along.max(across))
+    };
+    choice.residuals.iter().map(|r| if across > 0.0 { far(r) } else { 0.0 }).collect()
+}
+
+/// Stiffness for each third difference: the less it varies round about, the stiffer. Their geometric mean is 1.
+fn calm(variations: &[f64], reach: f64, closed: bool) -> Vec<f64> {
+    let n = variations.len();
+    let reach = (reach as usize).clamp(1, (n / 2).saturating_sub(1).max(1));
+    let at = |k: isize| {
+        let k = if closed { k.rem_euclid(n as isize) } else { k.clamp(0, n as isize - 1) };
+        variations[k as usize]
+    };
+    let mut sum: f64 = (-(reach as isize)..=reach as isize).map(at).sum();
+    let mut means = Vec::with_capacity(n);
+    for k in 0..n as isize {
+        means.push((sum / (2 * reach + 1) as f64).max(0.0));
+        sum += at(k + 1 + reach as isize) - at(k - reach as isize);
+    }
+    let mean = means.iter().sum::<f64>() / n as f64;
+    if !(mean > 0.0 && mean.is_finite()) {
+        return vec![1.0; n];
+    }
+    let mut stiffness: Vec<f64> = means.iter().map(|m| mean / (m + mean / CALM)).collect();
+    let level = (stiffness.iter().map(|s| s.ln()).sum::<f64>() / n as f64).exp();
+    stiffness.iter_mut().for_each(|s| *s /= level);
+    stiffness
+}
+
+/// The places of all data on what was found for their groups.
+fn finished(data: &Series<'_>, choice: Choice, group: usize) -> Smoothed {
+    let (n, count) = (data.points.len(), choice.points.len());
+    let points: Vec<Point3> = if group == 1 {
+        choice.points
+    } else {
+        let size = |g: usize| group.min(n - g * group) as f64;
+        let at = |i: usize| {
+            let g = i / group;
+            let position = g as f64 + ((i - g * group) as f64 + 0.5) / size(g) - 0.5;
+            let position = if data.closed && position < 0.0 { position + count as f64 } else { position };
+            point_at(&choice.points, data.closed, position)
+        };
+        (0..n).map(at).collect()
+    };
+    let mut points = points;
+    for (end, fixed) in [0, n - 1].into_iter().zip(data.fixed) {
+        if fixed && !data.closed {
+            points[end] = data.points[end];
+        }
+    }
+    let residuals = residuals(data.points, &points, data.closed, data.chords.is_some());
+    let free = (n as f64 - choice.freedom).max(1.0);
+    let given = |i: usize| data.weights.map_or(1.0, |w| w[i]);
+    let squares: f64 = residuals.iter().enumerate().map(|(i, r)| given(i) * r.across * r.across).sum();
+    let grown = (n as f64 / free).sqrt();
+    let across = scale(residuals.iter().map(|r| r.across), data.directions) * grown;
+    let along = (scale(residuals.iter().map(|r| r.along), 1) * grown).max(across);
+    Smoothed {
+        deviation: (squares / (free * data.directions as f64)).sqrt(),
+        freedom: choice.freedom,
+        across,
+        along,
+        points,
+        residuals,
+    }
+}

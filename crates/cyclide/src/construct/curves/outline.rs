@@ -1,0 +1,470 @@
+//! Which points of a polyline are corners, and which of its edges are straight sides: the reading of points that are
+//! given without a word about what they are (`docs/math/arc-fitting.md#outlines`).
+//!
+//! Points are samples of a smooth curve wherever such a curve explains them. Nobody samples a curve with fewer than six
+//! points to a full turn, and no sampling (equal steps, equal angles, equal sagittas) jumps in length and sagitta at
+//! once from one edge to the next but where the curve turns into a straight line. So a point is a *corner* that turns
+//! more than samples do, and an edge is a *straight side* that is much longer than the samples beside it and would be
+//! left by much more than they are. Everything is measured in angles and in ratios of lengths; the tolerance only says
+//! what noise may have caused.
+
+use crate::base::vector::{Point3, Vec3};
+use crate::warning::Warning;
+use std::f64::consts::PI;
+
+/// Turns above this may be corners.
+pub(super) const CORNER_ANGLE: f64 = PI / 6.0;
+/// A turn above this is a reversal: no smooth curve turns so far from one sample to the next.
+const CUSP_ANGLE: f64 = 150.0 * PI / 180.0;
+/// No smooth curve is sampled with fewer points to a full turn than this angle gives; a hexagon turns by 60 degrees.
+const LARGEST_SAMPLE_TURN: f64 = 65.0 * PI / 180.0;
+/// A corner stands out if its turn is this many times those of its neighbours, and samples support a turn that
+/// is at most this many times their own.
+const PROMINENCE: f64 = 3.0;
+/// Neighbouring edges of samples differ in length by at most this factor, without a change of the curvature by a lot.
+const STEP: f64 = 3.0;
+/// Neighbouring edges of samples differ in length by at most this factor in any case.
+const LONGEST_STEP: f64 = 6.0;
+/// Neighbouring edges of samples differ in sagitta by at most this factor.
+const SAGITTA_STEP: f64 = 3.0;
+/// Beside a straight side the curvature falls below this part of that of the samples.
+const CURVATURE_DROP: f64 = 0.5;
+/// So many edges on, each comparable to an edge, explain it as a sample.
+const COMPANIONS: usize = 3;
+/// An edge between samples matters if it is left by more than this part of the tolerance.
+const MATTERS: f64 = 0.5;
+/// With so few turning points between two corners or straight sides there is no curve.
+const FEW: usize = 2;
+/// Beside corners and straight sides the edges between samples are bound too, up to this sagitta in tolerances: an arc within
+/// the tolerance of two samples and of their edge exists up to 2.
+const BOUND_SAGITTA: f64 = 1.5;
+/// Turns below this part of the corner angle are none.
+const NO_TURN: f64 = 1e-3;
+/// Legs over which a corner lasts where noise may have caused the turn, in tolerances.
+const LEGS: f64 = 8.0;
+/// With legs half as long a corner keeps this part of its turn; a bend keeps half.
+const SHARP: f64 = 0.75;
+/// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
+const ROUGH: f64 = 5.0 * PI / 180.0;
+/// of which at least so many,
+const ROUGH_PAIRS: usize = 16;
+/// and this part, turn to different sides
+const ROUGH_PART: f64 = 0.25;
+/// by angles that differ by this factor.
+const ROUGH_RATIO: f64 = 1.5;
+/// Corners leave others without support; so often at most.
+const MAX_PASSES: usize = 16;
+
+/// What the points of a polyline are read as.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::construct) struct Outline {
+    /// Corners in ascending order, with their turn in radians; the ends of an open polyline are none.
+    pub corners: Vec<(usize, f64)>,
+    /// Whether the edge that begins at each point is a straight side: the curve keeps to it, both ways. (The last entry of
+    /// an open polyline means nothing.)
+    pub straight: Vec<bool>,
+    /// Whether the curve keeps to the edge that begins at each point: straight sides, and in an outline with corners or
+    /// straight sides the edges between samples as far as arcs of several samples can keep to them.
+    pub bound: Vec<bool>,
+}
+
+impl Outline {
+    /// Reads the points of a polyline; neighbours must differ.
+    ///
+    /// `angle`, in radians: turns above it are corners and nothing else is, but for reversals (above 150 degrees) and the
+    /// points `forced` (by index, ascending). `None`: turns above 30 degrees, where samples of a smooth curve do not
+    /// explain them. `tolerance`: how far noise may have moved the points.
+    pub fn read(points: &[Point3], closed: bool, tolerance: f64, angle: Option<f64>, forced: &[usize]) -> Self {
+        let mut reader = Reader::new(points, closed, tolerance);
+        let noisy = reader.is_noisy();
+        let limit = angle.unwrap_or(CORNER_ANGLE) * (1.0 + 1e-9);
+        for i in 0..points.len() {
+            let turn = reader.turn(i);
+            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
+            reader.corner[i] =
+                reader.is_inside(i) && (forced.binary_search(&i).is_ok() || turn > CUSP_ANGLE || evident);
+        }
+        if noisy {
+            return reader.finished(false);
+        }
+        reader.find_straight_sides();
+        if angle.is_none() {
+            for _ in 0..MAX_PASSES {
+                let found = reader.unsupported_turns(limit);
+                if found.is_empty() {
+                    break;
+                }
+                found.into_iter().for_each(|i| reader.corner[i] = true);
+                reader.find_straight_sides();
+            }
+        }
+        let has_sides = reader.corner.contains(&true) || reader.straight.contains(&true);
+        reader.finished(has_sides)
+    }
+}
+
+/// What is said of corners that are kept, one line for all of them; `source` has the number of each point in the user's list.
+pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usize]) -> Option<Warning> {
+    let (vertex, angle) = *corners.first()?;
+    let angles = corners.iter().map(|corner| corner.1);
+    let (least, most) = angles.fold((angle, angle), |(least, most), a| (least.min(a), most.max(a)));
+    Some(Warning::CornerKept { vertex: source[vertex], count: corners.len(), least, most })
+}
+
+struct Reader<'a> {
+    points: &'a [Point3],
+    closed: bool,
+    tolerance: f64,
+    /// Turn at each point about its axis; zero at the ends of open data.
+    turns: Vec<Vec3>,
+    /// Length of the edge that begins at each point.
+    lengths: Vec<f64>,
+    corner: Vec<bool>,
+    straight: Vec<bool>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(points: &'a [Point3], closed: bool, tolerance: f64) -> Self {
+        let n = points.len();
+        let lengths = (0..n).map(|i| points[i].distance(points[(i + 1) % n])).collect();
+        let mut reader = Self {
+            points,
+            closed,
+            tolerance,
+            turns: vec![Vec3::ZERO; n],
+            lengths,
+            corner: vec![false; n],
+            straight: vec![false; n],
+        };
+        for i in (0..n).filter(|i| reader.is_inside(*i)).collect::<Vec<_>>() {
+            let (u, v) = (points[i] - points[(i + n - 1) % n], points[(i + 1) % n] - points[i]);
+            // A reversal has no axis, and needs none.
+            let axis = u.cross(v).unit().or_else(|| u.unit().map(Vec3::any_perpendicular)).unwrap_or(Vec3::Z);
+            reader.turns[i] = axis * u.angle(v);
+        }
+        reader
+    }
+
+    fn finished(self, has_sides: bool) -> Outline {
+        let n = self.n();
+        let corners = (0..n).filter(|i| self.corner[*i]).map(|i| (i, self.turn(i))).collect();
+        let low = |edge: usize| self.sagitta(edge) <= BOUND_SAGITTA * self.tolerance;
+        let bound = (0..n).map(|edge| has_sides && (self.straight[edge] || low(edge))).collect();
+        Outline { corners, straight: self.straight, bound }
+    }
+
+    /// Noise above the tolerance turns points to and fro by all sorts of angles.
+    fn is_noisy(&self) -> bool {
+        let rough = |i: usize| (ROUGH..=LARGEST_SAMPLE_TURN).contains(&self.turn(i));
+        let pairs = (0..self.n()).map(|i| (i, self.after(i))).filter(|(i, j)| rough(*i) && rough(*j));
+        let (mut count, mut to_and_fro) = (0, 0);
+        for (i, j) in pairs {
+            let (a, b) = (self.turn(i), self.turn(j));
+            count += 1;
+            to_and_fro += usize::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
+        }
+        count >= ROUGH_PAIRS && to_and_fro as f64 > ROUGH_PART * count as f64
+    }
+
+    fn n(&self) -> usize {
+        self.points.len()
+    }
+
+    /// No end of an open polyline.
+    fn is_inside(&self, vertex: usize) -> bool {
+        self.closed || (vertex > 0 && vertex + 1 < self.n())
+    }
+
+    fn turn(&self, vertex: usize) -> f64 {
+        self.turns[vertex].length()
+    }
+
+    fn before(&self, index: usize) -> usize {
+        (index + self.n() - 1) % self.n()
+    }
+
+    fn after(&self, index: usize) -> usize {
+        (index + 1) % self.n()
+    }
+
+    /// A curve may run through the point: neither a corner nor an end.
+    fn is_passed(&self, vertex: usize) -> bool {
+        self.is_inside(vertex) && !self.corner[vertex]
+    }
+
+    /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise has not caused it.
+    fn is_evident_corner(&self, vertex: usize, noisy: bool) -> bool {
+        let turn = self.turn(vertex);
+        let neighbours = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
+        let stands_out = turn > PROMINENCE * neighbours;
+        (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
+    }
+
+    /// Whether noise within the tolerance explains no such turn. It turns an edge of length `l` by up to `2 tolerance/l`,
+    /// so between short edges the turn must last over legs of some tolerances.
+    fn lasts(&self, vertex: usize) -> bool {
+        let turn = self.turn(vertex);
+        let shorter = self.lengths[self.before(vertex)].min(self.lengths[vertex]);
+        if shorter * (0.5 * turn).sin() > 2.0 * self.tolerance {
+            return true;
+        }
+        let over = |length: f64| {
+            let (before, at, after) =
+                (self.leg(vertex, length, false), self.points[vertex], self.leg(vertex, length, true));
+            (at - before).angle(after - at)
+        };
+        let long = over(LEGS * self.tolerance);
+        long > CORNER_ANGLE && over(0.5 * LEGS * self.tolerance) > SHARP * long
+    }
+
+    /// The nearest point along the polyline that is a length away, or the last on that side.
+    fn leg(&self, vertex: usize, length: f64, forward: bool) -> Point3 {
+        let n = self.n();
+        let steps = match (self.closed, forward) {
+            (true, _) => n / 2,
+            (false, true) => n - 1 - vertex,
+            (false, false) => vertex,
+        };
+        let at = |k: usize| self.points[if forward { vertex + k } else { vertex + n - k } % n];
+        let far = |p: &Point3| p.distance(self.points[vertex]) >= length;
+        (1..=steps).map(at).find(far).unwrap_or_else(|| at(steps.max(1)))
+    }
+
+    /// The part of the turn at one end of an edge that falls to the edge; `None` at corners and ends.
+    fn share(&self, edge: usize, vertex: usize, neighbour: usize) -> Option<f64> {
+        let length = self.lengths[edge];
+        self.is_passed(vertex).then(|| self.turn(vertex) * length / (length + self.lengths[neighbour]))
+    }
+
+    /// What a curve through the points turns over an edge: up to a corner or an end on as at the other end.
+    fn edge_turn(&self, edge: usize) -> f64 {
+        let next = self.after(edge);
+        match (self.share(edge, edge, self.before(edge)), self.share(edge, next, next)) {
+            (Some(a), Some(b)) => a + b,
+            (Some(one), None) | (None, Some(one)) => 2.0 * one,
+            (None, None) => 0.0,
+        }
+    }
+
+    fn sagitta(&self, edge: usize) -> f64 {
+        self.edge_turn(edge) * self.lengths[edge] / 8.0
+    }
+
+    fn find_straight_sides(&mut self) {
+        let edges = if self.closed { self.n() } else { self.n() - 1 };
+        let straight = |edge: &usize| {
+            let sides = [self.side(*edge, false), self.side(*edge, true)];
+            self.sagitta(*edge) > MATTERS * self.tolerance
+                && sides.contains(&Side::Unlike)
+                && !sides.contains(&Side::Alike)
+        };
+        let found: Vec<usize> = (0..edges).filter(straight).collect();
+        self.straight.fill(false);
+        found.into_iter().for_each(|edge| self.straight[edge] = true);
+        for edge in self.edges_without_curve() {
+            self.straight[edge] = true;
+        }
+    }
+
+    /// What the edges on one side of an edge say about it.
+    fn side(&self, edge: usize, forward: bool) -> Side {
+        // The k-th edge on, and the point where it begins from here.
+        let n = self.n();
+        let on = |k: usize| if forward { (edge + k) % n } else { (edge + n - k % n) % n };
+        let point = |k: usize| if forward { on(k) } else { (on(k) + 1) % n };
+        let is_curve = |k: usize| self.is_passed(point(k)) && self.turn(point(k)) <= CORNER_ANGLE;
+        if n <= COMPANIONS + 1 || !self.is_passed(point(1)) {
+            return Side::Silent;
+        }
+        let length = self.lengths[edge];
+        let sagitta = self.sagitta(edge);
+        let companion = |k: usize| is_curve(k) && length <= STEP * self.lengths[on(k)];
+        if (1..=COMPANIONS).all(companion) {
+            return Side::Alike;
+        }
+        // Samples there are at least one point that the curve passes beyond the first.
+        if !self.is_passed(point(2)) || self.turn(point(2)) > LARGEST_SAMPLE_TURN {
+            return Side::Silent;
+        }
+        let largest = self.sagitta(on(1)).max(self.sagitta(on(2)));
+        let step = length / self.lengths[on(1)];
+        let curvature = 2.0 * self.turn(point(2)) / (self.lengths[on(1)] + self.lengths[on(2)]);
+        let drops = self.edge_turn(edge) < CURVATURE_DROP * curvature * length;
+        let unlike = sagitta > SAGITTA_STEP * largest && (step > LONGEST_STEP || (step > STEP && drops));
+        if unlike { Side::Unlike } else { Side::Silent }
+    }
+
+    /// The edges between two corners or straight sides with too few turning points between them for a curve.
+    fn edges_without_curve(&self) -> Vec<usize> {
+        let n = self.n();
+        let edges = if self.closed { n } else { n - 1 };
+        // Chains of edges that are not straight between points where curves end; the first begins at one of them.
+        let ends_at =
+            |vertex: usize| !self.is_passed(vertex) || self.straight[vertex] || self.straight[self.before(vertex)];
+        let Some(first) = (0..n).find(|i| ends_at(*i)) else { return Vec::new() };
+        let turns = |vertex: usize| self.is_passed(vertex) && self.turn(vertex) > NO_TURN * CORNER_ANGLE;
+        let mut found = Vec::new();
+        let mut chain: Vec<usize> = Vec::new();
+        for edge in (0..n).map(|k| (first + k) % n) {
+            if edge >= edges || self.straight[edge] {
+                chain.clear();
+                continue;
+            }
+            chain.push(edge);
+            let end = self.after(edge);
+            if !ends_at(end) {
+                continue;
+            }
+            let count = usize::from(turns(chain[0])) + chain.iter().filter(|e| turns(self.after(**e))).count();
+            let held = |vertex: usize| self.is_inside(vertex);
+            if count <= FEW && count > 0 && (held(chain[0]) || held(end)) {
+                found.extend(chain.iter().filter(|e| self.sagitta(**e) > MATTERS * self.tolerance));
+            }
+            chain.clear();
+        }
+        found
+    }
+
+    /// Turns above the limit that no samples support: a neighbour has to turn the same way by a third of it, over edges
+    /// of comparable length, none of them a straight side; and some point of the run up to the next corners has to turn by
+    /// less than the limit, as samples of a curve would.
+    fn unsupported_turns(&self, limit: f64) -> Vec<usize> {
+        let n = self.n();
+        let candidate = |i: usize| self.is_passed(i) && self.turn(i) > limit && self.lasts(i);
+        let supports = |i: usize, j: usize| {
+            self.is_passed(j) && self.turns[i].dot(self.turns[j]) > 0.0 && self.turn(i) <= PROMINENCE * self.turn(j)
+        };
+        let supported = |i: usize| {
+            let (before, after) = (self.before(i), self.after(i));
+            let (a, b) = (self.lengths[before], self.lengths[i]);
+            (supports(i, before) || supports(i, after))
+                && a.max(b) <= STEP * a.min(b)
+                && !self.straight[before]
+                && !self.straight[i]
+        };
+        let mut found: Vec<usize> = (0..n).filter(|i| candidate(*i) && !supported(*i)).collect();
+        let samples = |i: &usize| self.turn(*i) > NO_TURN * CORNER_ANGLE && self.turn(*i) <= limit;
+        for run in self.runs() {
+            if !run.iter().any(samples) {
+                found.extend(run.iter().filter(|i| candidate(**i)));
+            }
+        }
+        found
+    }
+
+    /// The points that curves pass between two corners, run by run.
+    fn runs(&self) -> Vec<Vec<usize>> {
+        let n = self.n();
+        let first = (0..n).find(|i| !self.is_passed(*i)).unwrap_or(0);
+        let mut runs = vec![Vec::new()];
+        for i in (0..n).map(|k| (first + k) % n) {
+            if self.is_passed(i) {
+                if let Some(run) = runs.last_mut() {
+                    run.push(i);
+                }
+            } else {
+                runs.push(Vec::new());
+            }
+        }
+        runs
+    }
+}
+
+/// What the edges on one side of an edge say about it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    /// They are samples like it.
+    Alike,
+    /// They are samples, and it is none of them.
+    Unlike,
+    /// Nothing.
+    Silent,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(points: &[[f64; 2]]) -> Vec<Point3> {
+        points.iter().map(|p| Point3::new(p[0], p[1], 0.0)).collect()
+    }
+
+    fn polygon(n: usize, radius: f64) -> Vec<Point3> {
+        let at = |i: usize| {
+            let (s, c) = (2.0 * PI * i as f64 / n as f64).sin_cos();
+            Point3::new(radius * c, radius * s, 0.0)
+        };
+        (0..n).map(at).collect()
+    }
+
+    fn read(points: &[Point3]) -> Outline {
+        Outline::read(points, true, 0.02, None, &[])
+    }
+
+    #[test]
+    fn regular_polygons_are_outlines_below_twelve_points() {
+        for n in 3..=60 {
+            let outline = read(&polygon(n, 30.0));
+            assert_eq!(outline.corners.len(), if n < 12 { n } else { 0 }, "{n}");
+            assert!(!outline.straight.contains(&true));
+        }
+    }
+
+    #[test]
+    fn a_slot_has_two_straight_sides_and_no_corner() {
+        let end = |x: f64, from: f64| {
+            (0..=25).map(move |i| {
+                let (s, c) = (from + PI * f64::from(i) / 25.0).sin_cos();
+                Point3::new(x + 4.0 * c, 4.0 * s, 0.0)
+            })
+        };
+        let slot: Vec<_> = end(11.0, -0.5 * PI).chain(end(-11.0, 0.5 * PI)).collect();
+        let outline = read(&slot);
+        assert!(outline.corners.is_empty());
+        let straight: Vec<_> = (0..slot.len()).filter(|i| outline.straight[*i]).collect();
+        assert_eq!(straight, [25, 51]);
+    }
+
+    #[test]
+    fn chamfers_and_bevels_are_outlines() {
+        // A rectangle of 60 x 40 with chamfers of 3.
+        let chamfered = flat(&[
+            [3.0, 0.0],
+            [57.0, 0.0],
+            [60.0, 3.0],
+            [60.0, 37.0],
+            [57.0, 40.0],
+            [3.0, 40.0],
+            [0.0, 37.0],
+            [0.0, 3.0],
+        ]);
+        assert_eq!(read(&chamfered).corners.len(), 8);
+        // One long side is broken by 10 degrees: two straight sides.
+        let broken = flat(&[[0.0, 0.0], [30.0, -2.6], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]]);
+        let outline = read(&broken);
+        assert_eq!(outline.corners.len(), 4);
+        assert!(outline.straight[0] && outline.straight[1]);
+    }
+
+    #[test]
+    fn dense_samples_of_smooth_curves_are_curves() {
+        // Ellipses, by equal angles of the parameter: steps of length and of curvature.
+        for (a, n) in [(1.0, 60), (3.0, 60), (10.0, 60), (10.0, 200), (30.0, 400)] {
+            let at = |i: usize| {
+                let (s, c) = (2.0 * PI * i as f64 / n as f64).sin_cos();
+                Point3::new(a * c, s, 0.0)
+            };
+            let points: Vec<_> = (0..n).map(at).collect();
+            let outline = Outline::read(&points, true, 1e-3, None, &[]);
+            assert!(!outline.bound.contains(&true), "{a}, {n}");
+        }
+    }
+
+    #[test]
+    fn an_angle_that_is_given_is_obeyed() {
+        let points = polygon(24, 10.0);
+        let corners = |angle: f64| Outline::read(&points, true, 0.02, Some(angle), &[]).corners.len();
+        assert_eq!((corners(0.2), corners(0.3)), (24, 0));
+        assert_eq!(Outline::read(&polygon(4, 1.0), true, 0.01, Some(2.0), &[2]).corners.len(), 1);
+    }
+}

@@ -1,0 +1,282 @@
+//! Outlines whose points are corners, and samples of smooth curves (`docs/math/arc-fitting.md#outlines`): distances are
+//! measured here, both ways, and counts come from how the outlines were made.
+
+use super::*;
+
+const TOLERANCE: f64 = 0.02;
+
+/// Points of a closed outline, and the lines and arcs it was made of.
+struct Made {
+    name: &'static str,
+    points: Vec<[f64; 2]>,
+    lines: usize,
+    arcs: usize,
+}
+
+/// Uniform in `[low, high)`.
+fn between(random: &mut Random, low: f64, high: f64) -> f64 {
+    low + (high - low) * (random.next() + 0.5)
+}
+
+fn whole(random: &mut Random, low: usize, high: usize) -> usize {
+    between(random, low as f64, high as f64) as usize
+}
+
+/// The points of an arc, both ends included, with chords whose sagitta is at most half the tolerance.
+fn round(center: [f64; 2], radius: f64, from: f64, turn: f64) -> Vec<[f64; 2]> {
+    let step = (8.0 * 0.5 * TOLERANCE / radius).sqrt().min(0.4);
+    let n = (turn.abs() / step).ceil().max(4.0) as usize;
+    let at = |k: usize| {
+        let (s, c) = (from + turn * k as f64 / n as f64).sin_cos();
+        [center[0] + radius * c, center[1] + radius * s]
+    };
+    (0..=n).map(at).collect()
+}
+
+fn polygon(name: &'static str, points: Vec<[f64; 2]>) -> Made {
+    Made { name, lines: points.len(), arcs: 0, points }
+}
+
+fn star(spikes: usize, inner: f64) -> Vec<[f64; 2]> {
+    let at = |i: usize| {
+        let (s, c) = (PI * i as f64 / spikes as f64).sin_cos();
+        let r = if i % 2 == 0 { 40.0 } else { inner };
+        [r * c, r * s]
+    };
+    (0..2 * spikes).map(at).collect()
+}
+
+fn comb(random: &mut Random) -> Vec<[f64; 2]> {
+    let mut points = vec![[0.0, 0.0]];
+    let mut x = 0.0;
+    let teeth = whole(random, 2, 8);
+    for tooth in 0..teeth {
+        let (width, gap, height) = (between(random, 2.0, 8.0), between(random, 2.0, 8.0), between(random, 8.0, 20.0));
+        points.extend([[x, height], [x + width, height], [x + width, 4.0], [x + width + gap, 4.0]]);
+        x += width + gap;
+        if tooth + 1 == teeth {
+            points.pop();
+            points.last_mut().unwrap()[1] = 0.0;
+        }
+    }
+    points
+}
+
+fn rounded_rectangle(random: &mut Random) -> Made {
+    let radius = between(random, 2.0, 8.0);
+    let (w, h) = (between(random, 30.0, 60.0), between(random, 30.0, 60.0));
+    let corners = [[w, -h], [w, h], [-w, h], [-w, -h]];
+    let points = (0..4).flat_map(|k| round(corners[k], radius, FRAC_PI_2 * (k as f64 - 1.0), FRAC_PI_2)).collect();
+    Made { name: "rounded rectangle", points, lines: 4, arcs: 4 }
+}
+
+fn slot(random: &mut Random) -> Made {
+    let (radius, half) = (between(random, 2.0, 8.0), between(random, 8.0, 30.0));
+    let mut points = round([half, 0.0], radius, -FRAC_PI_2, PI);
+    points.extend(round([-half, 0.0], radius, FRAC_PI_2, PI));
+    Made { name: "slot", points, lines: 2, arcs: 2 }
+}
+
+fn keyhole(random: &mut Random) -> Made {
+    let (radius, half) = (between(random, 6.0, 12.0), between(random, 1.5, 3.0));
+    let open = (half / radius).asin();
+    let mut points = round([0.0, 0.0], radius, open - FRAC_PI_2, TAU - 2.0 * open);
+    points.extend([[-half, -30.0], [half, -30.0]]);
+    Made { name: "keyhole", points, lines: 3, arcs: 1 }
+}
+
+fn made(random: &mut Random) -> Made {
+    match whole(random, 0, 9) {
+        0 => polygon("rectangle", vec![[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]]),
+        1 => {
+            let (a, b) = (between(random, 15.0, 40.0), between(random, 3.0, 12.0));
+            let arm = [[a, -b], [a, b], [b, b]];
+            let turned = |k: usize| arm.map(|[x, y]| [[x, y], [-y, x], [-x, -y], [y, -x]][k]);
+            polygon("plus", (0..4).flat_map(turned).collect())
+        }
+        2 => polygon("comb", comb(random)),
+        3 => {
+            let (spikes, inner) = (whole(random, 4, 12), between(random, 12.0, 24.0));
+            polygon("star", star(spikes, inner))
+        }
+        4 => {
+            let sides = whole(random, 3, 12);
+            polygon("regular polygon", star(sides, 40.0).into_iter().step_by(2).collect())
+        }
+        5 => rounded_rectangle(random),
+        6 => slot(random),
+        7 => keyhole(random),
+        _ => polygon(
+            "U",
+            vec![
+                [0.0, 0.0],
+                [60.0, 0.0],
+                [60.0, 40.0],
+                [40.0, 40.0],
+                [40.0, 20.0],
+                [20.0, 20.0],
+                [20.0, 40.0],
+                [0.0, 40.0],
+            ],
+        ),
+    }
+}
+
+/// Turned, moved, begun elsewhere, and perhaps the other way round.
+fn placed(points: &[[f64; 2]], random: &mut Random) -> Vec<Point3> {
+    let (s, c) = (TAU * random.next()).sin_cos();
+    let (dx, dy) = (300.0 * random.next(), 300.0 * random.next());
+    let mut placed: Vec<_> =
+        points.iter().map(|[x, y]| Point3::new(c * x - s * y + dx, s * x + c * y + dy, 0.0)).collect();
+    placed.rotate_left(whole(random, 0, points.len()));
+    if random.next() < 0.0 {
+        placed.reverse();
+    }
+    placed
+}
+
+/// Largest distance between the path and a closed polygon, both ways, by sampling.
+fn both_ways(path: &cyclide::ArcPath, points: &[Point3]) -> f64 {
+    let n = points.len();
+    let arcs = path.arcs().iter();
+    let of_path = arcs
+        .flat_map(|arc| (0..=24).map(|i| arc.point_at_length(f64::from(i) / 24.0)))
+        .map(|p| to_polyline(p, points, true))
+        .fold(0.0, f64::max);
+    let of_polygon = (0..n)
+        .flat_map(|i| (0..8).map(move |k| points[i].lerp(points[(i + 1) % n], f64::from(k) / 8.0)))
+        .map(|p| path.closest_point(p).distance)
+        .fold(0.0, f64::max);
+    of_path.max(of_polygon)
+}
+
+#[test]
+fn outlines_are_kept_both_ways() {
+    let mut random = Random(37);
+    for member in 0..100 {
+        let Made { name, points, lines, arcs } = made(&mut random);
+        let points = placed(&points, &mut random);
+        let fit = ArcFit::new(&points, &closed(TOLERANCE));
+        assert!(fit.is_ok(), "{member}, {name}: {fit:?}");
+        let Ok(fit) = fit else { return };
+        let distance = both_ways(fit.path(), &points);
+        // Coordinates of a few hundred, and sums of a few.
+        assert!(distance <= TOLERANCE + 1e-12, "{member}, {name}: {distance}");
+        let certificate = fit.certificate();
+        assert_eq!((certificate.lines, certificate.arcs), (lines, arcs), "{member}, {name} of {}", points.len());
+        let said = fit.warnings().iter().filter(|w| w.reason() == "corner-kept").count();
+        assert!(said <= 1, "{member}, {name}: {said} lines about corners");
+    }
+}
+
+#[test]
+fn open_outlines_keep_their_corners_too() {
+    let mut random = Random(5);
+    for _ in 0..20 {
+        let points = placed(&comb(&mut random), &mut random);
+        let fit = fitted(&points, &ArcFitOptions::new(TOLERANCE));
+        assert_eq!((fit.certificate().lines, fit.certificate().arcs), (points.len() - 1, 0));
+    }
+}
+
+/// A smooth closed curve of radius about 50 with waves up to the fifth.
+fn wave(random: &mut Random) -> impl Fn(f64) -> Point3 + use<> {
+    let waves: Vec<[f64; 3]> =
+        (2..=5).map(|n| [f64::from(n), 0.3 / f64::from(n) * random.next(), TAU * random.next()]).collect();
+    move |a: f64| {
+        let r = 50.0 * waves.iter().fold(1.0, |r, [n, depth, phase]| r + depth * (n * a + phase).cos());
+        Point3::new(r * a.cos(), r * a.sin(), 0.0)
+    }
+}
+
+#[test]
+fn samples_of_smooth_curves_stay_smooth() {
+    let mut random = Random(11);
+    for _ in 0..12 {
+        let curve = wave(&mut random);
+        // Uneven samples: each is moved by up to a third of the mean step.
+        let n = whole(&mut random, 120, 200);
+        let points: Vec<_> = (0..n).map(|i| curve(TAU * (i as f64 + 0.6 * random.next()) / n as f64)).collect();
+        let fit = fitted(&points, &closed(TOLERANCE));
+        assert!(fit.warnings().is_empty(), "{:?}", fit.warnings());
+        assert!(fit.certificate().max_kink < 1e-9);
+        // An arc fit of a smooth curve is off by the cube of its arcs' length: far fewer arcs than points.
+        assert!(pieces(&fit) < n / 2, "{} pieces for {n} points", pieces(&fit));
+    }
+}
+
+#[test]
+fn an_angle_that_is_typed_is_obeyed() {
+    // A hexagon with an angle above its turns has no corners, a polygon of 24 with one below has 24.
+    let hexagon = circle(6, TAU, 10.0, Point3::ORIGIN);
+    let fit = fitted(&hexagon, &ArcFitOptions { corner_angle: Some(1.1), ..closed(TOLERANCE) });
+    assert!(fit.certificate().max_kink < 1e-9 && fit.certificate().arcs == 2);
+    let coarse = circle(24, TAU, 10.0, Point3::ORIGIN);
+    let fit = fitted(&coarse, &ArcFitOptions { corner_angle: Some(0.2), ..closed(TOLERANCE) });
+    assert_eq!((fit.certificate().lines, fit.certificate().arcs), (24, 0));
+    assert!(matches!(fit.warnings(), [Warning::CornerKept { vertex: 0, count: 24, .. }]));
+}
+
+/// Line, quarter, three quarters back, quarter, line, as the end of a street with room to turn, rounded to centimetres.
+fn turning_place() -> Vec<Point3> {
+    let mut points: Vec<_> = (0..16).map(|i| Point3::new(4.0 * f64::from(i), 3.5, 0.0)).collect();
+    let bends = chain_from(Point3::new(62.7, 3.5, 0.0), &[(7.5, 0.9), (13.0, -4.94), (7.5, 0.9)]);
+    points.extend(bends);
+    points
+}
+
+/// Points a metre apart along arcs of these radii and turns (positive to the left), from a place eastward.
+fn chain_from(start: Point3, arcs: &[(f64, f64)]) -> Vec<Point3> {
+    let (mut at, mut angle) = (start, 0.0_f64);
+    let mut points = vec![start];
+    for (radius, turn) in arcs {
+        let n = (radius * turn.abs()).round();
+        for _ in 0..n as usize {
+            let half = 0.5 * turn / n;
+            let chord = 2.0 * radius * half.abs().sin();
+            at = Point3::new(at.x + chord * (angle + half).cos(), at.y + chord * (angle + half).sin(), 0.0);
+            angle += 2.0 * half;
+            points.push(at);
+        }
+    }
+    let cents = |x: f64| (100.0 * x).round() / 100.0;
+    points.iter().map(|p| Point3::new(cents(p.x), cents(p.y), 0.0)).collect()
+}
+
+#[test]
+fn the_deviation_is_least_once_the_count_is() {
+    let points = turning_place();
+    for tolerance in [0.5, 0.1] {
+        let fit = fitted(&points, &ArcFitOptions::new(tolerance));
+        let radii: Vec<f64> = fit.path().arcs().iter().filter_map(cyclide::Arc::radius).collect();
+        assert_eq!(radii.len(), 3, "{radii:?}");
+        // Points rounded to a centimetre, on arcs of 7 m: the sagitta is 0.7 m, so a radius is off by less than a tenth.
+        for (radius, right) in radii.iter().zip([7.5, 13.0, 7.5]) {
+            assert!((radius - right).abs() < 0.1, "{radii:?} at {tolerance}");
+        }
+        assert!(fit.certificate().deviation < 0.02, "{} at {tolerance}", fit.certificate().deviation);
+    }
+}
+
+#[test]
+fn limits_of_machines_are_kept_or_refused_with_the_place() {
+    let points = turning_place();
+    let fit = |min_radius: Option<f64>, min_arc_length: Option<f64>| {
+        ArcFit::new(&points, &ArcFitOptions { min_radius, min_arc_length, ..ArcFitOptions::new(0.02) })
+    };
+    let kept = fit(Some(7.0), Some(6.0)).unwrap();
+    check(&points, &ArcFitOptions::new(0.02), &kept);
+    for arc in kept.path().arcs().iter().filter(|arc| !arc.is_straight()) {
+        assert!(arc.radius().unwrap() >= 7.0 && arc.length() >= 6.0);
+    }
+    // The bends of 7.5 are 6.75 long, the first at points 16 to 23, the other at the end.
+    let refused = fit(Some(9.0), None).unwrap_err();
+    let at_a_bend = |error: &Error| error.index().is_some_and(|i| (15..=24).contains(&i) || i >= points.len() - 9);
+    assert!(refused.reason() == "arc-limit-not-kept" && at_a_bend(&refused), "{refused}");
+    let refused = fit(None, Some(9.0)).unwrap_err();
+    assert!(refused.reason() == "arc-limit-not-kept" && at_a_bend(&refused), "{refused}");
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(fit(Some(bad), None).unwrap_err().reason(), "parameter-out-of-range");
+        assert_eq!(fit(None, Some(bad)).unwrap_err().reason(), "parameter-out-of-range");
+    }
+}

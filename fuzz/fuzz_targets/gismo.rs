@@ -1,0 +1,7 @@
+//! Any bytes as a G+Smo file of ours.
+#![no_main]
+
+#[path = "../exercise.rs"]
+mod exercise;
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| exercise::written(cyclide_io::Format::Gismo, data));
