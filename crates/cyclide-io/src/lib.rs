@@ -26,7 +26,7 @@
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepFaces`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileCurve`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
 //! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
-//! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
+//! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`], [`FrameTurn`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
 //! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `ReadFolder`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `WriteError`, `NotDurable`, `Abandoned`, `is_folder_name`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
@@ -104,10 +104,10 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,
     CurvatureRangeReport, CurvatureReport, CurveSample, CurveSamples, CurvesReport, DeviationReport, FASTER_THAN_LIMIT,
-    FairnessReport, FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport,
-    GridPieceReport, JointReport, MotionClosingReport, MotionReport, MotionSample, MotionSamples, ObjectReport,
-    OffChordsReport, PartReport, PatchPlace, PeakReport, PlaceReport, PolyhedronReport, PrincipalReport, QbReport,
-    RangeReport, Report, ReversalReport, RoundReport, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
+    FairnessReport, FastPlaceReport, FastReport, FileReport, FitPieces, FitReport, FoldsReport, FrameTurn,
+    GeometryReport, GridPieceReport, JointReport, MotionClosingReport, MotionReport, MotionSample, MotionSamples,
+    ObjectReport, OffChordsReport, PartReport, PatchPlace, PeakReport, PlaceReport, PolyhedronReport, PrincipalReport,
+    QbReport, RangeReport, Report, ReversalReport, RoundReport, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
     ShapeReport, SingularPatchReport, SmoothReport, Spacing, SpeedLimits, SurfaceReport, TIGHTER_THAN_RADIUS,
     TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UmbilicReport, UnrolledReport,
     VolumeReport, WarningReport, sample, sample_cells,

@@ -654,3 +654,26 @@ fn arcs_of_a_curve_say_what_they_reached() {
     assert!((certificate.deviation / reached - 1.0).abs() < 0.01, "{} {reached}", certificate.deviation);
     assert!(certificate.polyline_deviation >= reached && certificate.polyline_deviation <= 0.05);
 }
+
+/// After an object that cannot be made, those that need it fail with the same error, however often they are asked for, and the others are built.
+#[test]
+fn building_goes_on_after_an_object_that_failed() {
+    let text = r#"{"cyclide": 1, "objects": {
+        "bad": {"type": "circle", "center": [0, 0], "radius": -1},
+        "moved": {"type": "transform", "of": "bad", "steps": [{"translation": [1, 0, 0]}]},
+        "twice": {"type": "transform", "of": "moved", "steps": [{"scale": {"factor": 2}}]},
+        "good": {"type": "circle", "center": [0, 0], "radius": 1},
+        "copy": {"type": "transform", "of": "good", "steps": [{"translation": [1, 0, 0]}]}}}"#;
+    let document: Document = text.parse().unwrap();
+    let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).unwrap();
+    let mut built = |index: usize| builder.build(index, &mut |_| {});
+    let first = built(0).unwrap_err().to_string();
+    for index in [2, 1, 0, 1, 2, 2] {
+        assert_eq!(built(index).unwrap_err().to_string(), first, "{index}");
+    }
+    for index in [4, 3, 4] {
+        let curves = built(index).unwrap();
+        assert!((cyclide::length(curves.item.curves()[0].as_curve()) - std::f64::consts::TAU).abs() < 1e-12, "{index}");
+    }
+}

@@ -78,7 +78,7 @@
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
-//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
+//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`], [`wavering_against()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`] ([`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`]), nets round extraordinary vertices [`NetLayout`], [`QuadLayout`] ([`LayoutPiece`], [`RoundVertex`]), [`Seam`] ([`SeamMeasure`]), strips along edges [`NormalStrip`] ([`StripForm`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeMetric`], [`VolumeRow`], parts [`BlockShell`], [`BlockFace`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
@@ -94,7 +94,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -160,7 +160,7 @@ pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
-pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
+pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering, wavering_against};
 pub use curve::{
     ClosedTwist, CurveCusp, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, cusps, tight_places,
 };
@@ -213,4 +213,4 @@ pub use volume::{
     CellQuality, CyclideGrid, CyclideVolume, FineEnd, FoldVerdict, Grading, GridQuality, MOST_CELLS, ParamVolume,
     SphericalCube, StructuredGrid, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeMetric, VolumeRow, miquel_point,
 };
-pub use warning::{InvertedCause, SpikeRemedy, SwingPart, Warning};
+pub use warning::{InvertedCause, SpikeRemedy, SwingPart, Warning, WaverRemedy};

@@ -217,7 +217,7 @@ fn the_fair_spline_has_its_figures_and_does_not_waver() {
     assert_eq!((f.sign_changes, f.extrema, f.jumps), (Some(8), 16, 0));
     close(f.variation.unwrap(), 5.39e5, 0.005);
     close(f.total_variation, 0.352, 0.005);
-    let w = wavering(&curve, &f);
+    let w = wavering(&curve);
     assert!(!w.curve_wavers && !w.data_waver && (w.curve, w.data) == (8, 8), "{w:?}");
 }
 
@@ -234,11 +234,12 @@ fn curves_in_space_have_no_sides() {
 fn a_curve_that_wavers_is_told_from_data_that_waver() {
     let told = |points: &[Point3], closed: bool| {
         let curve = spline(points, closed);
-        let w = wavering(&curve, &fairness(&curve));
+        let w = wavering(&curve);
         (w.curve_wavers, w.data_waver, w)
     };
     let (curve, data, w) = told(&track(), true);
-    assert!(curve && !data && (w.curve, w.data) == (38, 8), "{w:?}");
+    // Of its 38 changes of sign those by bends too small to see are left out.
+    assert!(curve && !data && w.curve > 20 && w.curve < 38 && w.data == 8, "{w:?}");
     // On a slim ellipse the blends of three-point circles bend to the other side, on a broad one they do not.
     let ellipse = |a: f64| -> Vec<Point3> {
         (0..24).map(|i| f64::from(i) / 24.0 * TAU).map(|t| Point3::new(a * t.cos(), t.sin(), 0.0)).collect()
@@ -268,10 +269,10 @@ fn a_node_on_an_inflection_is_no_straight_run() {
     // Every seventh node of a wave is on the line between its halves: it explains no swing of the curve.
     let wave: Vec<Point3> = (0..27).map(|i| f64::from(i) * TAU / 12.0).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
     let curve = spline(&wave, false);
-    let w = wavering(&curve, &fairness(&curve));
+    let w = wavering(&curve);
     assert!(w.curve_wavers && w.explained == w.data && w.data == 4 && w.curve > 12, "{w:?}");
     let curve = CircleSpline::fair(&wave, &FairSplineOptions::default()).unwrap();
-    let w = wavering(&curve, &fairness(&curve));
+    let w = wavering(&curve);
     assert!(!w.curve_wavers, "{w:?}");
 }
 
@@ -286,18 +287,18 @@ fn curves_in_space_waver_too() {
         .collect();
     for (points, plain_wavers) in [(&track, true), (&knot, false)] {
         let plain = spline(points, true);
-        let w = wavering(&plain, &fairness(&plain));
+        let w = wavering(&plain);
         assert_eq!(w.curve_wavers, plain_wavers, "{w:?}");
         let fair = CircleSpline::fair(points, &FairSplineOptions { closed: true, ..Default::default() }).unwrap();
         let measured = fairness(&fair);
-        let w = wavering(&fair, &measured);
+        let w = wavering(&fair);
         assert!(measured.sign_changes.is_none() && !w.curve_wavers && w.curve <= w.data + 1, "{w:?}");
     }
     // A helix winds its axis slowly; straight on and back to the right, a line in space has none.
     let helix: Vec<Point3> =
         (0..40).map(|i| f64::from(i) * 0.3).map(|a| Point3::new(a.cos(), a.sin(), 0.2 * a)).collect();
     let curve = spline(&helix, false);
-    let w = wavering(&curve, &fairness(&curve));
+    let w = wavering(&curve);
     assert_eq!((w.curve, w.data, w.data_waver), (0, 0, false));
 }
 
@@ -316,7 +317,7 @@ fn corners_that_were_not_marked_are_named() {
         .collect();
     let rounded = |options: &FairSplineOptions| {
         let curve = CircleSpline::fair(&points, options).unwrap();
-        wavering(&curve, &fairness(&curve)).rounded
+        wavering(&curve).rounded
     };
     let closed = FairSplineOptions { closed: true, ..Default::default() };
     let found = rounded(&closed).unwrap();
@@ -326,7 +327,7 @@ fn corners_that_were_not_marked_are_named() {
     // A wave has none.
     let wave: Vec<Point3> = (0..60).map(|i| f64::from(i) * 0.25).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
     let curve = spline(&wave, false);
-    assert_eq!(wavering(&curve, &fairness(&curve)).rounded, None);
+    assert_eq!(wavering(&curve).rounded, None);
 }
 
 #[test]
@@ -340,7 +341,36 @@ fn stairs_are_no_noise() {
     }
     for tight in [None, Some(0.2), Some(0.45)] {
         let curve = CircleSpline::fair(&points, &FairSplineOptions { tight, ..Default::default() }).unwrap();
-        let w = wavering(&curve, &fairness(&curve));
+        let w = wavering(&curve);
         assert!(!w.data_waver && !w.curve_wavers && w.data == 22 && w.nodes >= 47, "{tight:?}: {w:?}");
+    }
+}
+
+/// Lines and arcs: what a fair spline through samples of them rings is what any curve without a jump of curvature does, and a
+/// smaller wave than shows is none.
+#[test]
+fn what_counts_is_the_amplitude() {
+    // Two straight runs of 100 and half circles of radius 20 between them.
+    let (straight, radius) = (100.0, 20.0);
+    let (half, total) = (TAU / 2.0 * radius, 2.0 * (straight + TAU / 2.0 * radius));
+    let at = |s: f64| {
+        let (side, s) = if s < straight + half { (1.0, s) } else { (-1.0, s - straight - half) };
+        let angle = (s - straight).max(0.0) / radius;
+        Point3::new(side * (s.min(straight) + radius * angle.sin() - 0.5 * straight), -side * radius * angle.cos(), 0.0)
+    };
+    for count in (30..130).chain([400, 1000]) {
+        let points: Vec<Point3> = (0..count).map(|i| at(total * f64::from(i) / f64::from(count))).collect();
+        let curve = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() }).unwrap();
+        let w = wavering(&curve);
+        assert!(!w.curve_wavers && !w.data_waver, "{count}: {w:?}");
+    }
+    // Every other point beside a line, by so much of the step that the line turns by four times that.
+    for (off, is_said) in [(1e-6, false), (1e-4, false), (1e-3, true), (0.1, true)] {
+        let points: Vec<Point3> =
+            (0..40).map(|i| Point3::new(f64::from(i), if i % 2 == 0 { off } else { 0.0 }, 0.0)).collect();
+        for curve in [spline(&points, false), CircleSpline::fair(&points, &FairSplineOptions::default()).unwrap()] {
+            let w = wavering(&curve);
+            assert_eq!(w.curve_wavers || w.data_waver, is_said, "{off}: {w:?}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Rational B-splines as objects: knots clamped, images under Möbius maps, cuts, arcs.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
     Conformal, CurveObject, Error, ErrorItem, Exactness, Lower, Mobius, NurbsCurve, ParamCurve, Point3, Quat, Vec3,
@@ -296,4 +296,49 @@ proptest! {
         let chain = moved.after(&inversion);
         prop_assert!(!chain.is_similarity());
     }
+}
+
+/// Weights far outside of what products bear, and those between which nothing can be resolved.
+#[test]
+fn weights_of_any_size_give_the_same_curve_or_none() {
+    let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+    let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    let made = |weights: [f64; 3]| NurbsCurve::new(2, knots.clone(), points.clone(), weights.to_vec());
+    let even = |weights: [f64; 3]| NurbsCurve::with_even_weights(2, knots.clone(), points.clone(), weights.to_vec());
+    let plain = made([1.0, 0.5, 2.0]).unwrap();
+    for factor in [2_f64.powi(-1000), 2_f64.powi(-340), 2_f64.powi(340), 2_f64.powi(1021)] {
+        let scaled = made([factor, 0.5 * factor, 2.0 * factor]).unwrap();
+        for i in 0..=10 {
+            assert_eq!(scaled.point(f64::from(i) / 10.0), plain.point(f64::from(i) / 10.0));
+        }
+    }
+    // The parabola again, over the parameter in which it is even: its length is known.
+    let length = std::f64::consts::SQRT_2 + 1.0_f64.asinh();
+    for c in [1e-18, 1e-9, 1e-4, 1.0, 1e4, 1e9, 1e18] {
+        let curve = even([c, 1.0, 1.0 / c]).unwrap();
+        assert!((cyclide::length(&curve) - length).abs() < 1e-12 * length, "{c}");
+        assert_eq!(curve.control_points(), points);
+    }
+    // Spans of a spline are evened each for itself, and its ends stay to the bit.
+    let spline = |weights: Vec<f64>| {
+        let points = (0..6).map(|i| Point3::new(f64::from(i), f64::from(i * i % 4), 0.3)).collect();
+        NurbsCurve::with_even_weights(3, vec![0.0, 0.0, 0.0, 0.0, 0.3, 0.7, 1.0, 1.0, 1.0, 1.0], points, weights)
+    };
+    let uneven = spline((0..6).map(|i| 1e4_f64.powi(i)).collect()).unwrap();
+    assert_eq!((uneven.degree(), uneven.span_count(), uneven.point(1.0)), (3, 3, Point3::new(5.0, 1.0, 0.3)));
+    assert!(uneven.weights().iter().all(|w| (1e-3..=1e3).contains(w)), "{:?}", uneven.weights());
+    assert_eq!(spline(vec![1.0, 2.0, 1.0, 0.5, 1.0, 3.0]).unwrap().weights(), [1.0, 2.0, 1.0, 0.5, 1.0, 3.0]);
+    for (weights, first, limit) in
+        [([1.0, 1e10, 1.0], 0, 1e9), ([1.0, 1.0, 1e-12], 1, 1e9), ([1.0, 1e308, 1.0], 0, 1e150)]
+    {
+        let Error::WeightsUneven { first: found, limit: most, .. } = made(weights).unwrap_err() else {
+            panic!("{weights:?}")
+        };
+        assert_eq!((found, most), (first, limit), "{weights:?}");
+    }
+    // A small weight takes its control point out of the curve, and nothing else.
+    assert!((cyclide::length(&made([1.0, 1e-60, 1.0]).unwrap()) - 2.0).abs() < 1e-12);
+    assert_eq!(even([1.0, 1e100, 1.0]).unwrap_err().reason(), "weights-uneven");
+    let far = points.iter().map(|p| Point3::new(1e300 * p.x, p.y, p.z)).collect();
+    assert_eq!(NurbsCurve::new(2, knots, far, vec![1.0; 3]).unwrap_err().reason(), "parameter-out-of-range");
 }

@@ -2,9 +2,8 @@
 
 use cyclide::{
     Arc, ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, CurvePlace,
-    ErrorItem, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate,
-    FitTarget, Heights, Noise, ParamCurve, Point3, RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle,
-    fairness, flatten_within, wavering,
+    ErrorItem, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget,
+    Heights, Noise, ParamCurve, Point3, SplineEnds, Torus, Vec3, Warning, corners_by_angle, flatten_within,
 };
 
 use super::angle::Angle;
@@ -31,8 +30,6 @@ pub struct ContourFacts {
     pub points: usize,
     /// The certificate of a fit.
     pub fit: Option<Fitted>,
-    /// How evenly an interpolating curve bends, where that was compared with its points.
-    pub fairness: Option<Fairness>,
     /// The largest distance by which points were moved onto the torus that the curve lies on.
     pub moved: Option<f64>,
     /// The torus whose normals go with it, of a curve parallel to one of a torus: that on which it lies.
@@ -325,34 +322,6 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 impl Contour<'_> {
     pub(super) fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
         ContourFacts { points: self.list.points.len(), fit, ..ContourFacts::default() }
-    }
-}
-
-impl ContourFacts {
-    /// Measures how evenly a curve through all its points bends, and tells if it wavers between them, or they do.
-    pub(super) fn compare(&mut self, curve: &CurveObject) -> Vec<Warning> {
-        let CurveObject::CircleSpline(spline) = curve else {
-            return Vec::new();
-        };
-        // A fit does not pass through its points: their changes are not the curve's.
-        if self.fit.is_some() {
-            return Vec::new();
-        }
-        let measured = *self.fairness.insert(fairness(spline));
-        let found = wavering(spline, &measured);
-        let wavers = found.curve_wavers.then_some(Warning::Wavers {
-            curve: found.curve,
-            data: found.data,
-            explained: found.explained,
-        });
-        let data_waver = || found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes });
-        let corner = |RoundedTurns { first, count, angle, distance, .. }| Warning::CornerNotMarked {
-            node: first,
-            count,
-            angle,
-            distance,
-        };
-        wavers.or_else(data_waver).into_iter().chain(found.rounded.map(corner)).collect()
     }
 }
 

@@ -6,6 +6,7 @@ use cyclide::{
 };
 use serde::Serialize;
 
+use super::frame_turns::{Axes, FrameTurn};
 use super::sample::{Spacing, fractions, push_field};
 use crate::check::file_sample::FileSample;
 use crate::document::{BuiltObject, ContourFacts};
@@ -130,6 +131,9 @@ pub struct ContourSamples {
     /// Of rotation-minimizing frames: the measured bound on their error, radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frame_error: Option<f64>,
+    /// Neighbouring samples between which the frame turns by more than 90 degrees.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub frame_turns: Vec<FrameTurn>,
     /// The samples.
     pub samples: Vec<CurveSample>,
 }
@@ -249,7 +253,7 @@ impl CurveSamples {
         }
     }
 
-    /// What should be known of the frames: places that have none, and by how much those of a closed curve come back turned.
+    /// What should be known of the frames: places that have none, where neighbours turn by more than 90 degrees, and by how much those of a closed curve come back turned.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let Some(frames) = self.frames else { return Vec::new() };
@@ -264,6 +268,7 @@ impl CurveSamples {
                     "{of}{count} of {all} places have no {frames} frame, the first at the station {station} (t = {t}): their normals are left out [no-frame]"
                 ));
             }
+            notes.extend(FrameTurn::note(&samples.frame_turns, frames).map(|note| of.clone() + &note));
             let turned = samples.holonomy.filter(|angle| angle.abs() > 1e-6);
             if let Some(angle) = turned {
                 let (angle, degrees) = (ShortNumber(angle), ShortNumber(angle.to_degrees()));
@@ -326,13 +331,17 @@ impl ContourSamples {
             let normal = torus.and_then(|normals| normals.at(curve, t));
             CurveSample::new(curve, t, lengths.station(t), plane, (looks, frame_at(t)), normal)
         };
-        let samples = options.places.parameters(lengths).into_iter().map(sample).collect();
+        let places = options.places.parameters(lengths);
+        let samples: Vec<CurveSample> = places.iter().map(|t| sample(*t)).collect();
+        let axes: Vec<Option<Axes>> = samples.iter().map(CurveSample::axes).collect();
+        let frame_turns = FrameTurn::find(&places, &axes, |t| sample(t).axes(), lengths, curve.is_closed());
         Ok(Self {
             length: lengths.total(),
             closed: curve.is_closed(),
             plane: plane.map(Vec3::to_array),
             holonomy: frames.as_ref().and_then(CurveFrames::holonomy),
             frame_error: frames.as_ref().and_then(CurveFrames::measured_error),
+            frame_turns,
             samples,
         })
     }
@@ -364,6 +373,12 @@ impl CurveSample {
             normal: normal.map(Vec3::to_array),
             binormal: binormal.map(Vec3::to_array),
         }
+    }
+
+    /// The axes of its frame, if it has one.
+    fn axes(&self) -> Option<Axes> {
+        let [axis, normal, binormal] = [self.look.or(self.tangent), self.normal, self.binormal];
+        Some([axis?, normal?, binormal?].map(Vec3::from))
     }
 
     /// A line of the table.

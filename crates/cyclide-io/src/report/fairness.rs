@@ -1,6 +1,6 @@
 //! How evenly the curves of an object bend.
 
-use cyclide::{CurveObject, Fairness, fairness};
+use cyclide::{Fairness, fairness};
 use serde::Serialize;
 
 use crate::document::BuiltObject;
@@ -41,9 +41,7 @@ pub struct FairnessReport {
 impl FairnessReport {
     /// Measures an object.
     pub(super) fn new(built: &BuiltObject) -> Self {
-        let known = |i: usize| built.contours.get(i).and_then(|facts| facts.fairness);
-        let measured = |(i, c): (usize, &CurveObject)| known(i).unwrap_or_else(|| fairness(c.as_curve()));
-        let each: Vec<Fairness> = built.item.curves().iter().enumerate().map(measured).collect();
+        let each: Vec<Fairness> = built.item.curves().iter().map(|curve| fairness(curve.as_curve())).collect();
         let sign_changes = each.iter().map(|f| f.sign_changes).sum::<Option<usize>>();
         // The sum of nothing is -0.
         let variation = each.iter().map(|f| f.variation).sum::<Option<f64>>().map(|sum| sum + 0.0);

@@ -8,6 +8,7 @@ mod curves;
 mod fairness;
 mod fast;
 mod file;
+mod frame_turns;
 mod motion;
 mod motion_poses;
 mod motion_sample;
@@ -38,6 +39,7 @@ pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointRepor
 pub use fairness::FairnessReport;
 pub use fast::{FASTER_THAN_LIMIT, FastPlaceReport, FastReport, SpeedLimits};
 pub use file::{CheckError, FileReport};
+pub use frame_turns::FrameTurn;
 pub use motion::{MotionReport, PeakReport, PlaceReport, ReversalReport};
 pub use motion_poses::{DeviationReport, MotionClosingReport, OffChordsReport};
 pub use motion_sample::{MotionSample, MotionSamples};

@@ -30,7 +30,7 @@ pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect
 pub use correspondence::{Correspondence, CurvePlace, Span};
 pub use frames::{ClosedTwist, CurveFrame, CurveFrames, FrameRule};
 pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
-pub use measure::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
+pub use measure::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering, wavering_against};
 pub use measure::{CurveCusp, FarthestPoint, TightPlace, bending_energy, cusps, farthest_point, tight_places};
 pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub(crate) use node_tangent::Chord;

@@ -108,6 +108,17 @@ pub enum Error {
         /// Its value.
         weight: f64,
     },
+    /// Weights of a rational curve differ so much that its points cannot be distinguished by their parameters.
+    WeightsUneven {
+        /// One of the two weights, from 0.
+        first: usize,
+        /// The other one.
+        second: usize,
+        /// The larger over the smaller one.
+        ratio: f64,
+        /// The largest ratio accepted: 1e9 from one to the next, 1e18 over two steps, and 1e150 of any two.
+        limit: f64,
+    },
     /// A radius is zero relative to the position of its centre.
     ZeroRadius {
         /// The radius found.

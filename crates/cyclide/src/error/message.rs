@@ -681,6 +681,13 @@ impl std::fmt::Display for Error {
             Self::WeightNotPositive { index, weight } => {
                 write!(f, "weight {index} is {}: rational weights must be positive here", ShortNumber(*weight))
             }
+            Self::WeightsUneven { first, second, ratio, limit } => write!(
+                f,
+                "weights {first} and {second} differ by a factor of {}, at most {}: double precision cannot resolve the curve between them; reduce \
+                 the ratio (weights far above their neighbors pull the curve onto the control polygon: write that as segments)",
+                ShortNumber(*ratio),
+                ShortNumber(*limit)
+            ),
             Self::FrameNotOrthonormal { measured, limit } => write!(
                 f,
                 "the directions of the frame are not perpendicular: the cosine between them is {}, limit {}",

@@ -117,6 +117,7 @@ impl Error {
             Self::KnotMultiplicity { .. } => "knot-multiplicity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
+            Self::WeightsUneven { .. } => "weights-uneven",
             Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
             Self::NotConcircular { .. } => "not-concircular",
             Self::CrossingQuad { .. } => "crossing-quad",
@@ -209,6 +210,7 @@ impl Error {
             | Self::Cusp { index, .. }
             | Self::OppositeTangents { first: index, .. }
             | Self::WeightNotPositive { index, .. }
+            | Self::WeightsUneven { second: index, .. }
             | Self::ZeroRotation { index }
             | Self::ParametersNotIncreasing { index, .. }
             | Self::UnattainablePose { index, .. } => Some(index),

@@ -6,6 +6,7 @@ mod bezier_volume;
 mod nurbs_curve;
 mod nurbs_edit;
 mod nurbs_mobius;
+mod nurbs_weights;
 mod polynomial;
 mod quaternion_polynomial;
 mod smooth_knots;

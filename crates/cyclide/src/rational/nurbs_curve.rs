@@ -1,8 +1,11 @@
 //! Clamped rational B-spline curves with positive weights: the exact form that leaves the kernel.
 
 use super::bezier_curve::{RationalBezier, jet_of_rows};
+use super::nurbs_weights::{check_even, check_range, scaled_rows};
 use crate::base::bernstein;
+use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
+use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 
@@ -40,8 +43,21 @@ impl NurbsCurve {
     ///
     /// # Errors
     /// `parameter-out-of-range` (degree), `too-few-points`, `count-differs` (weights, knots), `not-finite`,
-    /// `weight-not-positive`, `knots-decrease`, `knot-multiplicity`, `not-a-spline` (ends not clamped).
+    /// `weight-not-positive`, `weights-uneven`, `parameter-out-of-range` (coordinates above 1e150, or a size below 1e-150),
+    /// `knots-decrease`, `knot-multiplicity`, `not-a-spline` (ends not clamped).
     pub fn new(degree: usize, knots: Vec<f64>, points: Vec<Point3>, weights: Vec<f64>) -> Result<Self> {
+        let curve = Self::with_any_weights(degree, knots, points, weights)?;
+        check_even(&curve)?;
+        Ok(curve)
+    }
+
+    /// As [`new`](Self::new), however uneven the weights are.
+    pub(super) fn with_any_weights(
+        degree: usize,
+        knots: Vec<f64>,
+        points: Vec<Point3>,
+        weights: Vec<f64>,
+    ) -> Result<Self> {
         check_numbers(degree, &knots, &points, &weights)?;
         let (first, last) = (knots[0], knots[knots.len() - 1]);
         // Clamped ends are copies of one number: compared as such.
@@ -51,7 +67,7 @@ impl NurbsCurve {
         check_multiplicities(degree, &knots)?;
         let mut breaks = knots.clone();
         breaks.dedup_by(|a, b| *a <= *b); // sorted: equal
-        let rows = homogeneous_rows(&points, &weights);
+        let rows = scaled_rows(&points, &weights);
         // Where every inner knot is there as often as the degree the curve is in Bézier form: no second list is made.
         let is_bezier = rows.len() == degree * (breaks.len() - 1) + 1;
         let span_rows = if is_bezier { rows } else { span_rows(degree, &knots, &rows, &breaks) };
@@ -61,7 +77,7 @@ impl NurbsCurve {
     /// Curve from homogeneous control rows `[wx, wy, wz, w]`; errors as [`new`](Self::new).
     pub(super) fn from_rows(degree: usize, knots: Vec<f64>, rows: &[[f64; 4]]) -> Result<Self> {
         let points = rows.iter().map(|r| Point3::new(r[0] / r[3], r[1] / r[3], r[2] / r[3])).collect();
-        Self::new(degree, knots, points, rows.iter().map(|r| r[3]).collect())
+        Self::with_any_weights(degree, knots, points, rows.iter().map(|r| r[3]).collect())
     }
 
     /// The same points run backwards over the same knot domain.
@@ -151,7 +167,7 @@ impl NurbsCurve {
         if (weights[end] - weights[0]).abs() <= 4.0 * f64::EPSILON * curves.len() as f64 * weights[0] {
             weights[end] = weights[0];
         }
-        Self::new(degree, knots, points, weights)
+        Self::with_any_weights(degree, knots, points, weights)
     }
 
     /// Degree.
@@ -188,6 +204,26 @@ impl NurbsCurve {
     #[must_use]
     pub fn control_points(&self) -> &[Point3] {
         &self.points
+    }
+
+    /// The points at the means of `degree` neighbouring inner knots (T. N. E. Greville), one for each control point: where
+    /// data stand that such a spline interpolates.
+    ///
+    /// ```
+    /// use cyclide::{NurbsCurve, Point3};
+    /// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+    /// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
+    /// assert_eq!(parabola.greville_points()[1], Point3::new(1.0, 1.0, 0.0));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn greville_points(&self) -> Vec<Point3> {
+        // The mean of differences from the first knot: the sum of knots may overflow.
+        let first = self.knots[0];
+        let mean = |i: usize| {
+            self.knots[i + 1..=i + self.degree].iter().map(|k| (k - first) / self.degree as f64).sum::<f64>()
+        };
+        (0..self.points.len()).map(|i| self.point_at_knot(first + mean(i))).collect()
     }
 
     /// Weights, all positive.
@@ -279,11 +315,18 @@ pub(super) fn check_numbers(degree: usize, knots: &[f64], points: &[Point3], wei
     if let Some(index) = points.iter().position(|p| !p.is_finite()) {
         return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
     }
+    points.iter().enumerate().try_for_each(|(index, p)| range::check_point(index, p.to_vec()))?;
+    range::check_distance(Aabb::of_points(points.iter().copied()).map_or(0.0, |b| b.diagonal()))?;
     if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
         return Err(Error::WeightNotPositive { index, weight: weights[index] });
     }
     if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
         return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+    }
+    check_range(weights)?;
+    // Their differences are divided by each other.
+    if !(knots[needed - 1] - knots[0]).is_finite() {
+        return Err(Error::NotFinite { what: ErrorItem::Knot, index: needed - 1 });
     }
     match knots.windows(2).position(|w| w[1] < w[0]) {
         Some(i) => Err(Error::KnotsDecrease { index: i + 1, knot: knots[i + 1], before: knots[i] }),
@@ -303,11 +346,6 @@ pub(super) fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<()> {
         index += run.len();
     }
     Ok(())
-}
-
-/// Homogeneous rows `[wx, wy, wz, w]` of control points.
-pub(super) fn homogeneous_rows(points: &[Point3], weights: &[f64]) -> Vec<[f64; 4]> {
-    points.iter().zip(weights).map(|(p, w)| [p.x * w, p.y * w, p.z * w, *w]).collect()
 }
 
 /// How many of the sorted knots are this number.

@@ -1,8 +1,7 @@
 //! Rational B-splines cut and moved: exact operations on knots and control points.
 
-use super::nurbs_curve::{
-    NurbsCurve, check_multiplicities, check_numbers, homogeneous_rows, insert_knot, multiplicity,
-};
+use super::nurbs_curve::{NurbsCurve, check_multiplicities, check_numbers, insert_knot, multiplicity};
+use super::nurbs_weights::{check_even, scaled_rows};
 use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
@@ -19,7 +18,7 @@ impl NurbsCurve {
             map.map_point(*p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: ErrorItem::ControlPoint, index })
         };
         let points = self.control_points().iter().enumerate().map(moved).collect::<Result<_>>()?;
-        Self::new(self.degree(), self.knots().to_vec(), points, self.weights().to_vec())
+        Self::with_any_weights(self.degree(), self.knots().to_vec(), points, self.weights().to_vec())
     }
 
     /// The two parts before and after the knot-domain parameter `u`, each over its part of the domain; exact (knot
@@ -44,7 +43,7 @@ impl NurbsCurve {
     pub(crate) fn cut_at_knots(&self, cuts: &[f64]) -> Result<Vec<Self>> {
         let degree = self.degree();
         let mut knots = self.knots().to_vec();
-        let mut rows = homogeneous_rows(self.control_points(), self.weights());
+        let mut rows = scaled_rows(self.control_points(), self.weights());
         for &u in cuts {
             for _ in multiplicity(&knots, u)..degree {
                 insert_knot(degree, &mut knots, &mut rows, u);
@@ -83,6 +82,18 @@ impl NurbsCurve {
     /// # Errors
     /// As [`new`](Self::new); `empty-interval` if the part has no length.
     pub fn clamped(degree: usize, knots: Vec<f64>, points: Vec<Point3>, weights: Vec<f64>) -> Result<Self> {
+        let curve = Self::clamped_with_any_weights(degree, knots, points, weights)?;
+        check_even(&curve)?;
+        Ok(curve)
+    }
+
+    /// As [`clamped`](Self::clamped), however uneven the weights are.
+    pub(super) fn clamped_with_any_weights(
+        degree: usize,
+        knots: Vec<f64>,
+        points: Vec<Point3>,
+        weights: Vec<f64>,
+    ) -> Result<Self> {
         check_numbers(degree, &knots, &points, &weights)?;
         let ends = [knots[degree], knots[points.len()]];
         let [a, b] = ends;
@@ -90,11 +101,11 @@ impl NurbsCurve {
             return Err(Error::EmptyInterval { index: 0, length: b - a, limit: 0.0 });
         }
         if ends.iter().all(|u| multiplicity(&knots, *u) > degree) {
-            return Self::new(degree, knots, points, weights);
+            return Self::with_any_weights(degree, knots, points, weights);
         }
         check_multiplicities(degree, &knots)?;
         let mut knots = knots;
-        let mut rows = homogeneous_rows(&points, &weights);
+        let mut rows = scaled_rows(&points, &weights);
         for u in ends {
             for _ in multiplicity(&knots, u)..degree {
                 insert_knot(degree, &mut knots, &mut rows, u);

@@ -1,6 +1,6 @@
 //! The list of warnings: what each is about, what was measured, and above which limit it is said.
 
-use super::{InvertedCause, SpikeRemedy, SwingPart};
+use super::{InvertedCause, SpikeRemedy, SwingPart, WaverRemedy};
 use crate::shape_change::ShapeChange;
 
 /// A remark on a result that is valid but may not be what was meant.
@@ -254,14 +254,16 @@ pub enum Warning {
         /// Fraction of such spans.
         fraction: f64,
     },
-    /// An interpolating curve changes between left and right far more often than its data.
+    /// A curve changes between left and right far more often than its data.
     Wavers {
         /// Changes of the curve.
         curve: usize,
         /// Changes of the polygon through its nodes.
         data: usize,
-        /// Those and one for each end of a straight run: what the data account for.
+        /// Those and three for each end of a straight run: what the data account for.
         explained: usize,
+        /// What helps.
+        remedy: WaverRemedy,
     },
     /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
     CornerNotMarked {

@@ -197,12 +197,12 @@ impl std::fmt::Display for Warning {
                     fraction * 100.0
                 )
             }
-            Self::Wavers { curve, data, explained } => {
+            Self::Wavers { curve, data, explained, remedy } => {
                 write!(f, "the curve changes {} between left and right, its points {}", times(*curve), times(*data))?;
                 if explained > data {
                     write!(f, " ({explained} with the ends of their straight runs)")?;
                 }
-                f.write_str(": it wavers between them (the comb of a picture shows where); a fair spline, or a fit within a tolerance, bends less to and fro")
+                write!(f, ": it wavers between them (the comb of a picture shows where); {}", remedy.advice())
             }
             Self::CornerNotMarked { node, count, angle, distance } => write!(
                 f,

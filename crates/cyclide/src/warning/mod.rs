@@ -10,9 +10,11 @@ mod message;
 mod reason;
 mod spike_remedy;
 mod swing_part;
+mod waver_remedy;
 mod words;
 
 pub use inverted_cause::InvertedCause;
 pub use kinds::Warning;
 pub use spike_remedy::SpikeRemedy;
 pub use swing_part::SwingPart;
+pub use waver_remedy::WaverRemedy;

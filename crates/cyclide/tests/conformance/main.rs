@@ -8,6 +8,7 @@
 mod curves;
 mod edits;
 mod flattening;
+mod invariance;
 mod known_shapes;
 mod parts;
 

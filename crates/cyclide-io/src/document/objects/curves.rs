@@ -1,11 +1,9 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{
-    Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, ShortNumber, Units, Vec3, Warning,
-    bounds,
-};
+use cyclide::{Arc, Biarc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Units, Vec3, Warning};
 
 use super::idle::{Idle, idle_fields};
+use super::wavers::wavers;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::construct::{
@@ -86,51 +84,20 @@ const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
 /// whose numbers cannot tell the points near the end of such an arc apart.
 const EVEN_RATIO: f64 = 1e3;
 
-/// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
-/// a ten thousandth of what files promise of such a curve by default.
-const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
-
-/// Refuses bent curves so small and so far from the origin that their bends are rounding. Polylines, which are their
-/// vertices, and circles, which are centre and radius, say what they are at any place.
-///
-/// # Errors
-/// `below-rounding-of-place`.
-fn check_in_place(curve: &CurveObject) -> cyclide::Result<()> {
-    let straight = |arcs: &[Arc]| arcs.iter().all(Arc::is_straight);
-    let runs_straight = |segment: &BlendSegment| {
-        let along =
-            |tangent: Vec3| (segment.end() - segment.start()).unit().is_some_and(|u| (tangent - u).length() <= 1e-9);
-        along(segment.start_tangent()) && along(segment.end_tangent())
-    };
-    match curve {
-        CurveObject::Circle(_) => return Ok(()),
-        CurveObject::Arc(arc) if arc.is_straight() => return Ok(()),
-        CurveObject::ArcPath(path) if straight(path.arcs()) => return Ok(()),
-        CurveObject::CircleSpline(spline) if spline.segments().iter().all(runs_straight) => return Ok(()),
-        _ => {}
-    }
-    let curve = curve.as_curve();
-    let first = curve.piece_point(0, 0.0);
-    let place = first.to_vec().max_abs();
-    let limit = SMALLEST_IN_PLACE * place;
-    // Most curves are known by their first piece, so that this costs nothing.
-    let far = |piece: usize| [0.5, 1.0].into_iter().any(|s| curve.piece_point(piece, s).distance(first) > 2.0 * limit);
-    if place == 0.0 || (0..curve.piece_count()).any(far) {
-        return Ok(());
-    }
-    let size = bounds(curve).diagonal();
-    if size > limit {
-        return Ok(());
-    }
-    Err(cyclide::Error::BelowRoundingOfPlace { what: ErrorItem::Curve, size, place, limit })
-}
-
 impl Builder<'_> {
     /// The curves of an object that has some.
     pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
         let made = self.made_curves()?;
-        for (curve, _) in &made {
-            check_in_place(curve).map_err(|e| self.refused(&e, None))?;
+        for (contour, (curve, _)) in made.iter().enumerate() {
+            self.check_place_of(curve, contour)?;
+        }
+        if let ObjectSpec::Nurbs(_) | ObjectSpec::TorusSpline(_) = self.spec {
+            let field = if matches!(self.spec, ObjectSpec::Nurbs(_)) { "control_points" } else { "type" };
+            for (contour, (curve, _)) in made.iter().enumerate() {
+                for warning in wavers(self.spec, curve, &[]) {
+                    self.warn_at(field, (made.len() > 1).then_some(contour), warning);
+                }
+            }
         }
         // What comes to a stand by its data; blends and arcs do not.
         let field = match self.spec {
@@ -373,12 +340,12 @@ impl Builder<'_> {
             }
             let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
             let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
-            let (curve, mut facts, mut warnings) = made_of_points;
+            let (curve, facts, mut warnings) = made_of_points;
             // A field that one contour needs has an effect.
             let here = idle_fields(self.spec, &at, &curve);
             idle =
                 Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
-            warnings.extend(facts.compare(&curve));
+            warnings.extend(wavers(self.spec, &curve, &at.list.points));
             // Said once, with the place of the field.
             warnings.retain(|warning| *warning != Warning::EndsWithoutEffect);
             for warning in warnings {

@@ -7,6 +7,7 @@ mod circular;
 mod conics;
 mod contact_blends;
 mod crossings;
+mod curve_places;
 mod curves;
 mod derived;
 mod grids;
@@ -42,6 +43,7 @@ mod torus;
 mod transform;
 mod tubes;
 mod volumes;
+mod wavers;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -186,6 +188,16 @@ impl<'a> ModelBuilder<'a> {
     /// # Panics
     /// If there is no object with this index.
     pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
+        let result = self.build_needed(index, progress);
+        if result.is_err() {
+            // What was not made is visited again by the next object that needs it.
+            References::forget(&mut self.walked, |k| self.made[k].is_none());
+        }
+        result
+    }
+
+    /// As [`build`](Self::build); after an error objects are visited that were not made.
+    fn build_needed(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
         for needed in self.references.needed_for(index, &mut self.walked) {
             if self.made[needed].is_none() {
                 let (name, spec) = &self.document.objects[needed];

@@ -14,10 +14,9 @@ impl Builder<'_> {
     pub(super) fn nurbs(&mut self, spec: &NurbsSpec) -> Result<CurveObject> {
         let points: Vec<Point3> = spec.control_points.iter().copied().map(Coordinates::point).collect();
         let weights = spec.weights.clone().unwrap_or_else(|| vec![1.0; points.len()]);
-        let curve = NurbsCurve::clamped(spec.degree as usize, spec.knots.clone(), points, weights)
+        let curve = NurbsCurve::with_even_weights(spec.degree as usize, spec.knots.clone(), points, weights)
             .map_err(|e| self.refused(&e, None))?;
-        // A kernel that is clamped already keeps its knots as they are.
-        if curve.knots() != spec.knots {
+        if !are_clamped(spec) {
             let (from, to) = curve.domain();
             let message = format!(
                 "the knots are not clamped: the curve is the part from {} to {}, clamped by exact knot insertion ({} control points)",
@@ -41,6 +40,13 @@ impl Builder<'_> {
     }
 }
 
+/// True if the knots at both ends are there once more than the degree: such a curve is kept as it is.
+fn are_clamped(spec: &NurbsSpec) -> bool {
+    let (knots, degree) = (&spec.knots, spec.degree as usize);
+    let is_one = |run: &[f64]| run.iter().all(|knot| *knot <= run[0]);
+    is_one(&knots[..=degree]) && is_one(&knots[knots.len() - degree - 1..])
+}
+
 /// What helps where the count of knots does not fit.
 pub(super) fn knots_words(error: &cyclide::Error) -> Option<String> {
     let is_count = matches!(error, cyclide::Error::CountDiffers { what: cyclide::ErrorItem::Knot, .. });
@@ -56,7 +62,7 @@ pub(super) fn blame_nurbs(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match *error {
         E::ParameterOutOfRange { name: I::Degree, .. } => Blame::Field("degree"),
-        E::WeightNotPositive { index, .. } => Blame::Entry("weights", index),
+        E::WeightNotPositive { index, .. } | E::WeightsUneven { second: index, .. } => Blame::Entry("weights", index),
         E::CountDiffers { what: I::Weight, .. } => Blame::Field("weights"),
         E::KnotsDecrease { index, .. } | E::KnotMultiplicity { index, .. } | E::NotFinite { what: I::Knot, index } => {
             Blame::Entry("knots", index)

@@ -72,6 +72,15 @@ impl References {
         vec![State::New; self.of.len()]
     }
 
+    /// Objects that were not made after all are visited again.
+    pub(super) fn forget(made: &mut [State], is_missing: impl Fn(usize) -> bool) {
+        for (index, state) in made.iter_mut().enumerate() {
+            if is_missing(index) {
+                *state = State::New;
+            }
+        }
+    }
+
     /// The object and all it needs that is not made yet, each after what it is made from: these count as made then. The
     /// state is that of all objects from call to call, so that a long chain is walked once.
     pub(super) fn needed_for(&self, index: usize, made: &mut [State]) -> Vec<usize> {

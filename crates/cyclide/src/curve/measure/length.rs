@@ -121,7 +121,8 @@ impl<'a> ArcLength<'a> {
             PieceForm::Circle(_) => s * cell.length,
             PieceForm::Free => gauss8(&mut |s: f64| self.curve.piece_speed(piece, s), cell.s0, s),
         };
-        cell.end - cell.length + part.clamp(0.0, cell.length)
+        // Not `clamp`, which panics where a length is NaN.
+        cell.end - cell.length + part.max(0.0).min(cell.length)
     }
 
     /// The global parameter of the point at the fraction `fraction` of the length (clamped to `[0, 1]`), to about
@@ -135,7 +136,7 @@ impl<'a> ArcLength<'a> {
         let goal = fraction * self.total;
         let index = self.cells.partition_point(|cell| cell.end < goal).min(self.cells.len() - 1);
         let cell = &self.cells[index];
-        let rest = (goal - (cell.end - cell.length)).clamp(0.0, cell.length);
+        let rest = (goal - (cell.end - cell.length)).max(0.0).min(cell.length);
         let s = match cell.form {
             PieceForm::Arc(arc) => arc.parameter_at_length(rest / cell.length),
             PieceForm::Circle(_) => rest / cell.length,

@@ -24,7 +24,9 @@ pub use continuity::{Joint, joints};
 pub use curvature::{ExtremeCurvature, extreme_curvature};
 pub use cusps::{CurveCusp, cusps};
 pub use energy::bending_energy;
-pub use fairness::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
+pub use fairness::{
+    CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering, wavering_against,
+};
 pub use farthest::{FarthestPoint, farthest_point};
 pub use length::{ArcLength, length, resample};
 pub use tight::{TightPlace, tight_places};

@@ -93,6 +93,16 @@
 //! assert_eq!(error.reason(), "weight-not-positive");
 //! ```
 //!
+//! # `weights-uneven`
+//! Weights of a rational curve differ so much that its points cannot be distinguished by their parameters.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+//! let error = NurbsCurve::new(2, knots, points, vec![1.0, 1e100, 1.0]).unwrap_err();
+//! assert_eq!(error.reason(), "weights-uneven");
+//! ```
+//!
 //! # `zero-radius`
 //! The first point of a circle lies on its axis.
 //! ```

@@ -19,6 +19,7 @@
 //! Each piece is sampled at nine places or, where its curvature does not look like a cubic between them or Boole's rule
 //! for the variation disagrees with Simpson's, at more: twelve halvings at most.
 
+mod bends;
 mod piece;
 mod plane;
 mod swings;
@@ -31,7 +32,7 @@ use plane::plane_of;
 use swings::{Course, Swing, course};
 
 pub use plane::plane_normal;
-pub use wavering::{RoundedTurns, Wavering, wavering};
+pub use wavering::{RoundedTurns, Wavering, wavering, wavering_against};
 
 /// Tangents that differ by more than this, in radians, make a joint a corner.
 ///

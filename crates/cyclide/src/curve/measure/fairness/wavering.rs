@@ -1,15 +1,16 @@
-//! Does an interpolating curve bend to and fro more often than its data do?
+//! Does a curve bend to and fro more often than its data do?
 //!
-//! The data are the nodes at which the pieces of the curve meet, cut at its corners; the polygon through them turns left
-//! or right at each, or not at all. A turn counts as none if rounding can make it, or if it is below a fiftieth of one
-//! beside it. What the data account for are the polygon's own changes of side, and one more for every passage
-//! between a straight run and a turn: beside a corner of straight runs an interpolating curve must swing out a little. A
-//! run is two nodes or more: a single node without a turn is where the curve changes sides, or where it bends least.
+//! The data are the nodes at which the pieces of the curve meet, cut at its corners, or points that are given; the polygon
+//! through them turns left or right at each, or not at all. A turn counts as none if rounding can make it, or if it is below
+//! a fiftieth of one beside it. What the data account for are the polygon's own changes of side, and three more for every
+//! passage between a straight run and a turn: there an interpolating curve without a jump of curvature swings out, and
+//! dies down by a factor of 2 - sqrt 3 from node to node. A run is two nodes or more: a single node without a turn is where
+//! the curve changes sides, or where it bends least.
 //!
-//! In space a turn has no side but an axis: the product of the two edges at a node, of tangent and curvature vector on
-//! the curve. What counts there is an axis that turns over (by more than a right angle to the last one), where the
-//! polygon turns or the curve bends by more than a fiftieth of what it does beside it; a curve that winds turns its axis
-//! slowly and changes nothing. Ten places of each piece are looked at.
+//! What counts is the *amplitude*, of the curve and of its data alike, and of every kind of curve: the curve is divided into
+//! [bends](super::bends), runs that turn to one side, and a bend counts if the curve turns in it by more than 5e-4 radians
+//! and a fiftieth of the turns of the polygon beside it. In a bend of one chord that is 6e-5 of the chord off a straight line. In space turns are one bend as long as each axis is within a right angle of the one before;
+//! the axis of a curve that winds turns slowly, and changes nothing.
 //!
 //! A node that turns by 30 degrees or more between two that go straight on looks like a corner. Where the curve leaves the
 //! edges beside it by more than a twentieth of them, it goes round a corner that was not marked.
@@ -18,43 +19,42 @@
 //! are 16 nodes or more, those that turn do so gently (by less than 30 degrees in the median; stairs do not), and they
 //! change sides at more than every third: then they carry noise, and a curve through all of them has to show it.
 
+use super::CORNER_ANGLE;
+use super::bends::{LEAST_TURN, STRAIGHT, changes, curve_changes};
 use super::piece::ROUNDING;
-use super::{CORNER_ANGLE, Fairness, NOISE};
-use crate::base::vector::Vec3;
+use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve;
 use crate::curve::measure::continuity::joints;
 
-/// Turns below this part of a neighbour's are straight on.
-const STRAIGHT: f64 = 0.02;
 /// A turn between straight runs from here on looks like a corner, if the curve leaves its edges by this part of them.
 const SHARP: f64 = std::f64::consts::FRAC_PI_6;
 const SWING: f64 = 0.05;
-/// Places of each piece of a curve in space that are looked at.
-const PLACES: usize = 10;
 /// The curve wavers beyond this many times what the data account for, and this many more.
 const TIMES: f64 = 1.25;
 const MORE: f64 = 2.0;
+/// Changes of side that the end of a straight run accounts for.
+const AT_PASSAGE: usize = 3;
 /// Data that waver are at least so many and turn in the median by less than this.
 const MANY: usize = 16;
 const GENTLE: f64 = std::f64::consts::FRAC_PI_6;
 
-/// An interpolating curve against its data.
+/// A curve against its data.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Point3, fairness, wavering};
+/// use cyclide::{CircleSpline, FairSplineOptions, Point3, wavering};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
-/// assert!(!wavering(&spline, &fairness(&spline)).curve_wavers);
+/// assert!(!wavering(&spline).curve_wavers);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Wavering {
-    /// Changes of the curve between turning left and turning right.
+    /// Changes of the curve between turning left and turning right, by bends that count.
     pub curve: usize,
     /// Those of its data.
     pub data: usize,
-    /// Those that its data account for: their own, and one at each end of a straight run.
+    /// Those that its data account for: their own, and three at each end of a straight run.
     pub explained: usize,
     /// Nodes of the data, corners excepted.
     pub nodes: usize,
@@ -69,10 +69,10 @@ pub struct Wavering {
 /// Nodes at which the polygon turns sharply between straight runs, and which the curve passes smoothly.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Point3, RoundedTurns, fairness, wavering};
+/// use cyclide::{CircleSpline, FairSplineOptions, Point3, RoundedTurns, wavering};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
-/// let rounded: Option<RoundedTurns> = wavering(&spline, &fairness(&spline)).rounded;
+/// let rounded: Option<RoundedTurns> = wavering(&spline).rounded;
 /// assert!(rounded.is_none()); // no sharp turn between straight runs
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -95,57 +95,64 @@ pub struct RoundedTurns {
 /// use cyclide::{CircleSpline, FairSplineOptions, Point3};
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
-/// assert!(!cyclide::wavering(&spline, &cyclide::fairness(&spline)).curve_wavers);
+/// assert!(!cyclide::wavering(&spline).curve_wavers);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]
-pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Wavering {
-    let changes = fairness.sign_changes.unwrap_or_else(|| changes_in_space(curve));
+pub fn wavering(curve: &dyn ParamCurve) -> Wavering {
     let runs = turns(curve);
-    let (mut data, mut passages, mut turning, mut rounded) = (0, 0, Vec::new(), None);
+    // The largest turn at the ends of each piece: what a bend of the piece is held against.
+    let mut beside = vec![0.0_f64; curve.piece_count()];
+    for turn in runs.iter().flat_map(|run| &run.turns) {
+        turn.pieces.into_iter().for_each(|piece| beside[piece] = beside[piece].max(turn.axis.length()));
+    }
+    let mut found = of_data(&runs, curve_changes(curve, &beside));
     for run in &runs {
-        let axes = run.axes();
+        run.add_rounded(curve, &run.axes(), &mut found.rounded);
+    }
+    found
+}
+
+/// Compares a curve with the polygon of points through or near which it was laid, or of points of it.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(points[0], points[1], points[2])?;
+/// assert!(!cyclide::wavering_against(&arc, &points).curve_wavers);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[must_use]
+pub fn wavering_against(curve: &dyn ParamCurve, points: &[Point3]) -> Wavering {
+    let (n, closed) = (points.len(), curve.is_closed());
+    let inner = if closed { 0..n } else { 1..n.saturating_sub(1).max(1) };
+    let turns: Vec<Turn> =
+        inner.map(|i| Turn::new([points[(i + n - 1) % n], points[i], points[(i + 1) % n]], [0; 2])).collect();
+    of_data(&[Turns { turns, closed }], curve_changes(curve, &vec![0.0; curve.piece_count()]))
+}
+
+/// The figures of the data, and what they say of a curve that changes sides so often.
+fn of_data(runs: &[Turns], curve: usize) -> Wavering {
+    let (mut data, mut passages, mut turning) = (0, 0, Vec::new());
+    for run in runs {
+        let mut axes = run.axes();
         turning.extend(axes.iter().flatten().map(|axis| axis.length()));
-        data += turnovers(axes.iter().copied().flatten(), run.closed);
+        data += changes(&mut axes, |_| LEAST_TURN, run.closed);
         passages += run.passages(&axes);
-        run.add_rounded(curve, &axes, &mut rounded);
     }
     turning.sort_by(f64::total_cmp);
     let median = turning.get(turning.len() / 2).copied().unwrap_or(0.0);
     let nodes = runs.iter().map(|run| run.turns.len()).sum();
-    let explained = data + passages;
+    let explained = data + AT_PASSAGE * passages;
     Wavering {
-        curve: changes,
+        curve,
         data,
         explained,
         nodes,
-        curve_wavers: changes as f64 > TIMES * explained as f64 + MORE,
+        curve_wavers: curve as f64 > TIMES * explained as f64 + MORE,
         data_waver: nodes >= MANY && median < GENTLE && 3 * data > nodes,
-        rounded,
+        rounded: None,
     }
-}
-
-/// How often the axis of turning of a curve in space turns over, at places where it bends.
-fn changes_in_space(curve: &dyn ParamCurve) -> usize {
-    let n = curve.piece_count();
-    let (mut axes, mut rounding) = (Vec::with_capacity(n * PLACES), Vec::with_capacity(n));
-    for piece in 0..n {
-        axes.extend((0..PLACES).map(|i| {
-            let jet = curve.piece_jet(piece, (i as f64 + 0.5) / PLACES as f64);
-            let axis = jet.d1.unit().zip(jet.curvature_vector()).map(|(tangent, k)| tangent.cross(k));
-            axis.filter(|a| a.is_finite()).unwrap_or(Vec3::ZERO)
-        }));
-        let from = curve.piece_point(piece, 0.0);
-        let chord = from.distance(curve.piece_point(piece, 1.0));
-        rounding.push(ROUNDING * (1.0 + from.to_vec().max_abs() / chord) / chord);
-    }
-    let size = |i: usize| axes[i].length();
-    let largest = (0..axes.len()).map(size).fold(0.0, f64::max);
-    // Bending is compared with that of a piece to either side.
-    let beside = |i: usize| (i.saturating_sub(PLACES)..(i + PLACES + 1).min(axes.len())).map(size).fold(0.0, f64::max);
-    let straight = |i: usize| (STRAIGHT * beside(i)).max(NOISE * largest).max(rounding[i / PLACES]);
-    let bent = (0..axes.len()).filter(|i| size(*i) > straight(*i)).map(|i| axes[i]);
-    turnovers(bent, curve.is_closed())
 }
 
 /// The chord of a piece, and how far the piece leaves it, looked at in three places.
@@ -156,21 +163,22 @@ fn swing(curve: &dyn ParamCurve, piece: usize) -> [f64; 2] {
     [from.distance(to), [0.25, 0.5, 0.75].map(off).into_iter().fold(0.0, f64::max)]
 }
 
-/// How often an axis is over against the one before it, round a closed run.
-fn turnovers(axes: impl Iterator<Item = Vec3>, closed: bool) -> usize {
-    let mut axes: Vec<Vec3> = axes.collect();
-    if closed {
-        axes.extend(axes.first().copied());
-    }
-    axes.windows(2).filter(|pair| pair[0].dot(pair[1]) < 0.0).count()
-}
-
 /// The turn of the polygon at a node as its axis times its angle, and what rounding can make of it.
 struct Turn {
     axis: Vec3,
     rounding: f64,
     /// The pieces of the curve that end and begin there.
     pieces: [usize; 2],
+}
+
+impl Turn {
+    /// At the middle one of three nodes.
+    fn new([before, at, after]: [Point3; 3], pieces: [usize; 2]) -> Self {
+        let (a, b) = (at - before, after - at);
+        let rounding = ROUNDING * (1.0 + at.to_vec().max_abs() / a.length().min(b.length()));
+        let axis = a.cross(b).unit().map_or(Vec3::ZERO, |axis| axis * a.angle(b));
+        Self { axis, rounding, pieces }
+    }
 }
 
 /// The nodes of a smooth run.
@@ -241,15 +249,13 @@ impl Turns {
 fn turns(curve: &dyn ParamCurve) -> Vec<Turns> {
     let mut runs = vec![Turns { turns: Vec::new(), closed: curve.is_closed() }];
     for joint in joints(curve) {
-        let (from, at) = (curve.piece_point(joint.piece, 0.0), curve.piece_point(joint.next, 0.0));
+        let [from, at, to] =
+            [(joint.piece, 0.0), (joint.next, 0.0), (joint.next, 1.0)].map(|(i, s)| curve.piece_point(i, s));
         if joint.angle > CORNER_ANGLE {
             runs.push(Turns { turns: Vec::new(), closed: false });
             continue;
         }
-        let (a, b) = (at - from, curve.piece_point(joint.next, 1.0) - at);
-        let rounding = ROUNDING * (1.0 + at.to_vec().max_abs() / a.length().min(b.length()));
-        let axis = a.cross(b).unit().map_or(Vec3::ZERO, |axis| axis * a.angle(b));
-        let turn = Turn { axis, rounding, pieces: [joint.piece, joint.next] };
+        let turn = Turn::new([from, at, to], [joint.piece, joint.next]);
         if let Some(run) = runs.last_mut() {
             run.turns.push(turn);
         }

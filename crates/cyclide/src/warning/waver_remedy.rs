@@ -1,0 +1,34 @@
+//! What helps against a curve that bends to and fro.
+
+/// What helps against a curve that bends to and fro, by its kind.
+///
+/// ```
+/// use cyclide::{Warning, WaverRemedy};
+/// let warning = Warning::Wavers { curve: 9, data: 2, explained: 2, remedy: WaverRemedy::Tolerance };
+/// assert!(warning.to_string().contains("tolerance"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WaverRemedy {
+    /// It interpolates by a local rule: a fairer kind of curve.
+    FairSpline,
+    /// It is the fairest through its points: other points.
+    Points,
+    /// It is a fit: more freedom.
+    Tolerance,
+    /// It came from elsewhere.
+    Source,
+}
+
+impl WaverRemedy {
+    /// The advice in words.
+    pub(super) fn advice(self) -> &'static str {
+        match self {
+            Self::FairSpline => "a fair spline, or a fit within a tolerance, bends less to and fro",
+            Self::Points => {
+                "add points there, space them more evenly, or mark corners that are meant (a corner angle); of measured points, a fit within a tolerance bends less to and fro"
+            }
+            Self::Tolerance => "a larger tolerance gives a smoother curve",
+            Self::Source => "smooth it where it was made, or sample it and fit the samples within a tolerance",
+        }
+    }
+}
