@@ -299,7 +299,8 @@ fn images_of_every_kind_have_its_figures() {
     let kinds: Vec<&str> = list.lines().filter_map(|line| line.strip_prefix("  ")?.split_whitespace().next()).collect();
     assert!(kinds.len() > 30, "{list}");
     // Those that take long without optimization are measured by laws of their own.
-    let slow = ["principal-grid", "smooth-mesh", "layers", "pipe-tee", "pipe-crossing", "ball-centers", "center-surface"];
+    let slow =
+        ["principal-grid", "smooth-mesh", "layers", "pipe-tee", "pipe-crossing", "ball-centers", "center-surface"];
     let mut compared = 0;
     for kind in kinds.into_iter().filter(|kind| !slow.contains(kind)) {
         let mut document: Value = serde_json::from_str(&folder.ok(&format!("new {kind}"))).unwrap();

@@ -127,6 +127,9 @@ fn compare(a: &[f64], b: &[f64]) -> std::cmp::Ordering {
 /// The kinds of moulds, the simplest first.
 const KINDS: [Bend; 5] = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus];
 
+/// What was found of panels on moulds, by the panel and the numbers of the mould.
+type KnownMembers = HashMap<(usize, [u64; 3]), Option<MouldMember>>;
+
 /// The panels with their surfaces within the tolerance.
 struct Workshop<'a> {
     panels: &'a [CyclidePatch],
@@ -134,7 +137,7 @@ struct Workshop<'a> {
     fits: Vec<[Option<PanelFit>; KINDS.len()]>,
     tolerance: f64,
     /// What was found already: rungs of the ladder differ in few panels. Members by panel and mould, ranges by panel and kind.
-    members: RefCell<HashMap<(usize, [u64; 3]), Option<MouldMember>>>,
+    members: RefCell<KnownMembers>,
     ranges: RefCell<HashMap<(usize, u64), [f64; 3]>>,
 }
 

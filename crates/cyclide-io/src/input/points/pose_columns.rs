@@ -160,15 +160,15 @@ impl PoseColumns {
     fn time(
         table: &Table<'_>,
         meanings: &[Option<Meaning>],
-    ) -> Result<(Option<(usize, TimeUnit)>, Option<usize>), Box<Diagnostic>> {
-        let mut times: Vec<(usize, TimeUnit)> = Vec::new();
+    ) -> Result<(Option<TimeColumn>, Option<usize>), Box<Diagnostic>> {
+        let mut times: Vec<TimeColumn> = Vec::new();
         for (column, meaning) in meanings.iter().enumerate() {
             if let Some(Meaning::Time(unit)) = meaning {
                 times.push((column, *unit));
             }
         }
         let of_message =
-            |(column, _): &(usize, TimeUnit)| words_of(table.header[*column].text).0.contains(&"stamp".to_owned());
+            |(column, _): &TimeColumn| words_of(table.header[*column].text).0.contains(&"stamp".to_owned());
         if times.len() > 1 && times.iter().any(of_message) {
             times.retain(of_message);
         }
@@ -185,6 +185,9 @@ impl PoseColumns {
         }
     }
 }
+
+/// A column of times and its unit.
+type TimeColumn = (usize, TimeUnit);
 
 /// What the columns are, as a document says it, with nothing for those that are not known.
 fn proposed(table: &Table<'_>, meanings: &[Option<Meaning>]) -> String {

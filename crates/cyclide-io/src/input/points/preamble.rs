@@ -95,7 +95,7 @@ impl<'a> Preamble<'a> {
         // know nothing the one above the data.
         let best = candidates().map(|(_, line)| known(line)).max();
         let at = match best {
-            Some(0) => candidates().last(),
+            Some(0) => candidates().next_back(),
             Some(best) => candidates().find(|(_, line)| known(line) == best),
             None => None,
         };

@@ -65,7 +65,7 @@ pub(super) fn unit_alone(text: &str) -> Option<UnitWord> {
     let words: Vec<&str> = text.split([' ', '_']).filter(|w| !w.is_empty()).collect();
     let says_nothing_else = |word: &&str| matches!(*word, "us" | "u.s." | "survey" | "international" | "intl" | "in");
     let unit = unit_of_words(&words)?;
-    words[..words.len() - 1].iter().all(|word| says_nothing_else(word)).then_some(unit)
+    words[..words.len() - 1].iter().all(says_nothing_else).then_some(unit)
 }
 
 /// The unit that the last of several words is, with those of the survey foot before it.

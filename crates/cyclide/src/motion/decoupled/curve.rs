@@ -104,7 +104,7 @@ fn laws(given: &Given, pieces: &[Option<usize>], curve: &CircleSpline) -> Vec<[f
         super::turns::node_velocities(&averages, given.closed).into_iter().map(|v| v.x).collect();
     // The speed of the curve at an end of a span, by the part of it.
     let own = |span: usize, s: f64| pieces[span].map(|piece| curve.piece_speed(piece, s));
-    for node in 0..=last {
+    for (node, speed) in speeds.iter_mut().enumerate() {
         let before = if node > 0 { Some(node - 1) } else { given.closed.then_some(last - 1) };
         let after = if node < last { Some(node) } else { given.closed.then_some(0) };
         let kink = match (before, after) {
@@ -114,10 +114,10 @@ fn laws(given: &Given, pieces: &[Option<usize>], curve: &CircleSpline) -> Vec<[f
         let ends = [before.map(|span| (span, 1.0)), after.map(|span| (span, 0.0))];
         for (span, s) in ends.into_iter().flatten() {
             let most = own(span, s).map_or(0.0, |own| MONOTONE * own / given.step(span));
-            speeds[node] = speeds[node].clamp(0.0, most);
+            *speed = speed.clamp(0.0, most);
         }
         if kink {
-            speeds[node] = 0.0;
+            *speed = 0.0;
         }
     }
     (0..last)

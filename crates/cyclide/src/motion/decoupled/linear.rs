@@ -89,7 +89,7 @@ fn blended(given: Given, blend: f64) -> DecoupledMotion {
     // Half of the time that the blend at each pose takes.
     let mut windows = vec![0.0; last + 1];
     let mut short: Option<ShortBlends> = None;
-    for pose in 0..=last {
+    for (pose, window) in windows.iter_mut().enumerate() {
         let (before, after) = match pose {
             _ if pose > 0 && pose < last => (pose - 1, pose),
             _ if given.closed => (last - 1, 0),
@@ -101,7 +101,7 @@ fn blended(given: Given, blend: f64) -> DecoupledMotion {
             continue;
         }
         let longest = 0.5 * before.duration.min(after.duration);
-        windows[pose] = (blend / speed).min(longest);
+        *window = (blend / speed).min(longest);
         // The first pose of a closed motion is the last one, too.
         if blend / speed > longest && pose < last {
             let radius = longest * speed;

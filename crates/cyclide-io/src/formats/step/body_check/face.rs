@@ -15,6 +15,9 @@ const NARROW: f64 = 1e-6;
 /// The turn of a whole circle of several arcs is a full one to this.
 const FULL_TURN: f64 = 1e-6;
 
+/// A side of a part, and what it borders on.
+type InnerSide = ((usize, Side), Border);
+
 /// A face of the file as the writer tells it.
 pub(super) struct FaceCheck<'a> {
     shell: &'a Shell,
@@ -61,7 +64,8 @@ impl<'a> FaceCheck<'a> {
         for &side in self.plan.loops.iter().flatten().flatten() {
             require(with_edges.insert(side), "a side of a face is two edges")?;
         }
-        let mut inside: HashMap<(usize, usize), Vec<((usize, Side), Border)>> = HashMap::new();
+        // Sides of parts that meet inside the face, by the line they share.
+        let mut inside: HashMap<(usize, usize), Vec<InnerSide>> = HashMap::new();
         for part in 0..self.pieces.len() {
             for side in Side::ALL {
                 let own = (part, side);

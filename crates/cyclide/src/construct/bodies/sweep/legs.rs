@@ -357,7 +357,7 @@ impl Maker<'_> {
 
     /// Adds a leg with the station before it.
     fn leg(&mut self, piece: &Piece, [from, to]: [f64; 2], before: Vec3, frame: Vec3, roll: f64) -> Result<Vec3> {
-        let whole = from == 0.0 && to == 1.0;
+        let whole = from <= 0.0 && to >= 1.0;
         let arc = if whole { piece.arc } else { piece.arc.restricted(from, to)?.evened() };
         let axis = piece.tangent(from);
         let x = (frame - axis * frame.dot(axis)).unit().unwrap_or(frame);

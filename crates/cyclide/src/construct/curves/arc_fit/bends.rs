@@ -372,9 +372,10 @@ impl Bends {
                 }
             }
         }
-        for i in 0..columns {
-            for j in 0..i {
-                normal[j][i] = normal[i][j];
+        for i in 1..columns {
+            let (above, below) = normal.split_at_mut(i);
+            for (row, value) in above.iter_mut().zip(&below[0]) {
+                row[i] = *value;
             }
         }
         (normal, gradient)

@@ -147,7 +147,7 @@ fn spikes(points: &[Point3], closed: bool, protected: &dyn Fn(usize) -> bool) ->
                 let apart = k.abs_diff(j);
                 apart <= 3 || (closed && at.len() - apart <= 3)
             };
-            if taken.len() < room && !taken.iter().any(|k| near(k)) {
+            if taken.len() < room && !taken.iter().any(near) {
                 taken.push(j);
             }
         }

@@ -5,7 +5,7 @@ use super::super::density::point_at;
 use super::super::whittaker::Smoother;
 use super::chords::{above_shortest, chords, robust_chords};
 use super::residuals::{Residual, residuals, scale};
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 
 /// Fewer points than this are not smoothed: they say nothing about noise.
 pub(super) const FEWEST: usize = 8;
@@ -100,7 +100,7 @@ fn averaged(data: &Series<'_>, group: usize) -> (Vec<Point3>, Vec<f64>) {
     let first = data.points[0];
     let mean = |(points, weights): (&[Point3], &[f64])| {
         let whole: f64 = weights.iter().sum();
-        let sum = points.iter().zip(weights).fold(first - first, |sum, (p, w)| sum + (*p - first) * *w);
+        let sum = points.iter().zip(weights).fold(Vec3::ZERO, |sum, (p, w)| sum + (*p - first) * *w);
         (first + sum / whole, whole)
     };
     data.points.chunks(group).zip(given.chunks(group)).map(mean).unzip()
