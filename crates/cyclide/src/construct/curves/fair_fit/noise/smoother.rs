@@ -17,6 +17,7 @@ const LEFT: f64 = 0.05;
 const SOFTEST: f64 = -4.0;
 const STIFFEST: f64 = 12.0;
 const STEP: f64 = 0.5;
+const FINE_STEP: f64 = 0.1;
 /// Exponents beside the last choice that are tried again.
 const NEAR: f64 = 1.5;
 /// Data that want more than this are averaged in pairs first.
@@ -162,8 +163,11 @@ fn choose(
     let h = lengths.iter().sum::<f64>() / lengths.len() as f64;
     let directions = data.directions as f64;
     let mut best: Option<(f64, Choice)> = None;
-    let steps = ((range[1] - range[0]) / STEP).round() as usize;
-    for exponent in (0..=steps).map(|k| range[0] + STEP * k as f64).filter(|e| (SOFTEST..=STIFFEST).contains(e)) {
+    // The noise that is given is to be reached, not only kept.
+    let near = range[1] - range[0] < STIFFEST - SOFTEST;
+    let step = if near && data.noise.is_some() { FINE_STEP } else { STEP };
+    let steps = ((range[1] - range[0]) / step).round() as usize;
+    for exponent in (0..=steps).map(|k| range[0] + step * k as f64).filter(|e| (SOFTEST..=STIFFEST).contains(e)) {
         let Some((rest, freedom)) = smoother.fitted(h.powi(5) * 10_f64.powf(exponent)) else { continue };
         if n - CAUTION * freedom <= LEFT * n {
             continue;
