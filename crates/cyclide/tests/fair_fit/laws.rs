@@ -141,7 +141,7 @@ fn doubts_tell_noise_from_exact_points() {
     // Noise of 0.1 in both coordinates moves a point by 0.1 across the curve; fourth differences of 400 of them know that
     // to a tenth.
     let (noise, text) = scatter(said(&noisy_outline(), 0.6, true));
-    assert!((noise.unwrap() - 0.1).abs() < 0.02 && text.contains("for noise"), "{noise:?}: {text}");
+    assert!((noise.unwrap() - 0.1).abs() < 0.02 && text.contains("if that is noise"), "{noise:?}: {text}");
     // Exact points: what fourth differences make of a smooth distance.
     let (none, text) = scatter(said(&outline(), 0.4, true));
     assert!(none.unwrap() < 0.01 && !text.contains("noise"), "{none:?}: {text}");
