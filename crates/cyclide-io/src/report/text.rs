@@ -98,7 +98,11 @@ impl CurvesReport {
         }
         facts.push(plural(self.pieces, "piece"));
         if let Some(principal) = &self.principal {
-            facts.push(format!("{} % of the surface covered", short((1000.0 * principal.coverage).round() / 10.0)));
+            // A grid that is continued past the border is larger than the surface.
+            facts.push(match principal.border {
+                "cover" => "all of the surface covered".to_owned(),
+                _ => format!("{} % of the surface covered", short((1000.0 * principal.coverage).round() / 10.0)),
+            });
         }
     }
 
