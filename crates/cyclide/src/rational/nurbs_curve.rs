@@ -404,7 +404,7 @@ mod tests {
             (3, vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 5.0, 5.0, 5.0, 5.0]),
         ] {
             let curve = NurbsCurve::new(degree, knots, points.clone(), weights.clone()).unwrap();
-            let rows = homogeneous_rows(&points, &weights);
+            let rows = scaled_rows(&points, &weights);
             assert_eq!(curve.span_rows, span_rows(degree, &curve.knots, &rows, &curve.breaks));
         }
     }
