@@ -674,6 +674,6 @@ fn building_goes_on_after_an_object_that_failed() {
     }
     for index in [4, 3, 4] {
         let curves = built(index).unwrap();
-        assert!((cyclide::length(curves.item.curves()[0].as_curve()) - std::f64::consts::TAU).abs() < 1e-12, "{index}");
+        assert!((length(curves.item.curves()[0].as_curve()) - std::f64::consts::TAU).abs() < 1e-12, "{index}");
     }
 }

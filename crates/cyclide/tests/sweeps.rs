@@ -87,8 +87,8 @@ fn a_hundred_random_sweeps_have_the_volume_of_pappus() {
             let path = path(&points, if rounded { radius } else { 0.0 }, false);
             for frame in [SweepFrame::RotationMinimizing, SweepFrame::Up] {
                 let options = SweepOptions { frame, ..SweepOptions::default() };
-                let sweep = Sweep::new(&[section.clone()], &path, &options).unwrap();
-                assert_eq!(sweep.bound(), 0.0, "plane paths do not turn the section");
+                let sweep = Sweep::new(std::slice::from_ref(&section), &path, &options).unwrap();
+                assert!(sweep.bound() <= 0.0, "plane paths do not turn the section");
                 let body = &sweep.bodies()[0];
                 // x of the section is to the right of the path: up across along.
                 let x_is_left = Vec3::Z.cross(Vec3::X).dot(Vec3::Y) > 0.0;
@@ -144,7 +144,7 @@ fn a_twist_is_even_within_its_bound() {
         let angle = 3.0 * p.z / 100.0;
         let back = [x * angle.cos() + y * angle.sin(), y * angle.cos() - x * angle.sin()].map(f64::abs);
         let corner = (back[0] - 2.0).hypot(back[1] - 3.0);
-        assert!(corner < 1e-9 || p.z == 0.0 || p.z == 100.0, "{p:?}");
+        assert!(corner < 1e-9 || p.z <= 0.0 || p.z >= 100.0, "{p:?}");
     }
 }
 
@@ -153,7 +153,7 @@ fn what_cannot_be_swept_is_refused_and_what_meets_itself_is_known() {
     let bend = path(&[[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 40.0, 0.0]], 5.0, false);
     let wide = polygon(&[[-20.0, -2.0], [20.0, -2.0], [20.0, 2.0], [-20.0, 2.0]], true);
     let refused = |section: &Contour, path: &ArcPath| {
-        Sweep::new(&[section.clone()], path, &SweepOptions::default()).unwrap_err().reason()
+        Sweep::new(std::slice::from_ref(section), path, &SweepOptions::default()).unwrap_err().reason()
     };
     assert_eq!(refused(&wide, &bend), "tube-folds");
     let hook = path(&[[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 10.0, 0.0], [0.0, 10.0, 0.0]], 0.0, false);

@@ -40,7 +40,7 @@ fn polygon(name: &'static str, points: Vec<[f64; 2]>) -> Made {
 fn star(spikes: usize, inner: f64) -> Vec<[f64; 2]> {
     let at = |i: usize| {
         let (s, c) = (PI * i as f64 / spikes as f64).sin_cos();
-        let r = if i % 2 == 0 { 40.0 } else { inner };
+        let r = if i.is_multiple_of(2) { 40.0 } else { inner };
         [r * c, r * s]
     };
     (0..2 * spikes).map(at).collect()
@@ -55,8 +55,8 @@ fn comb(random: &mut Random) -> Vec<[f64; 2]> {
         points.extend([[x, height], [x + width, height], [x + width, 4.0], [x + width + gap, 4.0]]);
         x += width + gap;
         if tooth + 1 == teeth {
-            points.pop();
-            points.last_mut().unwrap()[1] = 0.0;
+            points.truncate(points.len() - 2);
+            points.push([x - gap, 0.0]);
         }
     }
     points

@@ -402,10 +402,9 @@ mod tests {
         let ends = Ends::Held { start_angle: false, end: start, end_angle: false };
         let mut bends = Bends { start, pieces, ends, limits };
         let states = bends.states();
-        for i in 0..4 {
-            let Bend { curvature, length, .. } = bends.pieces[i];
-            bends.pieces[i].points =
-                (0..20).map(|k| exact(states[i].along(curvature, length * f64::from(k) / 20.0).at)).collect();
+        for (piece, state) in bends.pieces.iter_mut().zip(&states) {
+            let Bend { curvature, length, .. } = *piece;
+            piece.points = (0..20).map(|k| exact(state.along(curvature, length * f64::from(k) / 20.0).at)).collect();
         }
         bends.ends = Ends::Held { start_angle: false, end: states[4], end_angle: false };
         // Off by a little, with the same ends.
