@@ -175,7 +175,7 @@ fn near_words_are_suggested() {
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
-        (1, "report metres.json", "`ft`; did you mean `m`?\n"),
+        (1, "report metres.json", "`us-ft`; did you mean `m`?\n"),
         (1, "report inches.json", "; did you mean `in`?\n"),
         (1, "report word.json", "; did you mean `fast`?\n"),
         (1, "report step.json", "; did you mean `rotation`?\n"),

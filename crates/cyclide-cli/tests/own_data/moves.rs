@@ -73,7 +73,8 @@ fn straight_poses_say_how_far_they_are_left() {
     assert!((off_chords(&found)[0] - 0.25 * 10.0_f64.to_radians().tan()).abs() < 1e-9, "{found}");
     for name in ["motion_straight_poses.json", "motion_sclerp.json"] {
         let (found, _) = report(&with_kind(&case(name), "linear"));
-        assert!(off_chords(&found)[0] <= 0.0 && reasons(&found).is_empty(), "{name} {found}");
+        let leaves = ["leaves-chords", "motion-swings"];
+        assert!(off_chords(&found)[0] <= 0.0 && !reasons(&found).iter().any(|r| leaves.contains(r)), "{name} {found}");
     }
 }
 

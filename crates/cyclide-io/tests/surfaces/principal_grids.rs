@@ -78,7 +78,12 @@ pub(super) fn build_reading(
     read: &dyn Fn(&Path) -> std::io::Result<Vec<u8>>,
     hears: &mut dyn FnMut(String),
 ) -> Result<Vec<BuiltObject>, String> {
-    let grid = format!(r#""g": {{"type": "principal-grid", {fields}}}"#);
+    // What covers most by itself has tests of its own: here rectangles are asked for, unless a test says otherwise.
+    let layout = |field: &str, word: &str| {
+        if fields.contains(&format!("\"{field}\"")) { String::new() } else { format!(r#""{field}": "{word}", "#) }
+    };
+    let (border, umbilics) = (layout("border", "inside"), layout("umbilics", "pieces"));
+    let grid = format!(r#""g": {{"type": "principal-grid", {border}{umbilics}{fields}}}"#);
     let objects: Vec<&str> = std::iter::once(grid.as_str()).chain(others.iter().copied()).collect();
     let text = format!("{{\"cyclide\": 1, \"objects\": {{\n{}\n}} }}", objects.join(",\n"));
     let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
@@ -139,7 +144,7 @@ fn fields_without_effect_are_told() {
     let fields = format!(r#"{}, "edge_length": 0.7, "columns": 12, "closed": true"#, inline());
     let built = build(&fields, &[]).unwrap();
     let told: Vec<_> = built[0].remarks.iter().map(|r| (r.reason, r.place.as_deref().unwrap_or_default())).collect();
-    assert_eq!(told, [("no-effect", "objects.g.columns"), ("no-effect", "objects.g.closed")]);
+    assert_eq!(told, [("partly-covered", ""), ("no-effect", "objects.g.columns"), ("no-effect", "objects.g.closed")]);
 }
 
 /// Steps and openings of laid grids and of rows of points, through to a solid.

@@ -64,7 +64,8 @@ fn one_surface_from_every_source_carries_the_same_net() {
         let found = report(&built[0]);
         assert!(found.pieces.len() == 1 && found.umbilics.is_empty(), "{source}: {found:?}");
         let made = built[1].circular.as_ref().unwrap();
-        assert!(made.moves.max < 0.03 * 0.7 && built[0].remarks.is_empty(), "{source}: {:?}", built[0].remarks);
+        let silent = built[0].remarks.iter().all(|remark| remark.reason == "partly-covered");
+        assert!(made.moves.max < 0.03 * 0.7 && silent, "{source}: {:?}", built[0].remarks);
         // On the surface, up to what chords of half an edge are off it.
         let off = built[0].grids[0].points().iter().map(|p| (p.z - p.x * p.y / 16.0).abs()).fold(0.0, f64::max);
         assert!(off < 5e-3, "{source}: {off}");

@@ -15,7 +15,7 @@ use crate::rational::{Polynomial, QuatPolynomial};
 use std::borrow::Cow;
 
 /// Quarters of the turn of a part, radians: it is off by 1e-9 at most.
-const QUARTER: f64 = 0.04;
+const QUARTER: f64 = 0.038;
 /// Places between the ends of a part at which its error is looked for.
 const PLACES: u32 = 16;
 /// A place on a curve is off by this part of the extent of all poses at most,
