@@ -7,7 +7,7 @@
 
 use super::bends::{Bend, Bends, Ends, Matched, State};
 use super::certificate::certify;
-use super::options::{ArcFitOptions, FitTarget};
+use super::options::{ArcFitOptions, ArcLimits, FitTarget};
 use super::piece::{Piece, Place, Span, joined};
 use super::trace::Trace;
 use crate::base::frame::Frame;
@@ -26,6 +26,8 @@ const BESIDE: usize = 3;
 const WHOLE_STEPS: usize = 16;
 const WINDOW_STEPS: usize = 4;
 const MERGE_STEPS: usize = 7;
+/// The curvature of a piece may become this many times the largest before.
+const NO_TIGHTER: f64 = 1.25;
 /// The power of the distances that stands for the largest of them.
 const HIGH_POWER: i32 = 8;
 
@@ -102,7 +104,10 @@ impl Polish<'_> {
         };
         let pieces: Vec<Bend> = pieces.iter().map(bend).collect();
         let turn = pieces.iter().map(|b| b.curvature * b.length).sum::<f64>();
+        // What the search did not need is no gain: no piece becomes far tighter than the tightest.
+        let tightest = pieces.iter().map(|b| b.curvature.abs()).fold(0.0, f64::max);
         let limits = self.options.limits();
+        let limits = ArcLimits { curvature: limits.curvature.min(NO_TIGHTER * tightest), ..limits };
         let mut bends = Bends { start, pieces, ends: Ends::Loop { turn }, limits };
         if is_loop {
             // Smooth all round: a whole number of turns.
