@@ -27,7 +27,7 @@ const WHOLE_STEPS: usize = 16;
 const WINDOW_STEPS: usize = 4;
 const MERGE_STEPS: usize = 7;
 /// The curvature of a piece may become this many times the largest before.
-const NO_TIGHTER: f64 = 1.25;
+const NO_TIGHTER: f64 = 2.0;
 /// The power of the distances that stands for the largest of them.
 const HIGH_POWER: i32 = 8;
 
