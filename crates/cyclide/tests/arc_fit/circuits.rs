@@ -39,9 +39,10 @@ fn counts(circuit: &Circuit, effort: Effort) -> Vec<usize> {
         pieces(&fit)
     };
     let counts: Vec<usize> = TOLERANCES.iter().map(at).collect();
-    // A turn between straight sides costs a round more or less as the search meets the seam or a corner.
-    let more = usize::from(circuit.name.starts_with("polygon"));
-    let falls = counts.windows(2).all(|pair| pair[0] <= pair[1] + more);
+    // A turn between straight sides costs a round more or less as the search meets the seam or a corner; pieces are made one
+    // greedily, which costs one in forty.
+    let more = |count: usize| usize::from(circuit.name.starts_with("polygon")).max(count / 40);
+    let falls = counts.windows(2).all(|pair| pair[0] <= pair[1] + more(pair[1]));
     assert!(falls, "{}, {effort:?}: {counts:?} at {TOLERANCES:?}", circuit.name);
     counts
 }

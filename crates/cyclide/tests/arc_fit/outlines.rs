@@ -25,7 +25,11 @@ fn whole(random: &mut Random, low: usize, high: usize) -> usize {
 /// The points of an arc, both ends included, with chords whose sagitta is at most half the tolerance.
 fn round(center: [f64; 2], radius: f64, from: f64, turn: f64) -> Vec<[f64; 2]> {
     let step = (8.0 * 0.5 * TOLERANCE / radius).sqrt().min(0.4);
-    let n = (turn.abs() / step).ceil().max(4.0) as usize;
+    chords(center, radius, from, turn, (turn.abs() / step).ceil().max(4.0) as usize)
+}
+
+/// The points of an arc with so many chords.
+fn chords(center: [f64; 2], radius: f64, from: f64, turn: f64, n: usize) -> Vec<[f64; 2]> {
     let at = |k: usize| {
         let (s, c) = (from + turn * k as f64 / n as f64).sin_cos();
         [center[0] + radius * c, center[1] + radius * s]
@@ -166,6 +170,47 @@ fn outlines_are_kept_both_ways() {
         assert_eq!((certificate.lines, certificate.arcs), (lines, arcs), "{member}, {name} of {}", points.len());
         let said = fit.warnings().iter().filter(|w| w.reason() == "corner-kept").count();
         assert!(said <= 1, "{member}, {name}: {said} lines about corners");
+    }
+}
+
+#[test]
+fn coarse_bends_are_the_arcs_of_their_points() {
+    // Chords with sagittas of up to eight tolerances: the points are kept, and each bend is one arc.
+    let mut random = Random(38);
+    for member in 0..60 {
+        let (radius, n) = (between(&mut random, 2.0, 14.0), whole(&mut random, 7, 20));
+        let (w, h) = (between(&mut random, 20.0, 60.0), between(&mut random, 20.0, 60.0));
+        let half = n / 2 + 3;
+        let (points, lines, arcs) = if member % 2 == 0 {
+            let ends = [[w, 0.0], [-w, 0.0]].into_iter().zip([-FRAC_PI_2, FRAC_PI_2]);
+            (ends.flat_map(|(center, from)| chords(center, radius, from, PI, n)).collect::<Vec<_>>(), 2, 2)
+        } else {
+            let corners = [[w, -h], [w, h], [-w, h], [-w, -h]].into_iter().zip([-1.0, 0.0, 1.0, 2.0]);
+            let bends = corners.flat_map(|(center, k)| chords(center, radius, FRAC_PI_2 * k, FRAC_PI_2, half));
+            (bends.collect(), 4, 4)
+        };
+        let points = placed(&points, &mut random);
+        let certificate = *fitted(&points, &closed(TOLERANCE)).certificate();
+        assert_eq!((certificate.lines, certificate.arcs), (lines, arcs), "{member}: radius {radius}, {n}");
+        assert!(certificate.vertex_deviation <= TOLERANCE);
+    }
+}
+
+#[test]
+fn gears_whose_flanks_lean_are_polygons() {
+    let mut random = Random(39);
+    for _ in 0..30 {
+        let (teeth, height) = (whole(&mut random, 8, 40), between(&mut random, 1.0, 4.0));
+        let radius = between(&mut random, 20.0, 60.0);
+        let at = |k: usize| {
+            let (tooth, part) = (k / 4, k % 4);
+            let (s, c) = (TAU * (tooth as f64 + [0.0, 0.4, 0.5, 0.9][part]) / teeth as f64).sin_cos();
+            let r = if part < 2 { radius } else { radius + height };
+            [r * c, r * s]
+        };
+        let points = placed(&(0..4 * teeth).map(at).collect::<Vec<_>>(), &mut random);
+        let certificate = *fitted(&points, &closed(TOLERANCE)).certificate();
+        assert_eq!((certificate.lines, certificate.arcs), (points.len(), 0), "{teeth} teeth of {height} on {radius}");
     }
 }
 

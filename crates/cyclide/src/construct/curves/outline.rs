@@ -10,6 +10,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::warning::Warning;
+use std::collections::HashSet;
 use std::f64::consts::PI;
 
 /// Turns above this may be corners.
@@ -47,11 +48,14 @@ const SHARP: f64 = 0.75;
 /// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
 const ROUGH: f64 = 5.0 * PI / 180.0;
 /// of which at least so many,
-const ROUGH_PAIRS: usize = 16;
+const ROUGH_PAIRS: u32 = 16;
 /// and this part, turn to different sides
 const ROUGH_PART: f64 = 0.25;
-/// by angles that differ by this factor.
+/// by angles that differ by this factor, and of all sorts: in whole degrees more than this part of them.
 const ROUGH_RATIO: f64 = 1.5;
+const ALL_SORTS: f64 = 0.25;
+/// No samples turn to and fro at every second point or sooner by more than this.
+const ZIGZAG: f64 = 15.0 * PI / 180.0;
 /// Corners leave others without support; so often at most.
 const MAX_PASSES: usize = 16;
 
@@ -89,6 +93,7 @@ impl Outline {
         }
         reader.find_straight_sides();
         if angle.is_none() {
+            reader.zigzags().into_iter().for_each(|i| reader.corner[i] = true);
             for _ in 0..MAX_PASSES {
                 let found = reader.unsupported_turns(limit);
                 if found.is_empty() {
@@ -158,12 +163,15 @@ impl<'a> Reader<'a> {
         let rough = |i: usize| (ROUGH..=LARGEST_SAMPLE_TURN).contains(&self.turn(i));
         let pairs = (0..self.n()).map(|i| (i, self.after(i))).filter(|(i, j)| rough(*i) && rough(*j));
         let (mut count, mut to_and_fro) = (0, 0);
+        let mut degrees = HashSet::new();
         for (i, j) in pairs {
             let (a, b) = (self.turn(i), self.turn(j));
             count += 1;
-            to_and_fro += usize::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
+            degrees.insert(a.to_degrees().round() as u32);
+            to_and_fro += u32::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
         }
-        count >= ROUGH_PAIRS && to_and_fro as f64 > ROUGH_PART * count as f64
+        let all_sorts = degrees.len() as f64 > ALL_SORTS * f64::from(count);
+        count >= ROUGH_PAIRS && all_sorts && f64::from(to_and_fro) > ROUGH_PART * f64::from(count)
     }
 
     fn n(&self) -> usize {
@@ -230,10 +238,11 @@ impl<'a> Reader<'a> {
         (1..=steps).map(at).find(far).unwrap_or_else(|| at(steps.max(1)))
     }
 
-    /// The part of the turn at one end of an edge that falls to the edge; `None` at corners and ends.
+    /// The part of the turn at one end of an edge that falls to the edge; `None` at corners and ends. A straight side takes none.
     fn share(&self, edge: usize, vertex: usize, neighbour: usize) -> Option<f64> {
         let length = self.lengths[edge];
-        self.is_passed(vertex).then(|| self.turn(vertex) * length / (length + self.lengths[neighbour]))
+        let beyond = if self.straight[neighbour] { 0.0 } else { self.lengths[neighbour] };
+        self.is_passed(vertex).then(|| self.turn(vertex) * length / (length + beyond))
     }
 
     /// What a curve through the points turns over an edge: up to a corner or an end on as at the other end.
@@ -252,6 +261,7 @@ impl<'a> Reader<'a> {
 
     fn find_straight_sides(&mut self) {
         let edges = if self.closed { self.n() } else { self.n() - 1 };
+        self.straight.fill(false);
         let straight = |edge: &usize| {
             let sides = [self.side(*edge, false), self.side(*edge, true)];
             self.sagitta(*edge) > MATTERS * self.tolerance
@@ -259,7 +269,6 @@ impl<'a> Reader<'a> {
                 && !sides.contains(&Side::Alike)
         };
         let found: Vec<usize> = (0..edges).filter(straight).collect();
-        self.straight.fill(false);
         found.into_iter().for_each(|edge| self.straight[edge] = true);
         for edge in self.edges_without_curve() {
             self.straight[edge] = true;
@@ -350,6 +359,42 @@ impl<'a> Reader<'a> {
             }
         }
         found
+    }
+
+    /// Points in runs of at most two that turn to one side by a lot each, between two such runs to the other side: a curve that
+    /// turns to and fro has more samples to each bend.
+    fn zigzags(&self) -> Vec<usize> {
+        let n = self.n();
+        let turning: Vec<usize> =
+            (0..n).filter(|i| self.is_inside(*i) && self.turn(*i) > NO_TURN * CORNER_ANGLE).collect();
+        let same = |k: usize| {
+            let (i, j) = (turning[k], turning[(k + 1) % turning.len()]);
+            (self.closed || k + 1 < turning.len()) && self.turns[i].dot(self.turns[j]) > 0.0
+        };
+        // The last of open data changes to nothing.
+        let changes = |k: &usize| !same(*k) && (self.closed || k + 1 == turning.len());
+        let Some(first) = (0..turning.len()).find(changes) else { return Vec::new() };
+        // From the first point behind a change of side.
+        let mut bends: Vec<Vec<usize>> = vec![Vec::new()];
+        for k in (1..=turning.len()).map(|k| (first + k) % turning.len()) {
+            if let Some(bend) = bends.last_mut() {
+                bend.push(turning[k]);
+            }
+            if !same(k) {
+                bends.push(Vec::new());
+            }
+        }
+        bends.retain(|bend| !bend.is_empty());
+        let count = bends.len();
+        let is_short =
+            |bend: &Vec<usize>| bend.len() <= FEW && bend.iter().all(|i| self.turn(*i) > ZIGZAG && self.lasts(*i));
+        let short: Vec<bool> = bends.iter().map(is_short).collect();
+        let is_short_or_end = |k: usize, at_end: bool| short[k] || (at_end && !self.closed);
+        let between = |k: &usize| {
+            let (before, after) = ((k + count - 1) % count, (k + 1) % count);
+            count > 2 && short[*k] && is_short_or_end(before, *k == 0) && is_short_or_end(after, after == 0)
+        };
+        (0..count).filter(between).flat_map(|k| bends[k].clone()).collect()
     }
 
     /// The points that curves pass between two corners, run by run.

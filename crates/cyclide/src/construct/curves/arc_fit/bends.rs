@@ -2,7 +2,6 @@
 //! points that its pieces stand for (`docs/math/arc-fitting.md#least-deviation`).
 
 use super::constrained_step::constrained_step;
-use super::options::ArcLimits;
 use crate::base::planar::{Point2, Vec2};
 use std::f64::consts::PI;
 
@@ -37,6 +36,8 @@ pub(super) struct Bend {
     /// It is a line and stays one.
     pub straight: bool,
     pub points: Vec<Matched>,
+    /// The largest curvature that it may take.
+    pub tightest: f64,
 }
 
 /// A joint and the direction there.
@@ -60,7 +61,8 @@ pub(super) struct Bends {
     pub start: State,
     pub pieces: Vec<Bend>,
     pub ends: Ends,
-    pub limits: ArcLimits,
+    /// Least length of an arc.
+    pub shortest: f64,
 }
 
 impl State {
@@ -103,10 +105,38 @@ struct Foot {
     fitted: bool,
 }
 
+/// A sum of powers of distances; high powers stand for the largest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sum {
+    pub power: i32,
+    pub of: Counted,
+}
+
+/// Whose distances a sum has.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Counted {
+    /// Those of the points that are fitted.
+    Fitted,
+    /// All that the tolerance binds, by how much they exceed their slack.
+    Bound,
+}
+
+impl Sum {
+    pub const SQUARES: Self = Self { power: 2, of: Counted::Fitted };
+}
+
 impl Foot {
     /// The distance that the tolerance binds.
     fn bound(&self) -> f64 {
         self.distance.abs() - self.slack
+    }
+
+    /// What a sum counts of it.
+    fn counted(&self, sum: Sum) -> Option<f64> {
+        match sum.of {
+            Counted::Fitted => self.fitted.then_some(self.distance),
+            Counted::Bound => Some(self.bound().max(0.0).copysign(self.distance)),
+        }
     }
 }
 
@@ -177,7 +207,7 @@ impl Bends {
     fn is_valid(&self) -> bool {
         self.pieces.iter().all(|b| {
             let finite = b.length > 0.0 && b.length.is_finite() && b.curvature.is_finite();
-            let kept = b.straight || (b.curvature.abs() <= self.limits.curvature && b.length >= self.limits.length);
+            let kept = b.straight || (b.curvature.abs() <= b.tightest && b.length >= self.shortest);
             finite && kept && (b.curvature * b.length).abs() <= MAX_SWEEP
         })
     }
@@ -314,13 +344,14 @@ impl Bends {
 
     /// Lowers the sum of the `power`-th powers of the distances in at most `steps` steps, none of which takes a point
     /// beyond `limit`. The ends are met before as after.
-    pub fn refined(mut self, power: i32, steps: usize, limit: f64) -> Self {
+    pub fn refined(mut self, sum_of: Sum, steps: usize, limit: f64) -> Self {
+        let power = sum_of.power;
         let measure = |chain: &Self| {
             let feet = chain.feet();
             let largest = feet.iter().map(Foot::bound).fold(0.0, f64::max);
             let scale = if largest > 0.0 { largest } else { 1.0 };
-            let fitted = feet.iter().filter(|f| f.fitted);
-            let sum = fitted.map(|f| (f.distance / scale).abs().powi(power)).sum::<f64>();
+            let counted = feet.iter().filter_map(|f| f.counted(sum_of));
+            let sum = counted.map(|distance| (distance / scale).abs().powi(power)).sum::<f64>();
             (sum.powf(1.0 / f64::from(power)) * scale, largest)
         };
         let mut best = measure(&self).0;
@@ -329,7 +360,7 @@ impl Bends {
             let states = self.states();
             let rows = self.misses(&states);
             let units = self.units();
-            let (normal, gradient) = self.normal_equations(&states, units.len(), power);
+            let (normal, gradient) = self.normal_equations(&states, units.len(), sum_of);
             let step = (0..TRIES).find_map(|_| {
                 let step = constrained_step(normal.clone(), &gradient, &rows, &units, damping);
                 let moved = step.and_then(|step| self.moved(&step).closed());
@@ -352,23 +383,25 @@ impl Bends {
         self
     }
 
-    fn normal_equations(&self, states: &[State], columns: usize, power: i32) -> (Vec<Vec<f64>>, Vec<f64>) {
+    fn normal_equations(&self, states: &[State], columns: usize, sum: Sum) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let power = sum.power;
         let feet = self.feet();
         let largest = feet.iter().map(Foot::bound).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
         let mut normal = vec![vec![0.0; columns]; columns];
         let mut gradient = vec![0.0; columns];
         let mut row = Vec::new();
-        for foot in feet.iter().filter(|f| f.fitted) {
-            let weight = (foot.distance / largest).abs().powi(power - 2);
+        for (foot, distance) in feet.iter().filter_map(|f| Some((f, f.counted(sum)?))) {
+            let weight = (distance / largest).abs().powi(power - 2);
             self.motion(states, (foot.piece, foot.along), foot.state.at, foot.state.tangent().left(), &mut row);
             for i in 0..columns {
                 if row[i] == 0.0 {
                     continue;
                 }
                 // Moving the curve to the left takes from the distance.
-                gradient[i] -= weight * row[i] * foot.distance;
+                gradient[i] -= weight * row[i] * distance;
                 for j in 0..=i {
-                    normal[i][j] += weight * row[i] * row[j];
+                    // The second derivative of |d|^p/p is (p - 1) |d|^(p - 2).
+                    normal[i][j] += f64::from(power - 1) * weight * row[i] * row[j];
                 }
             }
         }
@@ -387,7 +420,7 @@ mod tests {
     use super::*;
 
     fn bend(curvature: f64, length: f64) -> Bend {
-        Bend { curvature, length, straight: curvature == 0.0, points: Vec::new() }
+        Bend { curvature, length, straight: curvature == 0.0, points: Vec::new(), tightest: 1e3 }
     }
 
     fn exact(at: Point2) -> Matched {
@@ -398,9 +431,8 @@ mod tests {
     fn road(shift: f64) -> Bends {
         let start = State { at: Point2::new(1.0, 2.0), angle: 0.3 };
         let pieces = vec![bend(0.0, 10.0), bend(0.2, 8.0), bend(-0.1, 12.0), bend(0.0, 9.0)];
-        let limits = ArcLimits { curvature: 1e3, length: 0.0 };
         let ends = Ends::Held { start_angle: false, end: start, end_angle: false };
-        let mut bends = Bends { start, pieces, ends, limits };
+        let mut bends = Bends { start, pieces, ends, shortest: 0.0 };
         let states = bends.states();
         for (piece, state) in bends.pieces.iter_mut().zip(&states) {
             let Bend { curvature, length, .. } = *piece;
@@ -418,7 +450,7 @@ mod tests {
     fn least_squares_find_the_arcs_that_points_were_taken_from() {
         let bends = road(0.1).closed().unwrap();
         assert!(bends.deviation() > 0.01);
-        let mut refined = bends.refined(2, 20, f64::INFINITY);
+        let mut refined = bends.refined(Sum::SQUARES, 20, f64::INFINITY);
         refined.reassign();
         assert!(refined.deviation() < 1e-9, "{}", refined.deviation());
         let found: Vec<_> = refined.pieces.iter().map(|b| (b.curvature, b.length)).collect();
@@ -443,9 +475,9 @@ mod tests {
             start,
             pieces: vec![piece(0, 0.19), piece(1, 0.21), piece(2, 0.2)],
             ends: Ends::Loop { turn: 2.0 * PI },
-            limits: ArcLimits { curvature: 1e3, length: 0.0 },
+            shortest: 0.0,
         };
-        let refined = bends.closed().unwrap().refined(2, 20, f64::INFINITY);
+        let refined = bends.closed().unwrap().refined(Sum::SQUARES, 20, f64::INFINITY);
         assert!(refined.deviation() < 1e-7, "{}", refined.deviation());
         assert!(refined.states()[3].at.distance(refined.start.at) < 1e-12);
     }

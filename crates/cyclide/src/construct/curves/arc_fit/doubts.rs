@@ -18,6 +18,8 @@ const SWING: f64 = 2.0;
 const FEW_POINTS: usize = 24;
 /// if their points turn by more than this: a 24th of a full turn.
 const LARGE_TURN: f64 = std::f64::consts::PI / 12.0;
+/// Turns below this, a sixtieth of a degree, are none.
+const SOME_TURN: f64 = std::f64::consts::PI / 10_800.0;
 /// Tolerances above this part of the diagonal of the figure's box are wide: a sixth of a square's side.
 const WIDE: f64 = 0.12;
 /// Spans of at most this many edges follow single points.
@@ -70,7 +72,9 @@ pub(super) fn read_as_curve(
         !corner && !outline.straight[i] && !outline.straight[(i + n - 1) % n]
     };
     let turns = turns(points, options.closed).into_iter().enumerate();
-    let large: Vec<f64> = turns.filter(|(i, turn)| is_sample(*i) && *turn > LARGE_TURN).map(|(_, turn)| turn).collect();
+    // Few points are a polygon as well whatever they turn by.
+    let least = if points.len() < FEW_POINTS { SOME_TURN } else { LARGE_TURN };
+    let large: Vec<f64> = turns.filter(|(i, turn)| is_sample(*i) && *turn > least).map(|(_, turn)| turn).collect();
     let turn = large.iter().fold(0.0_f64, |a, b| a.max(*b));
     (!large.is_empty() && distance > SWING * options.tolerance).then_some(Warning::ReadAsCurve {
         count: large.len(),

@@ -83,10 +83,10 @@ impl ArcFit {
         let limits = options.limits();
         match Self::in_any_tube(points, options) {
             Err(died @ Error::NoG1SplineInTube { .. }) if options.min_radius.or(options.min_arc_length).is_some() => {
-                // What would do without them says where they are missed.
+                // What would do without them keeps them all the same, or says where they are missed.
                 let free = ArcFitOptions { min_radius: None, min_arc_length: None, ..options.clone() };
-                let fit = Self::in_any_tube(points, &free)?;
-                Err(fit.missed(points, limits).unwrap_or(died))
+                let fit = Self::in_any_tube(points, &free).map_err(|_| died)?;
+                fit.missed(points, limits).map_or(Ok(fit), Err)
             }
             fit => fit,
         }
@@ -193,7 +193,7 @@ impl ArcFit {
                             let turning = turning::of_pieces(&polished, options.closed);
                             let turns_on = turning <= judged.limit(&polished, &trace)
                                 || turning <= turning::of_pieces(&pieces, options.closed);
-                            sheet.deviation <= tolerance && turns_on && options.limits_kept(&polished)
+                            sheet.deviation <= tolerance && sheet.monotone && turns_on && options.limits_kept(&polished)
                         };
                         let pieces = if better() { polished } else { pieces };
                         (trace, pieces)

@@ -5,9 +5,9 @@
 //! a chain within the tolerance, and then all pieces are moved to the least squares of their points. Short chains are moved as
 //! a whole; long ones in windows that keep their ends, each in the order of the chain.
 
-use super::bends::{Bend, Bends, Ends, Matched, State};
+use super::bends::{Bend, Bends, Counted, Ends, Matched, State, Sum};
 use super::certificate::certify;
-use super::options::{ArcFitOptions, ArcLimits, FitTarget};
+use super::options::{ArcFitOptions, FitTarget};
 use super::piece::{Piece, Place, Span, joined};
 use super::trace::Trace;
 use crate::base::frame::Frame;
@@ -22,14 +22,23 @@ const WINDOW_STEP: usize = 4;
 const PASSES: usize = 2;
 /// Pieces on both sides of two that are merged which move with them.
 const BESIDE: usize = 3;
+/// Rounds of merging and moving.
+const ROUNDS: usize = 3;
+/// Pieces of a bend between lines that are tried as one.
+const MOST_OF_BEND: usize = 6;
 /// Steps of least squares, of a whole chain, of a window, and of two pieces that are merged.
 const WHOLE_STEPS: usize = 16;
 const WINDOW_STEPS: usize = 4;
 const MERGE_STEPS: usize = 7;
-/// The curvature of a piece may become this many times the largest before.
-const NO_TIGHTER: f64 = 2.0;
-/// The power of the distances that stands for the largest of them.
-const HIGH_POWER: i32 = 8;
+/// The curvature of a piece may become this many times the largest of the search there: of the piece and its neighbours.
+const NO_TIGHTER: f64 = 1.75;
+/// A power of the distances that stands for the largest of them: of the points that are fitted, and of all places that bind.
+const LARGEST_FITTED: Sum = Sum { power: 8, of: Counted::Fitted };
+const LARGEST_BOUND: Sum = Sum { power: 8, of: Counted::Bound };
+/// Least squares whose largest distance is this many tolerances are not brought within it.
+const HOPELESS: f64 = 2.0;
+/// Chains of at most this many pieces are merged from both ends.
+const BOTH_ENDS: usize = 48;
 
 /// The pieces polished, as far as the certificate holds with it.
 pub(super) fn polished(
@@ -42,7 +51,7 @@ pub(super) fn polished(
     let polish = Polish { trace, frame, tolerance, options };
     let mut starts: Vec<usize> = (0..pieces.len()).filter(|i| !pieces[*i].smooth).collect();
     if starts.is_empty() {
-        return polish.run(&pieces, true).unwrap_or(pieces);
+        return polish.round(&pieces).unwrap_or(pieces);
     }
     starts.push(pieces.len());
     let runs = starts.windows(2).map(|w| &pieces[w[0]..w[1]]);
@@ -64,6 +73,18 @@ struct Spanned {
 }
 
 impl Polish<'_> {
+    /// A loop: from a line on, if it has one, so that no bend is in two parts; it starts where it did, or beside that.
+    fn round(&self, pieces: &[Piece]) -> Option<Vec<Piece>> {
+        let start = pieces[0].arc.start();
+        let mut turned = pieces.to_vec();
+        turned.rotate_left(pieces.iter().position(|piece| piece.arc.is_straight()).unwrap_or(0));
+        let mut found = self.run(&turned, true)?;
+        let away = |piece: &Piece| piece.arc.start().distance(start);
+        let first = (0..found.len()).min_by(|a, b| away(&found[*a]).total_cmp(&away(&found[*b])))?;
+        found.rotate_left(first);
+        Some(found)
+    }
+
     /// A run between corners or all round; `None` if it has too few pieces.
     fn run(&self, pieces: &[Piece], is_loop: bool) -> Option<Vec<Piece>> {
         if pieces.len() < if is_loop { 3 } else { 2 } {
@@ -78,8 +99,21 @@ impl Polish<'_> {
             spans.push(Span { from, to: both.to });
         }
         let mut chain = Spanned { bends: self.bends(pieces, is_loop)?, spans };
-        self.merge(&mut chain);
-        self.refine(&mut chain);
+        // What has moved may let others become one.
+        for _ in 0..ROUNDS {
+            let before = chain.spans.len();
+            // Greedily, from both ends: the shorter one.
+            let mut back = (before <= BOTH_ENDS).then(|| chain.clone());
+            self.merge(&mut chain, false);
+            if let Some(back) = &mut back {
+                self.merge(back, true);
+            }
+            chain = back.filter(|back| back.spans.len() < chain.spans.len()).unwrap_or(chain);
+            self.refine(&mut chain);
+            if chain.spans.len() == before {
+                break;
+            }
+        }
         self.pieces(&chain, Some(pieces)).map(|found| found.0)
     }
 
@@ -100,15 +134,25 @@ impl Polish<'_> {
                 Matched { at, slack: self.trace.slack[i % n], fitted }
             };
             let points = (from.index + 1..=to.index).map(matched).collect();
-            Bend { curvature: if straight { 0.0 } else { sweep / length }, length, straight, points }
+            let curvature = if straight { 0.0 } else { sweep / length };
+            Bend { curvature, length, straight, points, tightest: 0.0 }
         };
-        let pieces: Vec<Bend> = pieces.iter().map(bend).collect();
+        let mut pieces: Vec<Bend> = pieces.iter().map(bend).collect();
         let turn = pieces.iter().map(|b| b.curvature * b.length).sum::<f64>();
-        // What the search did not need is no gain: no piece becomes far tighter than the tightest.
-        let tightest = pieces.iter().map(|b| b.curvature.abs()).fold(0.0, f64::max);
+        // What the search did not need is no gain: no piece becomes far tighter than those there.
         let limits = self.options.limits();
-        let limits = ArcLimits { curvature: limits.curvature.min(NO_TIGHTER * tightest), ..limits };
-        let mut bends = Bends { start, pieces, ends: Ends::Loop { turn }, limits };
+        let count = pieces.len();
+        let curvatures: Vec<f64> = pieces.iter().map(|b| b.curvature.abs()).collect();
+        for (i, piece) in pieces.iter_mut().enumerate() {
+            let beside = [
+                (is_loop || i > 0).then_some((i + count - 1) % count),
+                Some(i),
+                (is_loop || i + 1 < count).then_some((i + 1) % count),
+            ];
+            let tightest = beside.into_iter().flatten().map(|k| curvatures[k]).fold(0.0, f64::max);
+            piece.tightest = limits.curvature.min(NO_TIGHTER * tightest);
+        }
+        let mut bends = Bends { start, pieces, ends: Ends::Loop { turn }, shortest: limits.length };
         if is_loop {
             // Smooth all round: a whole number of turns.
             let turn = std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
@@ -120,48 +164,64 @@ impl Polish<'_> {
         Some(bends)
     }
 
-    /// Two neighbours become one where that stays within the tolerance.
-    fn merge(&self, chain: &mut Spanned) {
+    /// Two neighbours become one where that stays within the tolerance, and the pieces of a bend between lines one arc.
+    fn merge(&self, chain: &mut Spanned, back: bool) {
         let fewest = if chain.is_loop() { 3 } else { 1 };
-        let mut i = 0;
-        while i + 1 < chain.spans.len() && chain.spans.len() > fewest {
-            let whole = chain.spans.len() <= WHOLE / 2;
-            let range = if whole {
-                0..chain.spans.len()
-            } else {
-                i.saturating_sub(BESIDE)..(i + 2 + BESIDE).min(chain.spans.len())
-            };
-            let part = if whole { chain.clone() } else { chain.part(range.clone()) };
-            match self.merged(&part, i - range.start) {
-                Some(found) if whole => *chain = found,
-                Some(found) => chain.put(range, found),
-                None => {
-                    i += 1;
-                    continue;
-                }
-            }
-            i = i.saturating_sub(1);
+        // Pieces that were tried, from the end where it begins.
+        let mut tried = 0;
+        while tried + 1 < chain.spans.len() && chain.spans.len() > fewest {
+            let i = if back { chain.spans.len() - 2 - tried } else { tried };
+            let bend = chain.bend_between_lines(i).filter(|count| chain.spans.len() + 1 >= fewest + count);
+            let found = bend.into_iter().chain([2]).any(|count| self.merge_at(chain, i, count));
+            tried = if found { tried.saturating_sub(1) } else { tried + 1 };
         }
     }
 
-    /// The chain with two pieces as one, and the others moved with it.
-    fn merged(&self, chain: &Spanned, at: usize) -> Option<Spanned> {
-        let [a, b] = [&chain.bends.pieces[at], &chain.bends.pieces[at + 1]];
-        let length = a.length + b.length;
-        let curvature = (a.curvature * a.length + b.curvature * b.length) / length;
+    /// Makes so many pieces from one on one piece; false if that does not stay within the tolerance.
+    fn merge_at(&self, chain: &mut Spanned, at: usize, count: usize) -> bool {
+        let whole = chain.spans.len() <= WHOLE / 2;
+        let range = if whole {
+            0..chain.spans.len()
+        } else {
+            at.saturating_sub(BESIDE)..(at + count + BESIDE).min(chain.spans.len())
+        };
+        let part = if whole { chain.clone() } else { chain.part(range.clone()) };
+        let at = at - range.start;
+        match self.merged(&part, at..at + count) {
+            Some(found) if whole => *chain = found,
+            Some(found) => chain.put(range, found),
+            None => return false,
+        }
+        true
+    }
+
+    /// The chain with two pieces or more as one, and the others moved with it.
+    fn merged(&self, chain: &Spanned, range: std::ops::Range<usize>) -> Option<Spanned> {
+        let pieces = &chain.bends.pieces[range.clone()];
+        let [a, .., b] = pieces else { return None };
+        let length = pieces.iter().map(|piece| piece.length).sum::<f64>();
+        let curvature = pieces.iter().map(|piece| piece.curvature * piece.length).sum::<f64>() / length;
         let mut spans = chain.spans.clone();
-        let second = spans.remove(at + 1);
-        spans[at] = joined(spans[at], second, self.trace.points.len());
-        let as_line: &[bool] = if a.straight || b.straight { &[true, false] } else { &[false] };
+        let whole = joined(spans[range.start], spans[range.end - 1], self.trace.points.len());
+        spans.splice(range.clone(), [whole]);
+        // A straight run stays straight, but for a short end of a bend.
+        let as_line: &[bool] = match (a.straight, b.straight) {
+            (true, true) => &[true],
+            (true, false) if a.length >= b.length => &[true],
+            (false, true) if b.length >= a.length => &[true],
+            (false, false) => &[false],
+            _ => &[true, false],
+        };
         as_line.iter().find_map(|straight| {
-            let points = a.points.iter().chain(&b.points).copied().collect();
+            let points = pieces.iter().flat_map(|piece| &piece.points).copied().collect();
             let curvature = if *straight { 0.0 } else { curvature };
-            let one = Bend { curvature, length, straight: *straight, points };
+            let tightest = pieces.iter().map(|piece| piece.tightest).fold(0.0, f64::max);
+            let one = Bend { curvature, length, straight: *straight, points, tightest };
             let mut fewer = chain.bends.clone();
-            fewer.pieces.splice(at..at + 2, [one]);
-            let mut bends = fewer.closed()?.refined(2, MERGE_STEPS, f64::INFINITY);
-            if bends.deviation() > self.tolerance {
-                bends = bends.refined(HIGH_POWER, MERGE_STEPS, f64::INFINITY);
+            fewer.pieces.splice(range.clone(), [one]);
+            let mut bends = fewer.closed()?.refined(Sum::SQUARES, MERGE_STEPS, f64::INFINITY);
+            if (self.tolerance..HOPELESS * self.tolerance).contains(&bends.deviation()) {
+                bends = bends.refined(LARGEST_BOUND, WHOLE_STEPS, f64::INFINITY);
             }
             self.certified(Spanned { bends, spans: spans.clone() })
         })
@@ -173,9 +233,9 @@ impl Polish<'_> {
         let lower = |part: &Spanned, steps: usize| {
             let before = part.bends.deviation();
             let limit = self.tolerance.max(before);
-            let squares = part.bends.clone().refined(2, steps, limit);
+            let squares = part.bends.clone().refined(Sum::SQUARES, steps, limit);
             let raised = squares.deviation() > before;
-            let bends = if raised { squares.refined(HIGH_POWER, steps, limit) } else { squares };
+            let bends = if raised { squares.refined(LARGEST_FITTED, steps, limit) } else { squares };
             self.certified(Spanned { bends, spans: part.spans.clone() })
         };
         let count = chain.spans.len();
@@ -252,6 +312,16 @@ impl Spanned {
         matches!(self.bends.ends, Ends::Loop { .. })
     }
 
+    /// How many pieces from one on are a bend to one side between two lines, or a line and an end; `None` if that is less than three.
+    fn bend_between_lines(&self, from: usize) -> Option<usize> {
+        let pieces = &self.bends.pieces;
+        let is_line = |i: usize| pieces.get(i).is_none_or(|piece| piece.straight);
+        let side = pieces[from].curvature;
+        let count = pieces[from..].iter().take_while(|piece| !piece.straight && piece.curvature * side > 0.0).count();
+        let bounded = (from == 0 || is_line(from - 1)) && is_line(from + count);
+        (count > 2 && count <= MOST_OF_BEND && bounded).then_some(count)
+    }
+
     /// A part that keeps its ends, but for those of an open chain, which turn.
     fn part(&self, range: std::ops::Range<usize>) -> Self {
         let states = self.bends.states();
@@ -262,7 +332,7 @@ impl Spanned {
             end_angle: !turns(range.end == self.spans.len()),
         };
         let pieces = self.bends.pieces[range.clone()].to_vec();
-        let bends = Bends { start: states[range.start], pieces, ends, limits: self.bends.limits };
+        let bends = Bends { start: states[range.start], pieces, ends, shortest: self.bends.shortest };
         Self { bends, spans: self.spans[range].to_vec() }
     }
 

@@ -30,13 +30,15 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
     for i in 0..n {
         let arc = &pieces[i].arc;
         let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-        let limit = STRAIGHTNESS * tolerance;
-        if arc.is_straight() || (sagitta > limit && !is_line(&pieces[i], trace, target, limit)) {
-            continue;
-        }
         // Neighbours that share a smooth joint; a fixed end or corner has none.
         let before = pieces[i].smooth.then_some((i + n - 1) % n);
         let after = Some((i + 1) % n).filter(|j| pieces[*j].smooth);
+        // A whole side between corners is straight where its chord is within the tolerance.
+        let is_side = before.is_none() && after.is_none();
+        let limit = if is_side { tolerance } else { STRAIGHTNESS * tolerance };
+        if arc.is_straight() || (sagitta > limit && !is_line(&pieces[i], trace, target, limit)) {
+            continue;
+        }
         let curved = |j: Option<usize>| j.is_none_or(|j| !pieces[j].arc.is_straight());
         if !(curved(before) && curved(after)) || (n < 3 && before.is_some() && after.is_some()) {
             continue;
