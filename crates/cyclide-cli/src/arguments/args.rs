@@ -238,7 +238,7 @@ pub struct OutputArgs {
     /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
     #[arg(long, value_name = "CURVE", value_parser = word::<StepEdges>(), help_heading = "Formats")]
     pub step_edges: Option<StepEdges>,
-    /// STEP: which faces bodies have [default: merged].
+    /// STEP: which faces bodies have [default: auto].
     #[arg(long, value_name = "FACES", value_parser = word::<StepFaces>(), help_heading = "Formats")]
     pub step_faces: Option<StepFaces>,
     /// STEP: the products of several objects [default: auto].
@@ -398,8 +398,8 @@ pub struct CurveArgs {
     /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be.
     #[arg(long, value_name = "L", value_parser = positive, allow_hyphen_values = true)]
     pub min_arc_length: Option<f64>,
-    /// Fair fit within a number T: how much the curve keeps to the middle of the points, 0 for the fairest curve, 10 and more
-    /// approach least squares; for noisy points use --smooth auto instead [default: 0].
+    /// Fair fit within a number T: how much the curve keeps to the middle of the points: 0 for the fairest curve, 1 as close to
+    /// noisy points as their noise allows, 10 and more approach least squares; see also --smooth auto [default: 0].
     #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
     pub centre: Option<f64>,
     /// Fair fit: an open curve starts and ends exactly at the first and last point.

@@ -58,6 +58,30 @@ fn the_strength_follows_the_noise_of_a_gps_track() {
 }
 
 #[test]
+fn a_weight_of_one_keeps_as_close_as_the_noise_allows() {
+    let folder = Folder::with(&[("gps.csv", &case("gps_noise.csv"))]);
+    let run = folder.run("curve gps.csv --closed --smooth 5 --centre 1 -o g.csv --tolerance 0.01");
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    // The fairest curve in the tolerance is 1.60 off, and the points are 1.5.
+    let error = rms(&points(&case("gps_truth.csv"), [0, 1]), &curve(&folder, "g.csv"));
+    assert!(error < 0.8 && !run.stderr.contains("beyond-noise"), "{error}: {}", run.stderr);
+}
+
+#[test]
+fn corners_are_no_noise() {
+    // Sides of three points each, exact: nothing is noise. And a bracket whose corners have legs of six tolerances.
+    let sides = "x,y\n0,0\n20,0\n40,0\n60,0\n60,20\n60,40\n40,40\n20,40\n0,40\n0,20\n";
+    let bracket = "x,y\n0,40\n0,34\n17,34\n17,0\n23,0\n23,34\n40,34\n40,40\n";
+    for (outline, corners, smooth) in [(sides, 4, "auto"), (bracket, 8, "1"), (bracket, 8, "2"), (bracket, 8, "auto")] {
+        let folder = Folder::with(&[("o.csv", outline)]);
+        let report = folder.json(&format!("curve o.csv --closed --smooth {smooth} -o o.dxf --json"));
+        let object = &report["objects"]["o"];
+        assert!(object["fit"]["polyline_deviation"].as_f64().unwrap() < 1e-5, "{smooth}: {object}");
+        assert_eq!(object["fit"]["nodes"], corners, "{smooth}: {object}");
+    }
+}
+
+#[test]
 fn a_deviation_that_is_given_is_obeyed() {
     let folder = Folder::with(&[("gps.csv", &case("gps_noise.csv"))]);
     let report = folder.json("curve gps.csv --closed --smooth auto --noise 2.5 -o h.csv --json");

@@ -177,11 +177,13 @@
 //! ```
 //!
 //! # `tolerance-not-reached`
-//! No fair curve within the tolerance was found: here coordinates of this size are rounded by more.
+//! No fair curve within the tolerance was found: here points all over the place, none of which may be a corner.
 //! ```
 //! use cyclide::{FairFit, FairFitOptions, Point3};
-//! let wave: Vec<Point3> = (0..100).map(|k| Point3::new(1e9 + f64::from(k), (0.1 * f64::from(k)).sin(), 0.0)).collect();
-//! let error = FairFit::new(&wave, &FairFitOptions::new(1e-9)).unwrap_err();
+//! let at = |k: i32| Point3::new(f64::from(7 * k * k).sin(), f64::from(3 * k * k).cos(), 0.0);
+//! let cloud: Vec<Point3> = (0..60).map(at).collect();
+//! let options = FairFitOptions { corner_angle: Some(3.14), ..FairFitOptions::new(0.01) };
+//! let error = FairFit::new(&cloud, &options).unwrap_err();
 //! assert_eq!(error.reason(), "tolerance-not-reached");
 //! ```
 //!
@@ -189,13 +191,17 @@
 //! Points far from all others keep a fair curve from its tolerance.
 //! ```
 //! use cyclide::{FairFit, FairFitOptions, Point3};
-//! let mut points: Vec<Point3> = (0..80)
-//!     .map(|k| Point3::new(f64::from(k), (0.1 * f64::from(k)).sin() + 0.05 * f64::from(k * k % 7), 0.0))
-//!     .collect();
-//! points[30].y += 20.0;
-//! let error = FairFit::new(&points, &FairFitOptions::new(1.0)).unwrap_err();
-//! assert_eq!(error.reason(), "outliers");
-//! assert_eq!(error.index(), Some(30));
+//! let at = |k: u32| {
+//!     let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 200.0).sin_cos();
+//!     let noise = [9.1, 5.3].map(|f| 0.05 * (f * f64::from(k * k)).sin());
+//!     Point3::new(10.0 * cos + noise[0], 10.0 * sin + noise[1], 0.0)
+//! };
+//! let mut points: Vec<Point3> = (0..200).map(at).collect();
+//! for (k, x) in [(3, 4.0), (43, -4.0), (83, 4.0), (123, -4.0), (163, 4.0)] {
+//!     points[k] = Point3::new(points[k].x + x, points[k].y + 2.0, 0.0);
+//! }
+//! let error = FairFit::new(&points, &FairFitOptions { closed: true, ..FairFitOptions::new(0.2) }).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("outliers", Some(3)));
 //! ```
 //!
 //! # `even-point-count`

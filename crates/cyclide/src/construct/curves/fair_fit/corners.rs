@@ -20,29 +20,34 @@ const SHARP: f64 = 0.75;
 ///
 /// `forced` are asked for by index, ascending. The others are corners at the scale of the tolerance too, and no bends:
 /// else every dense noisy line would have some. Points closer together than
-/// some tolerances hold a curve themselves, and their turns may be noise: of them none are corners but those asked for.
+/// some tolerances hold a curve themselves, and their turns may be noise: of them none are corners but those asked for, and
+/// those between edges so long that noise within the tolerance turns them by less.
 pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOptions, tolerance: f64) -> Outline {
     let is_forced = |i: usize| forced.binary_search(&i).is_ok();
     let mut outline = Outline::read(points, options.closed, tolerance.min(f64::MAX), options.corner_angle, forced);
     let n = points.len();
     let mut lengths: Vec<f64> = (0..n - 1).map(|i| points[i].distance(points[i + 1])).collect();
     let usual = *lengths.select_nth_unstable_by((n - 1) / 2, f64::total_cmp).1;
+    // Noise within the tolerance turns no edges by so much that are as long as these.
+    let length = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let evident =
+        |(i, turn): (usize, f64)| length((i + n - 1) % n).min(length(i)) * (0.5 * turn).sin() > 2.0 * tolerance;
     if options.corner_angle.is_none() && usual < LONG * tolerance {
-        outline.corners.retain(|(i, _)| is_forced(*i));
-        outline.straight.fill(false);
+        outline.corners.retain(|corner| is_forced(corner.0) || evident(*corner));
+        (0..n).for_each(|i| outline.straight[i] &= length(i) >= LONG * tolerance);
         return outline;
     }
     let turn = |i: usize, length: f64| {
         let [before, after] = [false, true].map(|forward| leg(points, i, length, options.closed, forward));
         before.zip(after).map_or(0.0, |(before, after)| (points[i] - before).angle(after - points[i]))
     };
-    let length = LEGS * tolerance;
+    let legs = LEGS * tolerance;
     // The turn of a bend grows with the legs, that of a corner does not.
     let lasting = |i: usize| {
-        let long = turn(i, length);
-        long > options.corner_angle.unwrap_or(CORNER_ANGLE) && turn(i, 0.5 * length) > SHARP * long
+        let long = turn(i, legs);
+        long > options.corner_angle.unwrap_or(CORNER_ANGLE) && turn(i, 0.5 * legs) > SHARP * long
     };
-    outline.corners.retain(|(i, _)| is_forced(*i) || lasting(*i));
+    outline.corners.retain(|corner| is_forced(corner.0) || evident(*corner) || lasting(corner.0));
     outline
 }
 

@@ -142,22 +142,51 @@ pub(super) fn with_loose_heights(
 }
 
 impl FairFit {
+    /// The corners that last over more than the noise, and what the points say about that with them.
+    fn corners_in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Vec<usize>, Option<Denoised>) {
+        let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
+        let cuts_within = |tolerance: f64| Self::cuts(distinct, &automatic, tolerance);
+        let forced = cuts_within(f64::INFINITY);
+        // All corners of exact points, if they are some with the noise of the pieces between them too: else corners are taken for
+        // noise.
+        let sharp = cuts_within(NEAREST * size);
+        if options.corner_angle.is_none() && sharp != forced {
+            match read(distinct, options, &sharp) {
+                Some(found) if cuts_within(OF_NOISE * found.deviation) == sharp => return (sharp, Some(found)),
+                None => return (sharp, None),
+                Some(_) => {}
+            }
+        }
+        // Else those that last over the noise that the points have without any.
+        let mut found = read(distinct, options, &forced);
+        let noise = found.as_ref().map_or(0.0, |found| OF_NOISE * found.deviation);
+        let cuts = Self::cuts(distinct, options, noise);
+        if cuts != forced {
+            found = read(distinct, options, &cuts);
+        }
+        (cuts, found)
+    }
+
     /// The fit whose strength follows the noise.
     pub(super) fn by_noise(prepared: Prepared, options: &FairFitOptions) -> Result<Self> {
         let Prepared { distinct, mut warnings } = prepared;
-        // Corners are what lasts over more than the noise, which the points say without any first.
-        let forced = Self::cuts(&distinct, &FairFitOptions { corner_angle: None, ..options.clone() }, f64::INFINITY);
-        let mut found = read(&distinct, options, &forced);
-        let noise = found.as_ref().map_or(0.0, |found| OF_NOISE * found.deviation);
-        let cuts = Self::cuts(&distinct, options, noise);
-        if cuts != forced {
-            found = read(&distinct, options, &cuts);
-        }
-        let Some(found) = found else {
-            return Err(Error::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST });
+        let size = diameter(&distinct.points);
+        let (cuts, found) = match Self::corners_in_noise(&distinct, options, size) {
+            (cuts, Some(found)) => (cuts, found),
+            // Pieces between corners that have too few points to tell noise: an outline, which is kept.
+            (cuts, None) if !cuts.is_empty() => {
+                let corners = cuts.iter().map(|i| distinct.source[*i]).collect();
+                let tolerance = (NEAREST * size).min(options.tolerance);
+                let outline = FairFitOptions { tolerance, corners, corner_angle: None, centre: 0.0, ..options.clone() };
+                let mut fit = Self::near(&distinct, &outline, None)?;
+                fit.certificate.noise = Some(0.0);
+                warnings.append(&mut fit.warnings);
+                fit.warnings = warnings;
+                return Ok(fit);
+            }
+            _ => return Err(Error::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }),
         };
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
-        let size = diameter(&distinct.points);
         let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
         let places = Distinct::of(found.places, source, distinct.warning.clone());

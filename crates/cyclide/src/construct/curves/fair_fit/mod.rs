@@ -48,6 +48,7 @@ use crate::error::{Error, Result};
 use crate::warning::Warning;
 use canonical_start::runs_backwards;
 use measured::{Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
+use noise::Denoised;
 use parts::Parts;
 use working_frame::WorkingFrame;
 
@@ -65,6 +66,9 @@ const OF_THE_ORDER: f64 = 8.0;
 /// looked at.
 const MORE_THAN_NOISE: f64 = 1.1;
 const LEAST_OF_TOLERANCE: f64 = 0.125;
+/// There the points pull this many times as much, so often.
+const STRONGER: f64 = 10.0;
+const MOST_STRONGER: usize = 4;
 
 /// A narrower one is taken for a variation below this part, if that is any: `J` times the cubed size of the data.
 const FAIRER: f64 = 0.9;
@@ -180,35 +184,59 @@ impl FairFit {
             let (points, moved) = with_loose_heights(&distinct, options, &cuts, within)?;
             (distinct, loose) = (points, Some(moved));
         }
-        let mut fit =
-            Self::near(&distinct, options, None).map_err(|e| Self::because_of_outliers(e, &distinct, options))?;
-        fit.warnings.extend(fit.beyond_noise(&distinct, options));
+        let cuts = Self::cuts(&distinct, options, options.tolerance);
+        let found = if options.edge_points == 0 { read(&distinct, options, &cuts) } else { None };
+        let fit = Self::near(&distinct, options, None)
+            .map_err(|e| Self::because_of_outliers(e, found.as_ref(), &distinct, options))?;
+        let mut fit = match &found {
+            Some(found) => fit.with_noise_kept(found, &distinct, options)?,
+            None => fit,
+        };
+        if let Some(mut found) = found.filter(|_| options.outliers == Outliers::Keep) {
+            // The curve has gone out of its way to reach these.
+            found.outliers.retain(|(_, distance)| *distance > options.tolerance);
+            fit.warnings.extend(outliers_named(&found, &distinct.source, false));
+        }
         fit.certificate.deviation_z = loose.map(|moved| moved + fit.certificate.deviation);
         warnings.append(&mut fit.warnings);
         fit.warnings = warnings;
         Ok(fit)
     }
 
-    /// What is told of a tolerance of the order of the noise, where the curve leaves out more than that. (The fairest curve is
-    /// told of as it leans on its bounds.)
-    fn beyond_noise(&self, distinct: &Distinct, options: &FairFitOptions) -> Option<Warning> {
-        let rms = self.certificate.rms;
-        if options.centre == 0.0 || options.edge_points > 0 || rms < LEAST_OF_TOLERANCE * options.tolerance {
-            return None;
+    /// The fit, or with a tolerance of the order of the noise, where it leaves out more than that, one that keeps closer to the
+    /// points: of 1, `centre` is as much as their noise allows. The fairest curve (0) leans on its bounds, which a warning says.
+    fn with_noise_kept(self, found: &Denoised, distinct: &Distinct, options: &FairFitOptions) -> Result<Self> {
+        if options.centre == 0.0 || self.certificate.rms < LEAST_OF_TOLERANCE * options.tolerance {
+            return Ok(self);
         }
-        let cuts = Self::cuts(distinct, options, options.tolerance);
-        let found = read(distinct, options, &cuts)?;
         let noise = found.deviation;
-        let across = noise * (found.directions as f64).sqrt();
-        let noisy = options.tolerance <= OF_THE_ORDER * noise;
-        (noisy && rms > MORE_THAN_NOISE * across).then_some(Warning::BeyondNoise { rms, noise })
+        let most = MORE_THAN_NOISE * noise * (found.directions as f64).sqrt();
+        if options.tolerance > OF_THE_ORDER * noise || self.certificate.rms <= most {
+            return Ok(self);
+        }
+        let mut stronger = options.clone();
+        let mut fit = self;
+        for _ in 0..MOST_STRONGER {
+            stronger.centre *= STRONGER;
+            fit = Self::near(distinct, &stronger, None)?;
+            fit.certificate.noise = Some(noise);
+            if fit.certificate.rms <= most {
+                return Ok(fit);
+            }
+        }
+        fit.warnings.push(Warning::BeyondNoise { rms: fit.certificate.rms, noise });
+        Ok(fit)
     }
 
     /// What is told of a tolerance that is not reached: the outliers, where some are why.
-    fn because_of_outliers(error: Error, distinct: &Distinct, options: &FairFitOptions) -> Error {
+    fn because_of_outliers(
+        error: Error,
+        found: Option<&Denoised>,
+        distinct: &Distinct,
+        options: &FairFitOptions,
+    ) -> Error {
         let Error::ToleranceNotReached { tolerance, .. } = error else { return error };
-        let cuts = Self::cuts(distinct, options, tolerance);
-        let Some(found) = read(distinct, options, &cuts) else { return error };
+        let Some(found) = found else { return error };
         // The others have to be within it.
         let outside: Vec<(usize, f64)> = found.outliers.iter().copied().filter(|o| o.1 > tolerance).collect();
         if outside.is_empty() || options.outliers == Outliers::Drop {
@@ -304,9 +332,13 @@ impl FairFit {
         let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
 
         let frame = WorkingFrame::new(data, tolerance);
-        let backwards = cuts.is_empty() && runs_backwards(data, options.closed);
+        let backwards = runs_backwards(data, options.closed);
         let mut parts = Parts::new(data, tolerance, &frame, options, measured, on_edges);
-        for (from, to) in runs(data.len(), options.closed, &cuts) {
+        let mut pieces = runs(data.len(), options.closed, &cuts);
+        if backwards {
+            pieces.reverse();
+        }
+        for (from, to) in pieces {
             let mut numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
             let whole = options.closed && cuts.is_empty();
             let numbers = if whole { &mut numbers[..data.len()] } else { &mut numbers[..] };
@@ -314,7 +346,8 @@ impl FairFit {
                 // Closed data keep their first point.
                 numbers[usize::from(whole)..].reverse();
             }
-            let ends = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
+            let ends = if backwards { [to, from] } else { [from, to] };
+            let ends = ends.map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
             parts.add(numbers, whole, ends).map_err(|e| in_users_numbers(e, &distinct.source))?;
         }
         let mut fit = parts.finished(distinct, &corners)?;

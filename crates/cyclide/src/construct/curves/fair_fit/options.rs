@@ -91,8 +91,7 @@ pub struct FairFitOptions {
     /// as all others. Without effect on a closed curve, which a warning says.
     pub fix_ends: bool,
     /// How much the curve keeps to the middle of the data, 0 to 1e6. 0: the fairest curve in the tolerance, which leans
-    /// on its bounds; 1 halves the distance to what noisy points were measured from for a few per cent of fairness
-    /// (with a tolerance of 3 to 4 standard deviations); 10 and more approach least squares.
+    /// on its bounds; 1 keeps as close to noisy points as their noise allows; 10 and more approach least squares.
     pub centre: f64,
     /// Fits spent on taking nodes out; 0 keeps those of the first fit, in about a fifth of the time.
     pub max_fits: usize,

@@ -209,6 +209,12 @@ fn off(list: &[Point3], j: usize, closed: bool, extra: Option<Point3>) -> (f64, 
         }
         ([None, ..], after) => at_end(&after),
         (before, [None, ..]) => at_end(&before),
+        // Second from an end: the turn of one side, as it goes on over the chord.
+        ([Some(b), None, _], [Some(a), Some(next), _]) | ([Some(a), Some(next), _], [Some(b), None, _]) => {
+            let (chord, edge) = (a - b, next - a);
+            let turn = turn(chord, edge) * 2.0 * chord.length() / (chord.length() + edge.length());
+            0.5 * chord.length() * (turn.min(PI) / 4.0).tan()
+        }
         _ => 0.0,
     };
     (whole, (whole - BEND * bend).max(0.0))
