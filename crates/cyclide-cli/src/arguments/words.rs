@@ -40,7 +40,7 @@ mod tests {
 
     #[test]
     fn options_have_the_words_of_documents() {
-        assert_eq!(words::<Units>(), ["mm", "cm", "m", "in", "ft"]);
+        assert_eq!(words::<Units>(), ["mm", "cm", "m", "in", "ft", "us-ft"]);
         assert_eq!(words::<BlendVariant>(), ["rational", "trigonometric"]);
         assert_eq!(words::<MoebiusContinuity>(), ["c1", "g1"]);
         assert_eq!(words::<BiarcRule>(), ["equal-d", "equal-chord", "auto"]);
@@ -50,7 +50,7 @@ mod tests {
         assert_eq!(words::<StraightWord>(), ["auto", "off"]);
         assert_eq!(words::<DxfVersion>(), ["r2000", "r12"]);
         assert_eq!(words::<StepEdges>(), ["circle", "rational"]);
-        assert_eq!(words::<StepFaces>(), ["merged", "split"]);
+        assert_eq!(words::<StepFaces>(), ["auto", "merged", "split"]);
         assert_eq!(words::<StepProducts>(), ["auto", "assembly", "one"]);
         assert_eq!(words::<VtuCells>(), ["bezier", "linear"]);
         assert_eq!(words::<PictureColour>(), ["object", "gaussian", "mean", "k1", "k2", "deviation", "field"]);

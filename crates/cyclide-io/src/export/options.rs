@@ -65,16 +65,19 @@ pub enum StepEdges {
 ///     let file = export(&model, Format::Step, &ExportOptions { step_faces, ..Default::default() })?;
 ///     Ok::<usize, cyclide_io::ExportError>(String::from_utf8_lossy(&file.bytes).matches("ADVANCED_FACE").count())
 /// };
-/// assert_eq!([faces(StepFaces::Merged)?, faces(StepFaces::Split)?], [1, 16]);
+/// assert_eq!([StepFaces::Auto, StepFaces::Merged, StepFaces::Split].map(|form| faces(form).ok()), [Some(1), Some(1), Some(16)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepFaces {
-    /// One face for each plane, cylinder, cone, sphere and torus of a body where its loops allow: the default.
+    /// `merged`, but for nets of panels: each panel of a `cyclidic-net` or a `principal-grid` and each `cyclide-patch` stays a face, as do
+    /// those of their offsets and images. The default.
+    #[default]
+    Auto,
+    /// One face for each plane, cylinder, cone, sphere and torus of a body where its loops allow.
     ///
     /// Arcs of one circle between two such faces are one edge, and faces that go all the way round have a seam.
-    #[default]
     Merged,
     /// A face for each patch.
     Split,

@@ -37,6 +37,8 @@ pub struct Provenance {
     pub field: Option<LaidField>,
     /// What it is the solid over, if it is the one between a surface and its offset: pictures number the panels of nets on it.
     pub skin: Vec<SurfaceObject>,
+    /// Its patches are panels, which are made one by one: files keep them apart.
+    pub panels: bool,
 }
 
 /// The objects of a model with how they came about, where that is known.
@@ -87,6 +89,11 @@ impl<'a> Provenances<'a> {
     #[cfg(feature = "png")]
     pub(crate) fn skin(&self, item: usize) -> &'a [SurfaceObject] {
         self.given.get(item).map_or(&[], |given| &given.skin)
+    }
+
+    /// Whether the patches of an object are panels.
+    pub(crate) fn has_panels(&self, item: usize) -> bool {
+        self.given.get(item).is_some_and(|given| given.panels)
     }
 
     /// The points that the objects were laid through besides their joints.

@@ -39,6 +39,15 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether its patches are panels, as those of nets, and of their offsets and images.
+    pub(super) fn has_panels(&self) -> bool {
+        match (self.spec, self.sources.first()) {
+            (ObjectSpec::CyclidePatch(_) | ObjectSpec::CyclidicNet(_) | ObjectSpec::PrincipalGrid(_), _) => true,
+            (ObjectSpec::Offset(_) | ObjectSpec::Transform(_), Some(source)) => source.provenance.panels,
+            _ => false,
+        }
+    }
+
     /// What the curves of another object sweep.
     pub(super) fn revolution(&mut self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());

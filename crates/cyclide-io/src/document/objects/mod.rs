@@ -393,7 +393,7 @@ impl Builder<'_> {
         };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let skin = self.skin();
+        let (skin, panels) = (self.skin(), self.has_panels());
         let Self {
             data,
             grids,
@@ -417,8 +417,18 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance =
-            Provenance { kind: self.spec.type_word(), data, nodes, point_names, places, names, given, field, skin };
+        let provenance = Provenance {
+            kind: self.spec.type_word(),
+            data,
+            nodes,
+            point_names,
+            places,
+            names,
+            given,
+            field,
+            skin,
+            panels,
+        };
         Ok(BuiltObject {
             item,
             provenance,

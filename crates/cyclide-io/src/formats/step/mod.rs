@@ -35,7 +35,7 @@ use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
-use crate::export::options::StepProducts;
+use crate::export::options::{StepFaces, StepProducts};
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, Shell, ShortNumber, Units};
@@ -108,7 +108,12 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         if least * job.units().in_millimetres() < ONE_POINT {
             return Err(too_short(least));
         }
-        let forms = (job.options.step_edges, job.options.step_faces);
+        let faces_of = match job.options.step_faces {
+            StepFaces::Auto if job.provenances.has_panels(body.item) => StepFaces::Split,
+            StepFaces::Auto => StepFaces::Merged,
+            typed => typed,
+        };
+        let forms = (job.options.step_edges, faces_of);
         let as_written = topology::body(&mut data, &body.label(), faces, job.size(), forms).map_err(lowered)?;
         if as_written.shortest * job.units().in_millimetres() < ONE_POINT {
             return Err(too_short(as_written.shortest));

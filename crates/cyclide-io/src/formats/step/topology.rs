@@ -161,7 +161,7 @@ impl<'a> Writer<'a> {
         let kinds: Vec<PatchKind> = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
         let layout = match faces {
             StepFaces::Split => Layout::split(shell, &kinds),
-            StepFaces::Merged => {
+            StepFaces::Auto | StepFaces::Merged => {
                 let pairs = shell.faces().iter().zip(&kinds);
                 let whole: Vec<PatchKind> =
                     pairs.map(|(face, kind)| surfaces::whole_kind(face, kind, size, edges)).collect();

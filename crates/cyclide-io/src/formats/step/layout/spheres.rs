@@ -7,8 +7,10 @@ use cyclide::{Arc, Frame, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
 
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
-/// A face without such an axis is at most so far from its middle, radians: its poles are a quarter of a turn away.
-const LARGEST_REACH: f64 = 1.2;
+/// A face without such an axis is at most so far from its middle, radians, and its border from the equator: poles are a quarter of a turn
+/// away from both.
+const LARGEST_REACH: f64 = 1.45;
+const LARGEST_LATITUDE: f64 = 1.2;
 /// Directions nearer than this are one.
 const SAME_AXIS: f64 = 1e-6;
 /// So many axes are tried.
@@ -61,18 +63,25 @@ pub(super) fn framings(
         propose(Some(frame.z()));
     }
     let mut found: Vec<PatchKind> = axes.into_iter().filter_map(about).collect();
-    found.retain(|kind| border.iter().all(|arc| is_parameter_line(kind, arc)));
+    // Others carry curves in the parameters: the fewer, the better.
+    let others = |kind: &PatchKind| border.iter().filter(|arc| !is_parameter_line(kind, arc)).count();
+    found.retain(|kind| others(kind) < border.len());
+    found.sort_by_key(others);
     found.extend(free(shell, region, &border, (center, radius)).and_then(about));
     found
 }
 
-/// An axis at right angles to the direction of the middle of a region that is small enough.
+/// An axis at right angles to the direction of the middle of a region that is small enough, and to that of its farthest corner.
 fn free(shell: &Shell, region: &Region, border: &[Arc], (center, radius): (Point3, f64)) -> Option<Vec3> {
     let directions = region.faces.iter().map(|&face| shell.faces()[face].surface.point(0.5, 0.5) - center);
     let middle = directions.fold(Vec3::ZERO, |sum, v| sum + v).unit()?;
-    let reach = |p: Point3| middle.angle(p - center);
-    let farthest = border.iter().flat_map(|arc| [arc.start(), arc.midpoint()]).map(reach).fold(0.0, f64::max);
-    (farthest <= LARGEST_REACH && radius > 0.0 && !border.is_empty()).then(|| middle.any_perpendicular())
+    let border: Vec<Vec3> = border.iter().flat_map(|arc| [arc.start(), arc.midpoint()]).map(|p| p - center).collect();
+    let reach = |v: &Vec3| middle.angle(*v);
+    let farthest = *border.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)))?;
+    let axis = middle.cross(farthest).unit().unwrap_or(middle.any_perpendicular());
+    let highest = border.iter().map(|v| v.dot(axis).abs()).fold(0.0, f64::max);
+    let fits = reach(&farthest) <= LARGEST_REACH && highest <= LARGEST_LATITUDE.sin() * radius;
+    (fits && radius > 0.0).then_some(axis)
 }
 
 /// Whether an arc on a sphere is a part of a meridian or a parallel.
