@@ -232,6 +232,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "sections",
+        title: "Sections along paths",
+        text: "A hollow rail with mitred corners, a bar that is twisted by half a turn, and springs of round wire and of a ribbon along helices: solids with planes, cylinders and exact edges where they have them.",
+        document: example!("sections.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "50,35",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "pick_and_place",
         title: "Pick and place",
         text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through nine poses, as an animation; the path of its tip and what its fingers run over are exact.",

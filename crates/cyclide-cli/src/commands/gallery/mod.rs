@@ -3,6 +3,7 @@
 mod entries;
 mod page;
 
+use std::collections::HashSet;
 use std::io;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -43,6 +44,9 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     let mut files: Vec<(String, Vec<u8>)> =
         shown.iter_mut().flat_map(|shown| std::mem::take(&mut shown.files)).collect();
     drop(progress);
+    // Entries may read the same file.
+    let mut names = HashSet::new();
+    files.retain(|(name, _)| names.insert(name.clone()));
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
     files.push(("viewer.js".to_owned(), page::VIEWER.as_bytes().to_vec()));
     let page = plan.folder.join("index.html");
