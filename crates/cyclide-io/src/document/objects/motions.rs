@@ -130,7 +130,14 @@ impl Builder<'_> {
             );
         }
         if spec.closed && (spec.tolerance.is_some() || !matches!(kind, MotionKind::Spline | MotionKind::Linear)) {
-            return Err(self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions`"));
+            let remedy = if spec.tolerance.is_some() {
+                "; one within a `tolerance` is open: give the first poses again at the end of the list"
+            } else {
+                ""
+            };
+            return Err(
+                self.unfit(&format!("a `closed` motion is a `spline`, `linear`, or one with `positions`{remedy}"))
+            );
         }
         if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
             return Err(

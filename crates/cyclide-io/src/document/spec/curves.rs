@@ -207,7 +207,7 @@ pub struct PolylineSpec {
 ///
 /// ```
 /// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[1, 0], [0.71, 0.71], [0, 1], [-0.71, 0.71], [-1, 0]]}}}"#.parse()?;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[1, 0], [0.92, 0.38], [0.71, 0.71], [0.38, 0.92], [0, 1], [-0.38, 0.92], [-0.71, 0.71]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// assert_eq!(built[0].item.curves()[0].as_curve().piece_count(), 1);
 /// # Ok::<(), cyclide_io::Error>(())

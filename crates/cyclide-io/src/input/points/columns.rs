@@ -7,7 +7,7 @@ use super::decimals::is_number;
 use super::names::{GLOBE, Role, axis_kind, speaks_of, words_of};
 use super::sampled::Sampled;
 use super::table::Table;
-use super::unit::{UnitWord, unit_in_name};
+use super::unit::{UnitWord, unit_in_name, unit_of_convention};
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// The columns that are read, as indices.
@@ -107,7 +107,10 @@ impl Chosen {
     /// The coordinates whose names, or whose cell of a line of units, speak of a unit.
     fn unit_words(&self, table: &Table<'_>) -> Vec<(usize, UnitWord)> {
         let below = |i: usize| table.units.get(i).copied().flatten();
-        let word = |i: usize| unit_in_name(table.header.get(i)?.text).or(below(i)).map(|word| (i, word));
+        let word = |i: usize| {
+            let name = table.header.get(i)?.text;
+            unit_in_name(name).or(below(i)).or_else(|| unit_of_convention(name)).map(|word| (i, word))
+        };
         self.coordinates.iter().filter_map(|&i| word(i)).collect()
     }
 

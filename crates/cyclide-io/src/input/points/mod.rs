@@ -179,8 +179,8 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     // Without a header nothing says that a first column that counts on is no coordinate.
     if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {
-        let message = "the file has no header line, and its first column counts on (1, 2, 3, …): it is taken as x; if it \
-                       numbers the points, choose the others (`--columns 2,3`, in a document `columns`)";
+        let message = "the file has no header line, and its first column counts on in equal steps: it is taken as x; if it \
+                       numbers the points, or is a station, choose the others (`--columns 2,3`, in a document `columns`)";
         remark("numbers-as-x", message.to_owned());
     }
     if decimals.comma {
@@ -245,11 +245,18 @@ impl<'a> Contours<'a> {
     }
 }
 
-/// True if the first coordinates of at least three points are whole numbers that rise by one throughout.
+/// True if the first coordinates of at least three points are whole numbers that rise by one throughout, or rise from 0 in equal
+/// steps, as stations do.
 fn counts_on(lists: &[PointList]) -> bool {
     let all = || lists.iter().flat_map(|list| &list.points).map(|p| p.x);
-    let counts = all().zip(all().skip(1)).all(|(a, b)| a.fract() == 0.0 && (b - a).total_cmp(&1.0).is_eq());
-    counts && all().take(3).count() == 3
+    let mut first = all();
+    let (Some(start), Some(second)) = (first.next(), first.next()) else { return false };
+    let step = second - start;
+    let numbers = start.fract() == 0.0 && step.total_cmp(&1.0).is_eq();
+    let stations = start == 0.0 && step > 0.0;
+    // Decimals are rounded.
+    let even = all().zip(all().skip(1)).all(|(a, b)| (b - a - step).abs() <= 1e-9 * (step.abs() + b.abs()));
+    (numbers || stations) && even && all().take(3).count() == 3
 }
 
 /// One list of several.

@@ -29,8 +29,8 @@ pub(super) enum Role {
     Unknown,
 }
 
-const EAST: &str = "e east easting eastings rechtswert rechts rw ost ostwert est este oest";
-const NORTH: &str = "n north northing northings hochwert hoch hw nord nordwert norden norte";
+const EAST: &str = "e me east easting eastings rechtswert rechtsw rechts rw ost ostwert ostkoordinate est este oest";
+const NORTH: &str = "n mn north northing northings hochwert hochw hoch hw nord nordwert nordkoordinate norden norte";
 const HEIGHT: &str = "h q height heights ht hgt elevation elev elevacion el altitude alt altitud altura altezza hauteur hohe hoehe hohen \
     quota quote cota cote level lvl rl niveau";
 const ABSCISSA: &str = "abscissa abscisse abscisses ascissa abscisa abszisse";
@@ -67,6 +67,9 @@ const OTHER: &str = "station stations stationing stationierung stazione estacion
 const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign local lokal locale ellipsoidal ellipsoidisch orthometric ellip \
     ortho u ue uber ueber m false state plane reduced msl amsl ahd gauss kruger boaga";
 
+/// Words before the last one of a unit.
+const BEFORE_UNIT: &str = "us u s survey international intl in";
+
 /// Words beside the letter of an axis: `point_x`, `x coordinate`.
 const BESIDE: &str = "coord coords coordinate coordinates coor coordenada coordonnee coordinata koordinate koord wert value valor valeur \
     valore point pt pos position p loc location axis achse";
@@ -98,7 +101,12 @@ impl Role {
         }
         let words = folded(raw);
         let unit = words.len() > 1 && unit_in_name(raw).is_some();
-        let words: Vec<&str> = words[..words.len() - usize::from(unit)].iter().map(String::as_str).collect();
+        let mut count = words.len() - usize::from(unit);
+        // `(US survey ft)`, `in m`: more than one word of the unit.
+        while unit && count > 1 && is_among(BEFORE_UNIT, &words[count - 1]) {
+            count -= 1;
+        }
+        let words: Vec<&str> = words[..count].iter().map(String::as_str).collect();
         let has_digit = |word: &str| word.chars().any(|c| c.is_ascii_digit());
         let beside = |word: &str| is_among(BESIDE, word) || is_among(BESIDE_MAP, word) || has_digit(word);
         let own: Vec<&str> = match words.as_slice() {

@@ -40,8 +40,8 @@ pub(super) const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
 pub(super) const NAMES: &str = "t, time or timestamp, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), or m11 to m34 (a matrix, row by row), or rotvec_x, rotvec_y, rotvec_z (axis times angle), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
 
 /// What columns are called that say something about a pose and not where it is.
-const LABELS: [&str; 12] =
-    ["name", "label", "id", "comment", "remark", "note", "pose", "index", "seq", "no", "nr", "row"];
+const LABELS: [&str; 13] =
+    ["name", "label", "id", "comment", "remark", "note", "pose", "index", "seq", "no", "nr", "row", "frame"];
 /// What our own tables of curves have beside points and frames, and those of motions beside poses.
 const MEASURES: [&str; 7] =
     ["station", "curvature", "signed_curvature", "torsion", "speed", "angular_speed", "acceleration"];
@@ -97,6 +97,10 @@ fn of_messages(words: &[&str]) -> Option<Meaning> {
     if before.ends_with(&["tcp", "pose"]) {
         let number = last.parse::<usize>().ok().filter(|number| *number < 6)?;
         return Some(if number < 3 { Meaning::Position(number) } else { Meaning::Vector(number - 3, 1.0) });
+    }
+    // Joints, forces and speeds beside the pose, as controllers of Universal Robots record them.
+    if let ["actual" | "target", ..] = words {
+        return Some(Meaning::Label);
     }
     let letter = ["w", "x", "y", "z"].iter().position(|letter| letter == last).filter(|_| !before.is_empty())?;
     if speaks(&NEITHER) {

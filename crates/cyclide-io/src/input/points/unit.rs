@@ -38,7 +38,9 @@ impl UnitWord {
         let unit = match word {
             "millimetre" | "millimetres" | "millimeter" | "millimeters" => Units::Millimetre,
             "centimetre" | "centimetres" | "centimeter" | "centimeters" => Units::Centimetre,
-            "metre" | "metres" | "meter" | "meters" => Units::Metre,
+            "metre" | "metres" | "meter" | "meters" | "m\u{e8}tre" | "m\u{e8}tres" | "metro" | "metri" | "metros" => {
+                Units::Metre
+            }
             "inch" | "inches" => Units::Inch,
             "foot" | "feet" => Units::Foot,
             "usft" | "ftus" | "sft" | "usfeet" | "usfoot" | "us-foot" | "us-feet" => Units::UsSurveyFoot,
@@ -51,6 +53,13 @@ impl UnitWord {
         };
         Some(Self::Known(unit))
     }
+}
+
+/// The unit that positions have by convention in messages of ROS (`pose.position.x`) and records of Universal Robots (`actual_TCP_pose_0`).
+pub(super) fn unit_of_convention(name: &str) -> Option<UnitWord> {
+    let name = name.to_lowercase();
+    let ros = name.contains("pose.position.") || name.contains("transform.translation.");
+    (ros || name.contains("tcp_pose_")).then_some(UnitWord::Known(Units::Metre))
 }
 
 /// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`, `x (US survey feet)`.
