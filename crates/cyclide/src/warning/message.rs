@@ -361,7 +361,10 @@ impl std::fmt::Display for Warning {
                 match (rectangles, umbilics) {
                     (true, _) => "a border in steps (`staircase`) and shorter edges cover more",
                     (_, 0) => "shorter edges cover more, and the border `cover` all of it",
-                    _ => "shorter edges cover more; model the parts around the umbilics as patches of their own",
+                    _ => {
+                        "other lengths of edges may cover more; umbilics `smooth` cover more and leave the surface around them; or model \
+                         the parts around the umbilics as patches of their own"
+                    }
                 }
             ),
             Self::UmbilicsLeftOut { count, at: [x, y, z] } => write!(

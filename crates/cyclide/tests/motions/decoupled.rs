@@ -256,13 +256,13 @@ fn noise_is_smoothed_within_tolerances() {
     let spline = RationalMotion::spline(&poses).unwrap();
     let most = (0..399).map(|k| spline.jet(0.01 * f64::from(k), Point3::ORIGIN).point.d2.length()).fold(0.0, f64::max);
     assert!(most > 3e4, "{most}");
-    // Fewer than four standard deviations are said, with what would do.
+    // What noise makes of the farthest of all poses is said if it is more, with what would do: of 400 poses 3.77 standard deviations, and room.
     assert_eq!(
         DecoupledMotion::smoothed(&poses, MotionTolerance { place: Some(9.0), ..tolerance }).unwrap().warnings(),
         []
     );
     let [Warning::PosesNoisier { turning: false, sigma, needed, .. }] = motion.warnings()[..] else { panic!("7 of 8") };
-    assert!((sigma - 2.0).abs() < 0.2 && (needed - 4.0 * sigma).abs() < 1e-12, "{sigma}");
+    assert!((sigma - 2.0).abs() < 0.2 && (4.2..4.5).contains(&(needed / sigma)), "{sigma} {needed}");
     for wrong in [0.0, -1.0, f64::NAN] {
         let tolerance = MotionTolerance { place: Some(wrong), angle: None };
         assert_eq!(DecoupledMotion::smoothed(&poses, tolerance).unwrap_err().reason(), "parameter-out-of-range");

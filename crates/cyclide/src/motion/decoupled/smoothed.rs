@@ -22,8 +22,8 @@ const ROUNDS: u32 = 8;
 /// Values farther off than this part of the tolerance get larger weights.
 const NEARLY: f64 = 0.9;
 
-/// A tolerance should be so many standard deviations of the noise along one axis: fewer poses than one in a thousand are farther off.
-const DEVIATIONS: f64 = 4.0;
+/// A tolerance should be this many times the distance of the farthest of all poses from what was measured, as noise makes it.
+const ROOM: f64 = 1.15;
 /// So many poses tell their noise.
 const TELLING: usize = 20;
 /// The median of the length of a vector of three Gaussian numbers of variance 1.
@@ -119,7 +119,7 @@ impl DecoupledMotion {
         let noises = [(false, place, noise(&places)), (true, angle, noise(&rotations).map(|sigma| 2.0 * sigma))];
         let below_noise = noises.into_iter().filter_map(|(turning, tolerance, sigma)| {
             let (tolerance, sigma) = (tolerance?, sigma?);
-            let needed = DEVIATIONS * sigma;
+            let needed = ROOM * farthest(given.rotations.len()) * sigma;
             (tolerance < needed).then_some(Warning::PosesNoisier { turning, sigma, tolerance, needed })
         });
         let below_noise = below_noise.collect();
@@ -127,6 +127,13 @@ impl DecoupledMotion {
         let motion = given.into_motion(places, turns);
         Ok(Self { deviation: Some(deviation), below_noise, ..motion })
     }
+}
+
+/// The length, in standard deviations along one axis, that one of so many vectors of Gaussian noise in space exceeds on average:
+/// `n sqrt(2/π) x e^(-x²/2) = 1`, solved by substitution.
+fn farthest(count: usize) -> f64 {
+    let part = (2.0 / std::f64::consts::PI).sqrt() * count.max(TELLING) as f64;
+    (0..8).fold(3.0, |x: f64, _| (2.0 * (part * x).ln()).sqrt())
 }
 
 /// The standard deviation along one axis of the noise of values, by the median of their third differences, which know nothing of what is smooth.
