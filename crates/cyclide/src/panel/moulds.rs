@@ -103,8 +103,8 @@ impl Moulds {
             if seen.contains(&kinds) {
                 continue;
             }
-            let made = workshop.moulds(&kinds);
-            if best.as_ref().is_none_or(|best| made.count() < best.count()) {
+            let fewest = best.as_ref().map_or(usize::MAX, Self::count);
+            if let Some(made) = workshop.moulds(&kinds, fewest) {
                 best = Some(made);
             }
             seen.push(kinds);
@@ -194,8 +194,10 @@ impl<'a> Workshop<'a> {
         self.fits.iter().map(kind).collect()
     }
 
-    /// The moulds for panels of given kinds.
-    fn moulds(&self, kinds: &[Option<Bend>]) -> Moulds {
+    /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.
+    fn moulds(&self, kinds: &[Option<Bend>], limit: usize) -> Option<Moulds> {
+        let free: Vec<usize> = (0..kinds.len()).filter(|panel| kinds[*panel].is_none()).collect();
+        let limit = limit.checked_sub(free.len()).filter(|limit| *limit > 0)?;
         let mut moulds = Vec::new();
         for (at, bend) in KINDS.into_iter().enumerate() {
             let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));
@@ -204,15 +206,20 @@ impl<'a> Workshop<'a> {
                 Some(Job { panel, fit, own: MouldShape::of(fit, self.panels[panel].size()) })
             });
             match bend {
-                Bend::Plane | Bend::Cone | Bend::Torus => self.led(jobs.collect(), &mut moulds),
-                Bend::Cylinder | Bend::Sphere => self.met(jobs.map(|job| self.range(job)).collect(), &mut moulds),
+                Bend::Plane | Bend::Cone | Bend::Torus => self.led(jobs.collect(), &mut moulds, limit),
+                Bend::Cylinder | Bend::Sphere => {
+                    self.met(jobs.map(|job| self.range(job)).collect(), &mut moulds, limit);
+                }
+            }
+            if moulds.len() >= limit {
+                return None;
             }
         }
         for mould in &mut moulds {
             mould.members.sort_by_key(|member| member.panel);
         }
         moulds.sort_by(|a, b| compare(&a.shape.order(), &b.shape.order()));
-        Moulds { moulds, free: (0..kinds.len()).filter(|panel| kinds[*panel].is_none()).collect() }
+        Some(Moulds { moulds, free })
     }
 
     /// A panel on a mould, if it is within the tolerance of it.
@@ -239,11 +246,11 @@ impl<'a> Workshop<'a> {
         (near.max_distance <= self.tolerance).then_some(MouldMember { panel, near })
     }
 
-    /// Groups whose first panel in the order of radii leads.
-    fn led(&self, jobs: Vec<Job<'_>>, moulds: &mut Vec<Mould>) {
+    /// Groups whose first panel in the order of radii leads, up to a number of moulds.
+    fn led(&self, jobs: Vec<Job<'_>>, moulds: &mut Vec<Mould>, limit: usize) {
         let mut waiting = jobs;
         waiting.sort_by(|a, b| compare(&a.own.order(), &b.own.order()).then(a.panel.cmp(&b.panel)));
-        while let Some(leader) = waiting.first().copied() {
+        while let Some(leader) = waiting.first().copied().filter(|_| moulds.len() < limit) {
             let mut mould = Mould { shape: leader.own, members: Vec::new() };
             let mut left = Vec::new();
             for (place, job) in waiting.into_iter().enumerate() {
@@ -272,11 +279,11 @@ impl<'a> Workshop<'a> {
         (1.0 / a - 1.0 / b).abs() * width * width <= FAR * self.tolerance
     }
 
-    /// Groups of panels whose ranges of curvature have one in common, as few as can be.
-    fn met(&self, ranges: Vec<Range<'_>>, moulds: &mut Vec<Mould>) {
+    /// Groups of panels whose ranges of curvature have one in common, as few as can be, up to a number of moulds.
+    fn met(&self, ranges: Vec<Range<'_>>, moulds: &mut Vec<Mould>, limit: usize) {
         let mut waiting = ranges;
         waiting.sort_by(Range::order);
-        while let Some(first) = waiting.first() {
+        while let Some(first) = waiting.first().filter(|_| moulds.len() < limit) {
             let (point, leader) = (first.high, first.job);
             let (group, mut left): (Vec<_>, Vec<_>) = waiting.into_iter().partition(|range| range.low <= point);
             let low = group.iter().map(|range| range.low).fold(0.0, f64::max);
