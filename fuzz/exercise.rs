@@ -66,7 +66,10 @@ pub fn obj(data: &[u8]) {
             let mut numbers: Vec<usize> = read.numbers.iter().copied().filter(|n| *n != 0).collect();
             numbers.extend(&read.unused);
             numbers.sort_unstable();
-            assert!(numbers.iter().enumerate().all(|(k, n)| *n == k + 1), "every point once");
+            assert!(numbers.windows(2).all(|pair| pair[0] < pair[1]), "every point once");
+            // Points that were merged with others at their places have no number.
+            let missing = numbers.last().map_or(0, |last| last - numbers.len());
+            assert!(numbers[0] >= 1 && missing <= read.mended.merged, "{missing} of {}", read.mended.merged);
         }
         Err(message) => check_message(&message.to_string()),
     }

@@ -52,7 +52,7 @@ impl NurbsCurve {
     }
 
     /// As [`new`](Self::new), however uneven the weights are.
-    pub(super) fn with_any_weights(
+    pub(crate) fn with_any_weights(
         degree: usize,
         knots: Vec<f64>,
         points: Vec<Point3>,

@@ -58,7 +58,8 @@ impl TorusSpline {
             points[span * degree] = *joint;
             span += pieces;
         }
-        let curve = NurbsCurve::new(degree, curve.knots().to_vec(), points, curve.weights().to_vec())?;
+        // Its own parameter evaluates it, however uneven the weights are.
+        let curve = NurbsCurve::with_any_weights(degree, curve.knots().to_vec(), points, curve.weights().to_vec())?;
         Ok((curve, parts))
     }
 
