@@ -197,7 +197,12 @@ impl<'a> Workshop<'a> {
     /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.
     fn moulds(&self, kinds: &[Option<Bend>], limit: usize) -> Option<Moulds> {
         let free: Vec<usize> = (0..kinds.len()).filter(|panel| kinds[*panel].is_none()).collect();
-        let limit = limit.checked_sub(free.len()).filter(|limit| *limit > 0)?;
+        let limit = limit.checked_sub(free.len())?;
+        // Each kind needs one at least.
+        let present = KINDS.iter().filter(|bend| kinds.contains(&Some(**bend))).count();
+        if present >= limit {
+            return None;
+        }
         let mut moulds = Vec::new();
         for (at, bend) in KINDS.into_iter().enumerate() {
             let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));
