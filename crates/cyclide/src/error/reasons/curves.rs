@@ -201,7 +201,8 @@
 //!     points[k] = Point3::new(points[k].x + x, points[k].y + 2.0, 0.0);
 //! }
 //! let error = FairFit::new(&points, &FairFitOptions { closed: true, ..FairFitOptions::new(0.2) }).unwrap_err();
-//! assert_eq!((error.reason(), error.index()), ("outliers", Some(3)));
+//! assert_eq!(error.reason(), "outliers");
+//! assert_eq!(error.index(), Some(3));
 //! ```
 //!
 //! # `even-point-count`

@@ -10,6 +10,8 @@ const PLACES: [f64; 2] = [3.0, 64.0];
 
 /// Edges of an outline are at least this many tolerances long, half of them.
 const LONG: f64 = 6.0;
+/// Among points that are closer together, those beside a corner are this many median edges apart.
+const APART: f64 = 4.0;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
 const LEGS: f64 = 8.0;
@@ -33,7 +35,10 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     let evident =
         |(i, turn): (usize, f64)| length((i + n - 1) % n).min(length(i)) * (0.5 * turn).sin() > 2.0 * tolerance;
     if options.corner_angle.is_none() && usual < LONG * tolerance {
-        outline.corners.retain(|corner| is_forced(corner.0) || evident(*corner));
+        // Where the points beside one are next to each other, it is an outlier.
+        let beside = |i: usize| points[(i + n - 1) % n].distance(points[(i + 1) % n]);
+        let is_corner = |corner: (usize, f64)| evident(corner) && beside(corner.0) > APART * usual;
+        outline.corners.retain(|corner| is_forced(corner.0) || is_corner(*corner));
         (0..n).for_each(|i| outline.straight[i] &= length(i) >= LONG * tolerance);
         return outline;
     }
