@@ -36,7 +36,7 @@ def tube(request, program, tmp_path_factory):
 
 
 def test_tubes_are_closed_solids_with_the_measures_of_the_report(tube):
-    step, report, _, kinds, creases = tube
+    step, report, fields, kinds, creases = tube
     size, users = structure(step, closed=True)
     assert len(step.solids) == 1 and step.exactly_valid
     assert {face.kind for face in step.faces} == kinds

@@ -1,6 +1,6 @@
 //! Ellipses and helices.
 
-use cyclide::{CurveObject, Ellipse, Helix, Point3, ShortNumber, Vec3};
+use cyclide::{CurveObject, Ellipse, Helix, Point3, Vec3};
 
 use super::Builder;
 use crate::document::angle::Angle;
@@ -46,7 +46,6 @@ impl Builder<'_> {
         let tolerance = spec.tolerance.unwrap_or(TOLERANCE * spec.radius);
         let (curve, _) = helix.to_nurbs(tolerance).map_err(|e| self.refused_at(["tolerance".into()], &e))?;
         self.bound = Some(tolerance);
-        self.notes.push(format!("a rational curve on the cylinder, within {} of the helix", ShortNumber(tolerance)));
         Ok(CurveObject::Nurbs(curve))
     }
 
