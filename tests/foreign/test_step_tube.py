@@ -42,7 +42,7 @@ def test_tubes_are_closed_solids_with_the_measures_of_the_report(tube):
     assert {face.kind for face in step.faces} == kinds
     assert modelling.volume(step.shape) == pytest.approx(report["volume"], rel=1e-8)
     assert step.area() == pytest.approx(report["total_area"] if "total_area" in report else report["area"], rel=1e-8)
-    # A spline stands as arcs here, whose curvature jumps: faces of a changing radius meet in an angle there (docs/math/tubes.md, creases).
+    # The spline is approximated by arcs here, whose curvature jumps: faces of a changing radius meet in an angle there (docs/math/tubes.md, creases).
     assert normals_across_joints(users, creases) <= (5e-3 if fields is TUBES["horn"][1] else NORMAL_LIMIT)
 
 

@@ -71,7 +71,7 @@ pub enum StepEdges {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepFaces {
-    /// `merged`, but for nets of panels: each panel of a `cyclidic-net` or a `principal-grid` and each `cyclide-patch` stays a face, as do
+    /// `merged`, except for nets of panels: each panel of a `cyclidic-net` or a `principal-grid` and each `cyclide-patch` stays a face, as do
     /// those of their offsets and images. The default.
     #[default]
     Auto,

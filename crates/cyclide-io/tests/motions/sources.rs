@@ -74,7 +74,7 @@ fn tables_of_loggers_are_read() {
         let pose = built.item.motion().unwrap().schedule().unwrap().pose(1.0);
         assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
         assert!((pose.translation() - Vec3::X * 30.0).length() < 1e-15);
-        // A quarter turn goes round, which is told too.
+        // A quarter turn goes round, which is reported too.
         let [remark, leaves] = &built.remarks[..] else { panic!("{:?}", built.remarks) };
         assert_eq!(leaves.reason, "leaves-chords");
         assert!(remark.reason == "taken-as-zero" && remark.message.contains(absent), "{remark:?}");

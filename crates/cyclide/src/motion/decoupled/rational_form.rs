@@ -170,7 +170,7 @@ fn quaternion(turn: &TurnSpan, [from, to]: [f64; 2]) -> (Vec<[f64; 4]>, f64) {
             let sinc = a.sin() / a;
             let middle = turn.rotation(0.5 * (from + to)) * (1.0 / sinc);
             let points = vec![turn.rotation(from).to_array(), middle.to_array(), turn.rotation(to).to_array()];
-            // The error is a(u) = c u (1 - u²)² on [-1, 1], c ~ a⁵, but for a part of a² of it: largest at 1/√5.
+            // The error is a(u) = c u (1 - u²)² on [-1, 1], c ~ a⁵, up to a relative a²: largest at 1/√5.
             let u = 0.2_f64.sqrt();
             let real = 0.5 * (a.cos() * (1.0 + u * u) + (1.0 - u * u) / sinc);
             (points, 2.0 * ((u * a.sin()).atan2(real) - a * u).abs())

@@ -204,7 +204,7 @@ impl Polish<'_> {
         let mut spans = chain.spans.clone();
         let whole = joined(spans[range.start], spans[range.end - 1], self.trace.points.len());
         spans.splice(range.clone(), [whole]);
-        // A straight run stays straight, but for a short end of a bend.
+        // A straight run stays straight, except for a short end of a bend.
         let as_line: &[bool] = match (a.straight, b.straight) {
             (true, true) => &[true],
             (true, false) if a.length >= b.length => &[true],
