@@ -10,7 +10,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Documents, each in one of the formats that its object can have, in turn.
-const DOCUMENTS: u64 = 400;
+const DOCUMENTS: u64 = 200;
 const SEED: u64 = 77;
 /// As in `xtask attack`; the seconds are of processor time, so that a busy machine changes nothing.
 const LIMITS: Limits = Limits { seconds: 20, mebibytes: 2048 };

@@ -200,7 +200,7 @@
 //! for (k, x) in [(3, 4.0), (43, -4.0), (83, 4.0), (123, -4.0), (163, 4.0)] {
 //!     points[k] = Point3::new(points[k].x + x, points[k].y + 2.0, 0.0);
 //! }
-//! let error = FairFit::new(&points, &FairFitOptions { closed: true, ..FairFitOptions::new(0.2) }).unwrap_err();
+//! let error = FairFit::new(&points, &FairFitOptions { closed: true, ..FairFitOptions::new(0.5) }).unwrap_err();
 //! assert_eq!(error.reason(), "outliers");
 //! assert_eq!(error.index(), Some(3));
 //! ```
