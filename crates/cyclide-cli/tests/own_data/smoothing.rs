@@ -82,6 +82,24 @@ fn corners_are_no_noise() {
 }
 
 #[test]
+fn long_sides_beside_a_small_round_keep_straight() {
+    // A bracket with legs of 6 and a round of 6 inside, which a tolerance of 1.5 hardly sees.
+    let angle = |k: i32| (f64::from(k) * TAU / 44.0).sin_cos();
+    // From below to the left: (12, 6) to (6, 12).
+    let round: String = (0..=11)
+        .map(|k| (12.0 - 6.0 * angle(k).0, 12.0 - 6.0 * angle(k).1))
+        .map(|(x, y)| format!("{x},{y}\n"))
+        .collect();
+    let bracket = format!("x,y\n0,0\n60,0\n60,6\n{round}6,50\n0,50\n");
+    for smooth in [0.5, 1.0, 1.5, 2.0] {
+        let folder = Folder::with(&[("o.csv", &bracket)]);
+        let report = folder.json(&format!("curve o.csv --closed --smooth {smooth} -o o.dxf --json"));
+        let off = report["objects"]["o"]["fit"]["polyline_deviation"].as_f64().unwrap();
+        assert!(off <= 1.1 * smooth, "{smooth}: {off}");
+    }
+}
+
+#[test]
 fn a_deviation_that_is_given_is_obeyed() {
     let folder = Folder::with(&[("gps.csv", &case("gps_noise.csv"))]);
     let report = folder.json("curve gps.csv --closed --smooth auto --noise 2.5 -o h.csv --json");

@@ -183,6 +183,8 @@ pub(super) fn speaks_of(words: &[&str], field: &Field<'_>) -> bool {
 pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
     let (words, unit) = words_of(field.text);
     let beside = |word: &String| is_among(BESIDE, word.as_str());
+    // `UTM_Y`, `Local X`: the letter is that of the map.
+    let before_it = |word: &String| beside(word) || is_among(BESIDE_MAP, word.as_str());
     let joined =
         |word: &str| BESIDE.split(' ').any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
     match words.as_slice() {
@@ -190,8 +192,8 @@ pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
         [first, _] if first == letter && unit => Some(1),
         [first, second, ..] if first == letter && beside(second) => Some(1),
         [first, ..] if first == letter => Some(2),
-        [before, last] if beside(before) && last == letter => Some(3),
-        [before, last, _] if beside(before) && last == letter && unit => Some(3),
+        [before, last] if before_it(before) && last == letter => Some(3),
+        [before, last, _] if before_it(before) && last == letter && unit => Some(3),
         [first, ..] if joined(first) => Some(3),
         _ => None,
     }
@@ -357,7 +359,20 @@ mod tests {
         }
         assert_eq!((role("E"), role("n")), (Role::East { clear: false }, Role::North { clear: false }));
         assert_eq!((role("Abscisse"), role("Ordonnée")), (Role::Abscissa, Role::Ordinate));
-        for name in ["x", "X_m", "POINT_X", "Koordinate Y", "xcoord", "Y-Wert", "z [mm]", "COORD_X", "x_left"] {
+        for name in [
+            "x",
+            "X_m",
+            "POINT_X",
+            "Koordinate Y",
+            "xcoord",
+            "Y-Wert",
+            "z [mm]",
+            "COORD_X",
+            "x_left",
+            "UTM_Y",
+            "Local X",
+            "grid_x_m",
+        ] {
             assert_eq!(role(name), Role::Axis, "{name}");
         }
         for name in ["u", "foo", "a", "merkmal", "xylem", "nord est"] {

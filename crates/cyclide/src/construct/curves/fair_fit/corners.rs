@@ -39,7 +39,13 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
         let beside = |i: usize| points[(i + n - 1) % n].distance(points[(i + 1) % n]);
         let is_corner = |corner: (usize, f64)| evident(corner) && beside(corner.0) > APART * usual;
         outline.corners.retain(|corner| is_forced(corner.0) || is_corner(*corner));
-        (0..n).for_each(|i| outline.straight[i] &= length(i) >= LONG * tolerance);
+        // In an outline a long edge among short ones is a side too where samples would turn over it by less than the
+        // tolerance sees: nothing else holds the curve there.
+        let is_side = |i: usize, outline: &Outline| {
+            let long = length(i) >= LONG * tolerance;
+            long && (outline.straight[i] || (outline.bound[i] && length(i) > APART * usual))
+        };
+        outline.straight = (0..n).map(|i| is_side(i, &outline)).collect();
         return outline;
     }
     let turn = |i: usize, length: f64| {
