@@ -91,6 +91,11 @@ fn long_sides_beside_a_small_round_keep_straight() {
         .map(|(x, y)| format!("{x},{y}\n"))
         .collect();
     let bracket = format!("x,y\n0,0\n60,0\n60,6\n{round}6,50\n0,50\n");
+    // Without noise nothing moves.
+    let folder = Folder::with(&[("o.csv", &bracket)]);
+    let report = folder.json("curve o.csv --closed --smooth auto -o o.dxf --json");
+    let fit = &report["objects"]["o"]["fit"];
+    assert!(fit["noise"].as_f64().unwrap() < 1e-3 && fit["polyline_deviation"].as_f64().unwrap() < 0.05, "{fit}");
     for smooth in [0.5, 1.0, 1.5, 2.0] {
         let folder = Folder::with(&[("o.csv", &bracket)]);
         let report = folder.json(&format!("curve o.csv --closed --smooth {smooth} -o o.dxf --json"));
@@ -236,5 +241,35 @@ fn random_figures_with_noise_outliers_and_stops() {
         assert_eq!(named, outliers.iter().map(|i| i + 2).collect::<Vec<_>>(), "{seed}: {}", run.stderr);
         let error = rms(&truth, &curve(&folder, "c.csv"));
         assert!(error < 0.55 * noise, "{seed}: {error} of {noise}");
+    }
+}
+
+/// How far a point is from a rectangle about the origin with rounds.
+fn from_rounded(p: [f64; 2], half: [f64; 2], radius: f64) -> f64 {
+    let [x, y] = [0, 1].map(|k| p[k].abs() - half[k] + radius);
+    (x.max(0.0).hypot(y.max(0.0)) + x.max(y).min(0.0) - radius).abs()
+}
+
+#[test]
+fn measured_outlines_keep_their_sides() {
+    // The four rounds are measured and nothing of the sides: noise hides that the edges between them are far longer.
+    let mut random = Random(5);
+    for (trial, noise) in (0..24).map(|k| (k, [0.0, 0.02, 0.05, 0.2][k % 4])) {
+        let half = [30.0 + 45.0 * random.uniform(), 20.0 + 40.0 * random.uniform()];
+        let radius = 4.0 + 8.0 * random.uniform();
+        let steps = 8 + trial / 3;
+        let round = |quarter: usize| (0..=steps).map(move |k| (quarter, k as f64 / steps as f64));
+        let at = |(quarter, t): (usize, f64)| {
+            let (sin, cos) = ((quarter as f64 + t) * TAU / 4.0).sin_cos();
+            let corner = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][quarter];
+            let noise = [noise * random.normal(), noise * random.normal()];
+            [0, 1].map(|k| corner[k] * (half[k] - radius) + radius * [cos, sin][k] + noise[k])
+        };
+        let measured: Points = (0..4).flat_map(round).map(at).collect();
+        let folder = Folder::with(&[("o.csv", &csv(&measured))]);
+        let run = folder.run("curve o.csv --closed --smooth auto -o c.csv");
+        assert_eq!(run.code, 0, "{trial}: {}", run.stderr);
+        let far = curve(&folder, "c.csv").into_iter().map(|p| from_rounded(p, half, radius)).fold(0.0, f64::max);
+        assert!(far <= 7.0 * noise + 0.02, "{trial}: {far} with noise of {noise}");
     }
 }

@@ -362,7 +362,7 @@ pub enum Warning {
     SwingsOut {
         /// How far the curve was from the polyline.
         distance: f64,
-        /// The tolerance and half the longest edge (of arcs twice the tolerance and the largest sagitta); larger distances
+        /// The tolerance and 0.146 of the edge (of arcs twice the tolerance and the largest sagitta); larger distances
         /// are reported.
         limit: f64,
         /// It was fitted again with places on the edges, and does not swing out any more.

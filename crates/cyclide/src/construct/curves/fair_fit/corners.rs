@@ -12,6 +12,11 @@ const PLACES: [f64; 2] = [3.0, 64.0];
 const LONG: f64 = 6.0;
 /// Among points that are closer together, those beside a corner are this many median edges apart.
 const APART: f64 = 4.0;
+/// A gap is this many times as long as the median of so many edges on either side.
+const GAP: f64 = 6.0;
+const ROUND: usize = 5;
+/// The neighbours of an outlier are closer to each other than this part of the edge to it.
+const SPIKE: f64 = 0.5;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
 const LEGS: f64 = 8.0;
@@ -62,6 +67,42 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     outline
 }
 
+/// The edges that are far longer than those round them, on both sides.
+pub(super) fn gaps(points: &[Point3], closed: bool) -> Vec<bool> {
+    let n = points.len();
+    let edges = if closed { n } else { n - 1 };
+    let length = |i: usize| points[i].distance(points[(i + 1) % n]);
+    // Closed data go on past their seam.
+    let around = |i: usize, forward: bool| {
+        let edge = |k: usize| if forward { (i + k) % n } else { (i + n - k) % n };
+        let inside = |k: &usize| closed || (if forward { i + k < edges } else { *k <= i });
+        let mut lengths: Vec<f64> = (1..=ROUND.min(n - 1)).filter(inside).map(|k| length(edge(k))).collect();
+        lengths.sort_by(f64::total_cmp);
+        lengths.get(lengths.len() / 2).copied()
+    };
+    let is_gap = |i: usize| {
+        let usual = [around(i, false), around(i, true)].into_iter().flatten().fold(0.0, f64::max);
+        usual > 0.0 && length(i) > GAP * usual
+    };
+    (0..n).map(|i| i < edges && is_gap(i)).collect()
+}
+
+/// The sides without those that a single point makes: left out, its neighbours are close to each other, as those of an outlier
+/// are.
+pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool]) -> Vec<bool> {
+    let n = points.len();
+    let is_spike = |i: usize, length: f64| {
+        let inside = closed || (i > 0 && i + 1 < n);
+        inside && points[(i + n - 1) % n].distance(points[(i + 1) % n]) < SPIKE * length
+    };
+    let is_side = |i: usize| {
+        let next = (i + 1) % n;
+        let length = points[i].distance(points[next]);
+        straight[i] && !is_spike(i, length) && !is_spike(next, length)
+    };
+    (0..n).map(is_side).collect()
+}
+
 /// The nearest point along the polyline that is a leg's length away; without one, the last on that side.
 fn leg(points: &[Point3], corner: usize, length: f64, closed: bool, forward: bool) -> Option<Point3> {
     let n = points.len();
@@ -75,14 +116,16 @@ fn leg(points: &[Point3], corner: usize, length: f64, closed: bool, forward: boo
     (1..=steps).map(at).find(far).or_else(|| (steps > 0).then(|| at(steps)))
 }
 
-/// How many places the curve is held to on each edge, so that it keeps to the straight sides.
+/// How many places the curve is held to on each edge, so that it keeps to the straight sides. If it is held to places on all
+/// edges, those that are far longer than the others count as such.
 pub(super) fn places_on_edges(points: &[Point3], straight: &[bool], options: &FairFitOptions) -> Vec<usize> {
     let n = points.len();
     let length = |i: usize| points[i].distance(points[(i + 1) % n]);
     let mut others: Vec<f64> = (0..n).filter(|i| !straight[*i]).map(length).collect();
     others.sort_by(f64::total_cmp);
     let usual = others.get(others.len() / 2).copied().unwrap_or(f64::INFINITY);
+    let least = options.edge_points;
+    let is_held = |i: usize| straight[i] || (least > 0 && length(i) > APART * usual);
     let places = |i: usize| (length(i) / usual).clamp(PLACES[0], PLACES[1]) as usize;
-    let on = |i: usize| if straight[i] { places(i).max(options.edge_points) } else { options.edge_points };
-    (0..n).map(on).collect()
+    (0..n).map(|i| if is_held(i) { places(i).max(least) } else { least }).collect()
 }

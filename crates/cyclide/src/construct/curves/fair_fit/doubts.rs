@@ -7,6 +7,7 @@ use super::removal::Stop;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::corners::sagitta_quantile;
 use crate::curve::{CircleSpline, length};
+use crate::rational::RationalBezier;
 use crate::warning::Warning;
 
 /// Above this part of the tolerance the root mean square of the distances says that the curve leans on its bounds.
@@ -19,6 +20,11 @@ const POINTS_TO_A_NODE: usize = 6;
 const FEW_POINTS: usize = 24;
 /// A curve shorter than this part of the length of the smoothed points has lost shape.
 const LENGTH_KEPT: f64 = 0.8;
+/// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
+/// none has between two (`docs/math/arc-fitting.md#outlines`).
+const SAMPLE_SAGITTA: f64 = 0.146;
+/// Steps in which the curve over an edge is looked at.
+const SWING_PLACES: u32 = 8;
 
 /// What is asked about.
 pub(super) struct Doubts<'a> {
@@ -119,17 +125,38 @@ impl Doubts<'_> {
     }
 }
 
-/// How far the curve is from the polyline, and the limit, where that is far.
-pub(super) fn swing(sheet: &FairFitCertificate, points: &[Point3], kept_to: f64, closed: bool) -> Option<(f64, f64)> {
-    let limit = kept_to + 0.5 * longest_edge(points, closed);
-    (sheet.polyline_deviation > limit).then_some((sheet.polyline_deviation, limit))
-}
-
-/// The longest edge of the polyline: a curve that is farther from it than half of this turns by more than half a circle
-/// over an edge, and so holds to nothing that was given.
-fn longest_edge(points: &[Point3], closed: bool) -> f64 {
-    let last = points.last().zip(points.first()).filter(|_| closed).map(|(a, b)| a.distance(*b));
-    points.windows(2).map(|w| w[0].distance(w[1])).chain(last).fold(0.0, f64::max)
+/// How far the curve is from the edge that it leaves by most above what samples explain, and the limit there: the tolerance and
+/// [`SAMPLE_SAGITTA`] of the edge. Positions of the feet of the points are `segment + parameter`.
+pub(super) fn swing(
+    curve: &[RationalBezier],
+    closed: bool,
+    points: &[Point3],
+    feet: &[f64],
+    kept_to: f64,
+) -> Option<(f64, f64)> {
+    let (n, m) = (points.len(), curve.len() as f64);
+    let at = |position: f64| {
+        let position = if closed { position.rem_euclid(m) } else { position };
+        let j = (position as usize).min(curve.len() - 1);
+        curve[j].point(position - j as f64)
+    };
+    let edges = if closed { n } else { n - 1 };
+    let off = |k: usize| {
+        let (a, b) = (points[k], points[(k + 1) % n]);
+        // Over the seam of a closed curve, there and back.
+        let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m).round() } else { 0.0 };
+        let to = feet[(k + 1) % n] + turn;
+        let edge = b - a;
+        let limit = kept_to + SAMPLE_SAGITTA * edge.length();
+        let distance = |i: u32| {
+            let p = at(feet[k] + (to - feet[k]) * f64::from(i) / f64::from(SWING_PLACES));
+            let t = (p - a).dot(edge) / edge.length_squared();
+            p.distance(a.lerp(b, if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 }))
+        };
+        ((1..SWING_PLACES).map(distance).fold(0.0, f64::max), limit)
+    };
+    let swings = (0..edges).map(off).filter(|(distance, limit)| distance > limit);
+    swings.max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)))
 }
 
 /// How often the polyline changes the side it turns to, in space by more than a right angle: at points that stand out from

@@ -3,7 +3,7 @@
 
 use super::noise::{self, Denoised, Reading, Run, Stop, denoised};
 use super::options::{Heights, Noise, Outliers};
-use super::{FairFit, FairFitOptions, runs, whittaker};
+use super::{FairFit, FairFitOptions, corners, whittaker};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::error::{Error, ErrorItem, Result};
@@ -18,6 +18,8 @@ const RELAXED: f64 = 2.0;
 const RELAXATIONS: usize = 5;
 /// Noise moves points by this many deviations.
 const OF_NOISE: f64 = 3.0;
+/// Corners and sides are read with the noise of what is left, so often.
+const READINGS: usize = 4;
 /// With more outliers than this each is not named any more.
 pub(super) const NAMED: usize = 20;
 
@@ -25,6 +27,14 @@ pub(super) const NAMED: usize = 20;
 pub(super) struct Prepared {
     pub distinct: Distinct,
     pub warnings: Vec<Warning>,
+}
+
+/// Points as they were measured, where those that are fitted are without their noise.
+#[derive(Clone, Copy)]
+pub(super) struct Measured<'a> {
+    pub points: &'a [Point3],
+    /// Whether the edge that begins at each is a straight side.
+    pub straight: &'a [bool],
 }
 
 /// Merges equal neighbours, and the points of stops.
@@ -61,30 +71,64 @@ pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Pr
     Ok(Prepared { distinct, warnings })
 }
 
-/// The smooth pieces of data, between corners (positions, rising).
-pub(super) fn pieces(n: usize, options: &FairFitOptions, cuts: &[usize]) -> Vec<Run> {
-    let whole = options.closed && cuts.is_empty();
-    let piece = |(from, to): (usize, usize)| {
-        let to = if whole { to - 1 } else { to };
-        let fixed = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % n)).is_ok());
-        Run {
-            numbers: (from..=to).map(|i| i % n).collect(),
-            closed: whole,
-            fixed: if whole { [false; 2] } else { fixed },
+/// What of the points is no curve: corners, and the edges that are straight sides.
+#[derive(PartialEq)]
+pub(super) struct Edged {
+    /// Positions of the corners, rising.
+    pub corners: Vec<usize>,
+    /// Whether the edge that begins at each point is a straight side.
+    pub straight: Vec<bool>,
+}
+
+impl Edged {
+    /// What lasts over a tolerance.
+    pub fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Self {
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        let outline = corners::outline(&distinct.points, &forced, options, tolerance);
+        let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight);
+        Self { corners: outline.corners.into_iter().map(|c| c.0).collect(), straight }
+    }
+
+    fn is_any(&self) -> bool {
+        !self.corners.is_empty() || self.straight.contains(&true)
+    }
+
+    /// The runs of points that one smooth curve explains: they end at corners, which they share, and at straight sides, beside
+    /// which the curvature jumps.
+    fn runs(&self, options: &FairFitOptions) -> Vec<Run> {
+        let n = self.straight.len();
+        let is_corner = |i: usize| self.corners.binary_search(&(i % n)).is_ok();
+        let is_end = |i: usize| is_corner(i) || self.straight[i % n] || self.straight[(i + n - 1) % n];
+        let first = if options.closed { (0..n).find(|i| is_end(*i)) } else { Some(0) };
+        let Some(first) = first else {
+            return vec![Run { numbers: (0..n).collect(), closed: true, fixed: [false; 2] }];
+        };
+        let last = if options.closed { first + n } else { n - 1 };
+        let fixed = |i: usize| options.fix_ends || is_corner(i);
+        let mut runs = Vec::new();
+        let mut from = first;
+        for i in first..=last {
+            let side = i < last && self.straight[i % n];
+            if i == last || side || (i > from && is_corner(i)) {
+                let numbers = (from..=i).map(|i| i % n).collect();
+                runs.push(Run { numbers, closed: false, fixed: [fixed(from), fixed(i)] });
+                from = if side { i + 1 } else { i };
+            }
         }
-    };
-    runs(n, options.closed, cuts).into_iter().map(piece).collect()
+        runs
+    }
 }
 
 /// What the points say about their noise and about outliers among them; `None` of too few.
-pub(super) fn read(distinct: &Distinct, options: &FairFitOptions, cuts: &[usize]) -> Option<Denoised> {
+pub(super) fn read(distinct: &Distinct, options: &FairFitOptions, edged: &Edged) -> Option<Denoised> {
     let noise = match options.noise {
         Some(Noise::Known(noise)) => Some(noise),
         _ => None,
     };
     let reading =
         Reading { noise, heights: options.heights == Heights::ByNoise, drop: options.outliers == Outliers::Drop };
-    denoised(&distinct.points, &pieces(distinct.points.len(), options, cuts), reading)
+    denoised(&distinct.points, &edged.runs(options), reading)
 }
 
 /// The points that belong to the others alone.
@@ -116,7 +160,7 @@ pub(super) fn outliers_named(found: &Denoised, source: &[usize], dropped: bool) 
 pub(super) fn with_loose_heights(
     distinct: &Distinct,
     options: &FairFitOptions,
-    cuts: &[usize],
+    edged: &Edged,
     within: f64,
 ) -> Result<(Distinct, f64)> {
     let (least, max) = (options.tolerance, f64::MAX);
@@ -125,7 +169,7 @@ pub(super) fn with_loose_heights(
     }
     let mut points = distinct.points.clone();
     let mut moved = 0.0_f64;
-    for run in pieces(points.len(), options, cuts) {
+    for run in edged.runs(options) {
         let own: Vec<Point3> = run.numbers.iter().map(|i| distinct.points[*i]).collect();
         let flat: Vec<Point3> = own.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
         let heights: Vec<Point3> = own.iter().map(|p| Point3::new(0.0, 0.0, p.z)).collect();
@@ -142,40 +186,68 @@ pub(super) fn with_loose_heights(
 }
 
 impl FairFit {
-    /// The corners that last over more than the noise, and what the points say about that with them.
-    fn corners_in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Vec<usize>, Option<Denoised>) {
+    /// The corners and straight sides that last over more than the noise, and what the points say about that with them.
+    fn edged_in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Edged, Option<Denoised>) {
         let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
-        let cuts_within = |tolerance: f64| Self::cuts(distinct, &automatic, tolerance);
-        let forced = cuts_within(f64::INFINITY);
-        // All corners of exact points, if they are some with the noise of the pieces between them too: else corners are taken for
-        // noise.
-        let sharp = cuts_within(NEAREST * size);
-        if options.corner_angle.is_none() && sharp != forced {
+        let within = |tolerance: f64| Edged::within(distinct, &automatic, tolerance);
+        let forced = within(f64::INFINITY);
+        let gaps = corners::gaps(&distinct.points, options.closed);
+        let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps);
+        // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
+        let sharp = within(NEAREST * size);
+        let is_all = sharp.straight.iter().zip(&gaps).all(|(side, gap)| *side || !gap);
+        if options.corner_angle.is_none() && sharp != forced && is_all {
             match read(distinct, options, &sharp) {
-                Some(found) if cuts_within(OF_NOISE * found.deviation) == sharp => return (sharp, Some(found)),
+                Some(found) if within(OF_NOISE * found.deviation) == sharp => return (sharp, Some(found)),
                 None => return (sharp, None),
                 Some(_) => {}
             }
         }
+        if let Some((edged, found)) =
+            Self::edged_by_places(distinct, &automatic, Edged { corners: forced.corners.clone(), straight: gaps })
+        {
+            return (edged, Some(found));
+        }
         // Else those that last over the noise that the points have without any.
         let mut found = read(distinct, options, &forced);
         let noise = found.as_ref().map_or(0.0, |found| OF_NOISE * found.deviation);
-        let cuts = Self::cuts(distinct, options, noise);
-        if cuts != forced {
-            found = read(distinct, options, &cuts);
+        let edged = Edged::within(distinct, options, noise);
+        if edged != forced {
+            found = read(distinct, options, &edged);
         }
-        (cuts, found)
+        (edged, found)
+    }
+
+    /// Noise hides what the samples beside a corner or a side turn by. So from those that are `edged` at first, corners and sides are
+    /// those that the points without the noise of the runs between them have, until these are the same. `None` if there are none,
+    /// or no end.
+    fn edged_by_places(distinct: &Distinct, options: &FairFitOptions, mut edged: Edged) -> Option<(Edged, Denoised)> {
+        for _ in 0..READINGS {
+            if !edged.is_any() {
+                return None;
+            }
+            let found = read(distinct, options, &edged)?;
+            let mut places = distinct.points.clone();
+            found.kept.iter().zip(&found.places).for_each(|(i, place)| places[*i] = *place);
+            let places = Distinct::of(places, distinct.source.clone(), None);
+            let seen = Edged::within(&places, options, OF_NOISE * found.deviation);
+            if seen == edged {
+                return Some((edged, found));
+            }
+            edged = seen;
+        }
+        None
     }
 
     /// The fit whose strength follows the noise.
     pub(super) fn by_noise(prepared: Prepared, options: &FairFitOptions) -> Result<Self> {
         let Prepared { distinct, mut warnings } = prepared;
         let size = diameter(&distinct.points);
-        let (cuts, found) = match Self::corners_in_noise(&distinct, options, size) {
-            (cuts, Some(found)) => (cuts, found),
-            // Pieces between corners that have too few points to tell noise: an outline, which is kept.
-            (cuts, None) if !cuts.is_empty() => {
-                let corners = cuts.iter().map(|i| distinct.source[*i]).collect();
+        let (edged, found) = match Self::edged_in_noise(&distinct, options, size) {
+            (edged, Some(found)) => (edged, found),
+            // Runs between corners and sides that have too few points to tell noise: an outline, which is kept.
+            (edged, None) if edged.is_any() => {
+                let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
                 let tolerance = (NEAREST * size).min(options.tolerance);
                 let outline = FairFitOptions { tolerance, corners, corner_angle: None, centre: 0.0, ..options.clone() };
                 let mut fit = Self::near(&distinct, &outline, None)?;
@@ -189,17 +261,21 @@ impl FairFit {
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
         let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
+        let next = |k: usize| found.kept[(k + 1) % found.kept.len()];
+        let is_side = |(k, i): (usize, &usize)| edged.straight[*i] && next(k) == (i + 1) % edged.straight.len();
+        let straight: Vec<bool> = found.kept.iter().enumerate().map(is_side).collect();
+        let measured = Measured { points: &measured, straight: &straight };
         let places = Distinct::of(found.places, source, distinct.warning.clone());
         let mut task = FairFitOptions {
             tolerance: (NEARNESS * found.uncertainty).max(NEAREST * size),
-            corners: cuts.iter().map(|i| distinct.source[*i]).collect(),
+            corners: edged.corners.iter().map(|i| distinct.source[*i]).collect(),
             corner_angle: None,
             centre: 0.0,
             ..options.clone()
         };
         let mut tries = 0;
         let mut fit = loop {
-            match Self::near(&places, &task, Some(&measured)) {
+            match Self::near(&places, &task, Some(measured)) {
                 Err(Error::ToleranceNotReached { .. }) if tries < RELAXATIONS => tries += 1,
                 other => break other?,
             }

@@ -47,7 +47,7 @@ use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 use canonical_start::runs_backwards;
-use measured::{Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
+use measured::{Edged, Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
 use parts::Parts;
 use working_frame::WorkingFrame;
@@ -142,9 +142,9 @@ impl FairFit {
     /// part, and if one gives a better curve a warning (`wide-tolerance`) says so. Bends and loops that the tolerance
     /// takes are another (`shape-smoothed-away`).
     ///
-    /// A curve that leaves its polyline by more than half the longest edge and the tolerance swings out: where a corner is
-    /// thinner than its points are dense, nothing holds it. It is fitted again with places on the edges, and a warning
-    /// (`swings-out`) says so.
+    /// A curve that leaves an edge of its polyline by more than samples of a smooth curve explain (the tolerance and 0.146 of
+    /// the edge) swings out: nothing holds it there. It is fitted again with places on the edges, and a warning (`swings-out`)
+    /// says so.
     ///
     /// ```
     /// use cyclide::{FairFit, FairFitOptions, Point3};
@@ -172,20 +172,20 @@ impl FairFit {
         }
         let mut warnings = warnings;
         if options.outliers == Outliers::Drop {
-            let cuts = Self::cuts(&distinct, options, options.tolerance);
-            if let Some(found) = read(&distinct, options, &cuts).filter(|found| !found.outliers.is_empty()) {
+            let edged = Edged::within(&distinct, options, options.tolerance);
+            if let Some(found) = read(&distinct, options, &edged).filter(|found| !found.outliers.is_empty()) {
                 warnings.extend(outliers_named(&found, &distinct.source, true));
                 distinct = without_outliers(&distinct, &found);
             }
         }
         let mut loose = None;
         if let Heights::Within(within) = options.heights {
-            let cuts = Self::cuts(&distinct, options, options.tolerance);
-            let (points, moved) = with_loose_heights(&distinct, options, &cuts, within)?;
+            let edged = Edged::within(&distinct, options, options.tolerance);
+            let (points, moved) = with_loose_heights(&distinct, options, &edged, within)?;
             (distinct, loose) = (points, Some(moved));
         }
-        let cuts = Self::cuts(&distinct, options, options.tolerance);
-        let found = if options.edge_points == 0 { read(&distinct, options, &cuts) } else { None };
+        let edged = Edged::within(&distinct, options, options.tolerance);
+        let found = if options.edge_points == 0 { read(&distinct, options, &edged) } else { None };
         let fit = Self::near(&distinct, options, None)
             .map_err(|e| Self::because_of_outliers(e, found.as_ref(), &distinct, options))?;
         let mut fit = match &found {
@@ -248,7 +248,7 @@ impl FairFit {
 
     /// The fit within the tolerance of points that differ. With `measured` these are points without their noise, and those
     /// are what is certified.
-    fn near(distinct: &Distinct, options: &FairFitOptions, measured: Option<&[Point3]>) -> Result<Self> {
+    fn near(distinct: &Distinct, options: &FairFitOptions, measured: Option<Measured<'_>>) -> Result<Self> {
         // What a merged point is away from the one that stands for it counts.
         let full = options.tolerance - distinct.moved;
         let (mut fit, kept_to) = Self::best_within(distinct, options, full, measured)?;
@@ -269,19 +269,12 @@ impl FairFit {
         Ok(fit)
     }
 
-    /// Positions of the corners.
-    fn cuts(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Vec<usize> {
-        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
-        forced.sort_unstable();
-        corners::outline(&distinct.points, &forced, options, tolerance).corners.into_iter().map(|c| c.0).collect()
-    }
-
     /// The fit within a tolerance, or within less where it is wide: the fairest that keeps the shape. With what it keeps to.
     fn best_within(
         distinct: &Distinct,
         options: &FairFitOptions,
         full: f64,
-        measured: Option<&[Point3]>,
+        measured: Option<Measured<'_>>,
     ) -> Result<(Self, f64)> {
         let size = diameter(&distinct.points);
         let narrower = WIDE.map(|part| part * size).into_iter().filter(|t| *t < NARROWER * full);
@@ -320,14 +313,15 @@ impl FairFit {
         distinct: &Distinct,
         options: &FairFitOptions,
         tolerance: f64,
-        measured: Option<&[Point3]>,
+        measured: Option<Measured<'_>>,
     ) -> Result<Self> {
         let data = &distinct.points;
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
         let outline =
             corners::outline(data, &forced, options, if measured.is_some() { f64::INFINITY } else { tolerance });
-        let on_edges = corners::places_on_edges(data, &outline.straight, options);
+        let straight = measured.map_or(&outline.straight[..], |measured| measured.straight);
+        let on_edges = corners::places_on_edges(data, straight, options);
         let corners = outline.corners;
         let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
 

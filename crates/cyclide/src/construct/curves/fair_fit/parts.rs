@@ -5,6 +5,7 @@ use super::certificate::{PieceSheet, certify};
 use super::doubts::{Doubts, swing};
 use super::feet::COLD;
 use super::fit::Data;
+use super::measured::Measured;
 use super::removal::{RemovalLimits, Stop};
 use super::run::{Outcome, Reached, floor, run};
 use super::working_frame::WorkingFrame;
@@ -25,7 +26,7 @@ pub(super) struct Parts<'a> {
     frame: &'a WorkingFrame,
     options: &'a FairFitOptions,
     /// What the data were before their noise was taken off: it is what the proof sheet is about.
-    measured: Option<&'a [Point3]>,
+    measured: Option<Measured<'a>>,
     /// Places on the edge after each point that are bound too.
     on_edges: Vec<usize>,
     spline: Vec<BlendSegment>,
@@ -36,6 +37,8 @@ pub(super) struct Parts<'a> {
 /// What is known about one piece.
 pub(super) struct PieceFit {
     pub sheet: PieceSheet,
+    /// Distance and limit, where the curve swings out between the points.
+    pub swing: Option<(f64, f64)>,
     /// The number of each of its points among the distinct ones.
     pub numbers: Vec<usize>,
     /// `J`, and the length of its points, smoothed as the start of the fit was.
@@ -54,7 +57,7 @@ impl<'a> Parts<'a> {
         tolerance: f64,
         frame: &'a WorkingFrame,
         options: &'a FairFitOptions,
-        measured: Option<&'a [Point3]>,
+        measured: Option<Measured<'a>>,
         on_edges: Vec<usize>,
     ) -> Self {
         Self {
@@ -120,13 +123,17 @@ impl<'a> Parts<'a> {
         let places: Vec<_> = own.iter().map(|i| fit.feet[*i].place).collect();
         let mut feet: Vec<f64> = places.iter().map(|place| place.position()).collect();
         if let Some(measured) = self.measured {
-            points = numbers.iter().map(|i| measured[*i]).collect();
+            points = numbers.iter().map(|i| measured.points[*i]).collect();
             let local: Vec<Point3> = points.iter().map(|p| frame.to_local(*p)).collect();
             feet = fit.curve.feet(&local, places.into_iter(), COLD).iter().map(|f| f.place.position()).collect();
         }
         let quartics: Vec<RationalBezier> = self.spline[first..].iter().filter_map(BlendSegment::to_bezier).collect();
+        let sheet = certify(&quartics, closed, &points, &feet);
+        // The curve is as far from the edges of measured points as from these.
+        let kept_to = if self.measured.is_some() { sheet.vertex.0 } else { self.tolerance };
         self.pieces.push(PieceFit {
-            sheet: certify(&quartics, closed, &points, &feet),
+            swing: swing(&quartics, closed, &points, &feet, kept_to),
+            sheet,
             numbers: numbers.to_vec(),
             fairness: fit.fairness * frame.length(1.0).powi(3),
             length: length / frame.length(1.0),
@@ -164,9 +171,8 @@ impl<'a> Parts<'a> {
             measured: self.measured.is_some(),
         };
         warnings.extend(doubts.all());
-        // The curve is as far from the polyline of measured points as from these.
-        let kept_to = if self.measured.is_some() { sheet.deviation } else { self.tolerance };
-        let swing = swing(&sheet, &distinct.points, kept_to, options.closed);
+        let swings = self.pieces.iter().filter_map(|piece| piece.swing);
+        let swing = swings.max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)));
         Ok(FairFit { spline, certificate: sheet, warnings, swing })
     }
 
