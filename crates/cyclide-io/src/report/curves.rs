@@ -37,6 +37,9 @@ pub struct CurvesReport {
     /// Weights of the exact rational form (within the default tolerance for curves that have none); 1 for arcs.
     /// `None` if there is no such form.
     pub weights: Option<RangeReport>,
+    /// Largest distance from the true curve, where that has no rational form and another stands for it: a helix.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub within: Option<f64>,
     /// Number of connected curves.
     pub contours: usize,
     /// Points the object was made from, after merging repeated ones; 0 if it was not made from a list.
@@ -221,6 +224,7 @@ impl CurvesReport {
         if let Some(curve) = curves().nth(curvature.contour) {
             curvature.station = ArcLength::new(curve).station(curvature.t);
         }
+        let fit = fit(built);
         Self {
             length: curves().map(length).sum(),
             pieces: curves().map(cyclide::ParamCurve::piece_count).sum(),
@@ -229,9 +233,10 @@ impl CurvesReport {
             curvature,
             fairness: FairnessReport::new(built),
             weights: weights(built.item.curves(), tolerance),
+            within: built.tolerance.filter(|_| fit.is_none()),
             contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
-            fit: fit(built),
+            fit,
             tight: None,
             qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),

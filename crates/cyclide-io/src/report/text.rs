@@ -150,6 +150,9 @@ impl CurvesReport {
             Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
         }
+        if let Some(within) = self.within {
+            line("accuracy", format!("within {} {units} of the true curve", short(within)))?;
+        }
         if let Some(qb) = &self.qb {
             qb.lines(line)?;
         }

@@ -96,19 +96,25 @@ impl Moulds {
     pub fn new(panels: &[CyclidePatch], tolerance: f64) -> Result<Self> {
         check_tolerance(tolerance)?;
         let workshop = Workshop::new(panels, tolerance);
-        let mut best: Option<Self> = None;
-        let mut seen: Vec<Vec<Option<Bend>>> = Vec::new();
-        for strict in workshop.ladder() {
+        let mut rungs: Vec<Vec<Option<Bend>>> = Vec::new();
+        for strict in ladder(panels, tolerance) {
             let kinds = workshop.kinds(strict);
-            if seen.contains(&kinds) {
-                continue;
+            if !rungs.contains(&kinds) {
+                rungs.push(kinds);
             }
-            let fewest = best.as_ref().map_or(usize::MAX, Self::count);
-            if let Some(made) = workshop.moulds(&kinds, fewest) {
-                best = Some(made);
-            }
-            seen.push(kinds);
         }
+        // Those of the fewest kinds first: what they need is the limit for the others.
+        let mut order: Vec<usize> = (0..rungs.len()).collect();
+        order.sort_by_key(|rung| (fewest(&rungs[*rung]), *rung));
+        let mut best: Option<(Self, usize)> = None;
+        for rung in order {
+            // Of as many moulds the earlier rung has the simpler ones.
+            let limit = best.as_ref().map_or(usize::MAX, |(best, at)| best.count() + usize::from(rung < *at));
+            if let Some(made) = workshop.moulds(&rungs[rung], limit) {
+                best = Some((made, rung));
+            }
+        }
+        let best = best.map(|best| best.0);
         Ok(best.unwrap_or(Self { moulds: Vec::new(), free: Vec::new() }))
     }
 
@@ -117,6 +123,20 @@ impl Moulds {
     pub fn count(&self) -> usize {
         self.moulds.len() + self.free.len()
     }
+}
+
+/// Tolerances for the kinds: the given one, and steps of a ladder that hangs on the panels only, so that what is good at a smaller tolerance is tried
+/// at a larger one too.
+fn ladder(panels: &[CyclidePatch], tolerance: f64) -> Vec<f64> {
+    let size = panels.iter().map(CyclidePatch::size).fold(0.0, f64::max);
+    let steps = (0..64).map(|k| size * 8.0_f64.powi(-k)).filter(|step| *step < tolerance);
+    std::iter::once(tolerance).chain(steps.take(RUNGS)).collect()
+}
+
+/// The moulds that panels of given kinds need at least: one for each kind, and for each free panel.
+fn fewest(kinds: &[Option<Bend>]) -> usize {
+    let free = kinds.iter().filter(|kind| kind.is_none()).count();
+    free + KINDS.iter().filter(|bend| kinds.contains(&Some(**bend))).count()
 }
 
 fn compare(a: &[f64], b: &[f64]) -> std::cmp::Ordering {
@@ -167,21 +187,20 @@ impl Range<'_> {
 
 impl<'a> Workshop<'a> {
     fn new(panels: &'a [CyclidePatch], tolerance: f64) -> Self {
+        let strictest = ladder(panels, tolerance).into_iter().fold(tolerance, f64::min);
         let fits = |panel: &CyclidePatch| {
             let points = PanelPoints::new(panel);
             let limit = tolerance / points.unit.size;
-            KINDS.map(|bend| points.fit(bend, limit).filter(|fit| fit.max_distance <= tolerance))
+            let mut is_found = false;
+            KINDS.map(|bend| {
+                // Of no use where a simpler one is within every tolerance for kinds.
+                let fit = if is_found { None } else { points.fit(bend, limit) };
+                is_found |= fit.is_some_and(|fit| fit.max_distance <= strictest);
+                fit.filter(|fit| fit.max_distance <= tolerance)
+            })
         };
         let fits = panels.iter().map(fits).collect();
         Self { panels, fits, tolerance, members: RefCell::default(), ranges: RefCell::default() }
-    }
-
-    /// Tolerances for the kinds: the given one, and steps of a ladder that hangs on the panels only, so that what is good at a smaller tolerance is tried
-    /// at a larger one too.
-    fn ladder(&self) -> Vec<f64> {
-        let size = self.panels.iter().map(CyclidePatch::size).fold(0.0, f64::max);
-        let steps = (0..64).map(|k| size * 8.0_f64.powi(-k)).filter(|step| *step < self.tolerance);
-        std::iter::once(self.tolerance).chain(steps.take(RUNGS)).collect()
     }
 
     /// The kind of each panel: the simplest within `strict`, or where there is none, the nearest.
@@ -197,12 +216,10 @@ impl<'a> Workshop<'a> {
     /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.
     fn moulds(&self, kinds: &[Option<Bend>], limit: usize) -> Option<Moulds> {
         let free: Vec<usize> = (0..kinds.len()).filter(|panel| kinds[*panel].is_none()).collect();
-        let limit = limit.checked_sub(free.len())?;
-        // Each kind needs one at least.
-        let present = KINDS.iter().filter(|bend| kinds.contains(&Some(**bend))).count();
-        if present >= limit {
+        if fewest(kinds) >= limit {
             return None;
         }
+        let limit = limit - free.len();
         let mut moulds = Vec::new();
         for (at, bend) in KINDS.into_iter().enumerate() {
             let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));

@@ -1,5 +1,6 @@
 //! Where a function of a panel's place is far from zero.
 
+use super::least_maximum::ROUNDING;
 use super::unit_patch::UnitPatch;
 
 /// Places of the first look, along each direction.
@@ -12,12 +13,22 @@ const LAST: f64 = 1e-7;
 const MOST: usize = 8;
 
 /// The largest absolute values over the patch, with their places, the largest first: the largest of a grid, and from it and all that are nearly
-/// as large uphill in ever smaller steps.
+/// as large uphill in ever smaller steps; of rounding, the largest of the grid.
 pub(super) fn peaks(unit: &UnitPatch, value: impl Fn((f64, f64)) -> f64) -> Vec<(f64, (f64, f64))> {
     let value = |place| value(place).abs();
     let places: Vec<(f64, f64)> = unit.grid(GRID).collect();
     let values: Vec<f64> = places.iter().map(|&p| value(p)).collect();
     let largest = values.iter().copied().fold(0.0, f64::max);
+    if largest <= ROUNDING {
+        // Of rounding nothing is uphill.
+        return places
+            .into_iter()
+            .zip(&values)
+            .find(|(_, v)| **v >= largest)
+            .map(|(p, v)| (*v, p))
+            .into_iter()
+            .collect();
+    }
     let n = GRID as usize;
     let is_peak = |k: usize| {
         let (i, j) = (k % n, k / n);
@@ -26,7 +37,6 @@ pub(super) fn peaks(unit: &UnitPatch, value: impl Fn((f64, f64)) -> f64) -> Vec<
     };
     let mut starts: Vec<usize> = (0..n * n).filter(|&k| values[k] >= NEAR * largest && is_peak(k)).collect();
     starts.sort_by(|a, b| values[*b].total_cmp(&values[*a]).then(a.cmp(b)));
-    // On a surface that fits, all is rounding: a few searches are enough.
     let mut found: Vec<_> = starts.into_iter().take(MOST).map(|k| uphill(&value, places[k], values[k])).collect();
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
     found

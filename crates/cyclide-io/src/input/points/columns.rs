@@ -4,7 +4,7 @@ use cyclide::Units;
 
 use super::PointColumns;
 use super::decimals::is_number;
-use super::names::{GLOBE, Role, axis_kind, speaks_of, words_of};
+use super::names::{GLOBE, Role, axis_kind, is_letter, speaks_of, words_of};
 use super::sampled::Sampled;
 use super::table::Table;
 use super::unit::{UnitWord, unit_in_name, unit_of_convention};
@@ -23,7 +23,19 @@ pub(super) struct Chosen {
 }
 
 /// Words in names of columns that tell contours apart.
-const LAYERS: [&str; 5] = ["layer", "ebene", "polyline", "part", "ring"];
+const LAYERS: [&str; 11] = [
+    "layer",
+    "ebene",
+    "polyline",
+    "part",
+    "ring",
+    "parcel",
+    "parcelle",
+    "parzelle",
+    "flurstuck",
+    "particella",
+    "parcela",
+];
 
 /// Coordinate columns that were found, with the sentence about a choice that could have been another one.
 type Found = (Vec<usize>, Option<String>);
@@ -166,10 +178,14 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         return Err(table.header_refused(message));
     }
     let roles: Vec<Role> = table.header.iter().map(Role::of).collect();
-    let map = [
+    let mut map = [
         one_of(table, &roles, |role| matches!(role, Role::East { .. }))?,
         one_of(table, &roles, |role| matches!(role, Role::North { .. }))?,
     ];
+    if let ([None, None], [Some(east), Some(north)]) = (map, ["r", "h"].map(|letter| letter_column(table, letter))) {
+        // Rechtswert and Hochwert.
+        map = [Some(east), Some(north)];
+    }
     let z = axis(table, &roles, "z")?;
     if let (Some(x), Some(y)) = (axis(table, &roles, "x")?, axis(table, &roles, "y")?) {
         let all: Vec<usize> = [x, y].into_iter().chain(z).collect();
@@ -206,7 +222,7 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         z.map_or_else(|| one_of(table, &roles, |role| role == Role::Height), |z| Ok(Some(z)))
     };
     if let [Some(x), Some(y)] = map {
-        let all: Vec<usize> = [x, y].into_iter().chain(height(z)?).collect();
+        let all: Vec<usize> = [x, y].into_iter().chain(height(z)?.filter(|z| *z != y)).collect();
         let letters = all.iter().any(|&i| words_of(table.header[i].text).0[0].len() == 1 && roles[i] != Role::Axis);
         let remark = letters.then(|| taken_columns(table, &all));
         return Ok((all, remark));
@@ -303,6 +319,12 @@ fn one_of(table: &Table<'_>, roles: &[Role], fits: impl Fn(Role) -> bool) -> Res
             Err(table.header_refused(message))
         }
     }
+}
+
+/// The only column whose name is this letter.
+fn letter_column(table: &Table<'_>, letter: &str) -> Option<usize> {
+    let mut all = (0..table.header.len()).filter(|i| is_letter(letter, &table.header[*i]));
+    all.next().filter(|_| all.next().is_none())
 }
 
 fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {

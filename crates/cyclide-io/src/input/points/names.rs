@@ -210,8 +210,29 @@ pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
 fn folded(name: &str) -> Vec<String> {
     let words = name.split(|c: char| !c.is_alphanumeric() && !is_accent(c)).filter(|word| !word.is_empty());
     words
+        .flat_map(by_capitals)
         .map(|word| word.chars().flat_map(char::to_lowercase).filter(|c| !is_accent(*c)).map(plain).collect())
         .collect()
+}
+
+/// The words that capitals begin: `NorthUSft`, `pointX`. One letter (`mN`) is no word of its own.
+pub(super) fn by_capitals(word: &str) -> Vec<&str> {
+    let letters: Vec<(usize, char)> = word.char_indices().collect();
+    let (mut words, mut from) = (Vec::new(), 0);
+    for pair in letters.windows(2) {
+        let ((_, before), (at, c)) = (pair[0], pair[1]);
+        if before.is_lowercase() && c.is_uppercase() && word[from..at].chars().count() > 1 {
+            words.push(&word[from..at]);
+            from = at;
+        }
+    }
+    words.push(&word[from..]);
+    words
+}
+
+/// True if a name is this letter alone.
+pub(super) fn is_letter(letter: &str, field: &Field<'_>) -> bool {
+    matches!(folded(field.text).as_slice(), [only] if only == letter)
 }
 
 /// Accents that stand behind their letter.
@@ -357,6 +378,7 @@ mod tests {
         ] {
             assert_eq!(role(name), Role::Height, "{name}");
         }
+        assert_eq!((role("NorthUSft"), role("eastM")), (Role::North { clear: true }, Role::East { clear: true }));
         assert_eq!((role("E"), role("n")), (Role::East { clear: false }, Role::North { clear: false }));
         assert_eq!((role("Abscisse"), role("Ordonnée")), (Role::Abscissa, Role::Ordinate));
         for name in [

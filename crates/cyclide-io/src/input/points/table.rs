@@ -62,11 +62,11 @@ pub(super) enum Delimiter {
 }
 
 impl Delimiter {
-    /// The first of tab, semicolon, comma that occurs outside quotes, else blanks. Commas between digits of numbers that
+    /// The first of tab, semicolon, upright stroke, comma that occurs outside quotes, else blanks. Commas between digits of numbers that
     /// blanks separate (`1,5 2,5`, `P1 1,5 2,5`) are decimal.
     pub(super) fn of(line: &str) -> Self {
         let outside: String = line.split('"').step_by(2).collect();
-        let delimiter = ['\t', ';', ','].into_iter().find(|&c| outside.contains(c));
+        let delimiter = ['\t', ';', '|', ','].into_iter().find(|&c| outside.contains(c));
         let decimal = || {
             let mut words = line.split_whitespace();
             let commas = words.clone().filter(|w| has_decimal_comma(w)).count();

@@ -232,7 +232,8 @@ fn names_of_coordinates_are_known_in_many_forms() {
         assert_eq!(remarks(&text), [""; 0], "{header}");
     }
     // Letters that may mean something else, and columns that are only the remaining ones, are said.
-    for header in ["id,e,n\n9,1,2\n", "id,foo,bar\n9,1,2\n", "name,u,v\nA,1,2\n"] {
+    for header in ["id,e,n\n9,1,2\n", "id,foo,bar\n9,1,2\n", "name,u,v\nA,1,2\n", "Nr,H,R\n9,2,1\n", "Nr|H|R\n9|2|1\n"]
+    {
         assert_eq!(
             (xyz(&read(header).unwrap()), remarks(header)),
             (expected.map(|l| l.to_vec()).to_vec(), vec!["columns-taken"])

@@ -4,6 +4,7 @@ use cyclide::Units;
 
 use super::PointColumns;
 use super::columns::Chosen;
+use super::names::by_capitals;
 use super::table::Table;
 use crate::text::encoding::decode_table;
 use crate::text::place::Source;
@@ -62,9 +63,10 @@ pub(super) fn unit_of_convention(name: &str) -> Option<UnitWord> {
     (ros || name.contains("tcp_pose_")).then_some(UnitWord::Known(Units::Metre))
 }
 
-/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`, `x (US survey feet)`.
+/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`, `x (US survey feet)`, `eastUSft`.
 pub(super) fn unit_in_name(name: &str) -> Option<UnitWord> {
-    let words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty()).skip(1);
+    let mut words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty());
+    let words = by_capitals(words.next()?).into_iter().skip(1).chain(words);
     let words: Vec<String> = words.map(str::to_lowercase).collect();
     unit_of_words(&words.iter().map(String::as_str).collect::<Vec<_>>())
 }
