@@ -273,3 +273,93 @@ fn measured_outlines_keep_their_sides() {
         assert!(far <= 7.0 * noise + 0.02, "{trial}: {far} with noise of {noise}");
     }
 }
+
+/// Points on an ellipse with noise.
+fn ellipse(n: usize, [a, b]: [f64; 2], noise: f64, random: &mut Random) -> Points {
+    let at = |i: usize| {
+        let (sin, cos) = (TAU * i as f64 / n as f64).sin_cos();
+        [a * cos + noise * random.normal(), b * sin + noise * random.normal()]
+    };
+    (0..n).map(at).collect()
+}
+
+#[test]
+fn few_points_of_a_bent_shape_are_no_noise() {
+    let mut random = Random(1);
+    for (n, axes, most) in [(20, [50.0, 12.0], 1.0), (12, [50.0, 30.0], 2.0), (32, [40.0, 25.0], 0.1)] {
+        let truth = ellipse(4000, axes, 0.0, &mut random);
+        let folder = Folder::with(&[("e.csv", &csv(&ellipse(n, axes, 0.0, &mut random)))]);
+        let run = folder.run("curve e.csv --closed --smooth auto -o c.csv");
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let far = curve(&folder, "c.csv").iter().map(|p| rms(&vec![*p], &truth)).fold(0.0, f64::max);
+        assert!(far < most, "{n}: {far}");
+    }
+}
+
+#[test]
+fn noise_as_large_as_the_steps_is_no_outline() {
+    // Steps of 1.25, noise of 1.5: the points turn by all angles, back too.
+    let mut random = Random(2);
+    let axes = [150.0, 80.0];
+    let truth = ellipse(600, axes, 0.0, &mut random);
+    for arguments in ["", "--noise 1.5"] {
+        let folder = Folder::with(&[("e.csv", &csv(&ellipse(600, axes, 1.5, &mut random)))]);
+        let run = folder.run(&format!("curve e.csv --closed --smooth auto {arguments} -o c.csv --tolerance 0.1"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert!(!run.stderr.contains("[corner-kept]"), "{}", run.stderr);
+        let error = rms(&truth, &curve(&folder, "c.csv"));
+        assert!(error < 0.8, "{arguments}: {error}");
+    }
+}
+
+#[test]
+fn a_dense_round_is_no_stop() {
+    // Rounds of 25 points each, 0.07 apart, between sides of points 2.4 apart.
+    let half = [40.0, 25.0];
+    let mut outline = Points::new();
+    for quarter in 0..4 {
+        let corner = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][quarter];
+        for k in 0..=24 {
+            let (sin, cos) = ((quarter as f64 + f64::from(k) / 24.0) * TAU / 4.0).sin_cos();
+            outline.push([0, 1].map(|i| corner[i] * (half[i] - 1.0) + [cos, sin][i]));
+        }
+        let [from, next] =
+            [quarter, (quarter + 1) % 4].map(|k| [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][k]);
+        let axis = usize::from(quarter % 2 == 1);
+        let steps = ((half[axis] - 1.0) * 2.0 / 2.4) as usize;
+        for k in 1..steps {
+            let t = k as f64 / steps as f64;
+            let mut p = [0, 1].map(|i| from[i] * half[i]);
+            p[axis] = (from[axis] + t * (next[axis] - from[axis])) * (half[axis] - 1.0);
+            outline.push(p);
+        }
+    }
+    let folder = Folder::with(&[("r.csv", &csv(&outline))]);
+    for arguments in ["--smooth 0.1", "--smooth auto"] {
+        let run = folder.run(&format!("curve r.csv --closed {arguments} -o c.csv --force"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert!(!run.stderr.contains("[stop]"), "{arguments}: {}", run.stderr);
+        let far = curve(&folder, "c.csv").into_iter().map(|p| from_rounded(p, half, 1.0)).fold(0.0, f64::max);
+        // Of samples 2.4 apart beside samples 0.07 apart an arc could be 0.35 off.
+        assert!(far < 0.35, "{arguments}: {far}");
+    }
+}
+
+#[test]
+fn single_points_far_off_are_outliers_and_no_corners() {
+    // A road with two wrong rows, from half a step to four steps off.
+    for off in [10.0, 40.0, 80.0] {
+        let at = |i: usize| {
+            let x = 20.0 * i as f64;
+            [x, 40.0 * (x / 300.0).sin() + if i == 20 || i == 55 { off } else { 0.0 }]
+        };
+        let road: Points = (0..100).map(at).collect();
+        let folder = Folder::with(&[("r.csv", &csv(&road))]);
+        let run = folder.run("curve r.csv --smooth auto --outliers drop -o c.csv");
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert_eq!(rows(&run.stderr, "r.csv", "outlier"), [22, 57], "{off}: {}", run.stderr);
+        let wrong = |p: &[f64; 2]| (p[1] - 40.0 * (p[0] / 300.0).sin()).abs();
+        let far = curve(&folder, "c.csv").iter().map(wrong).fold(0.0, f64::max);
+        assert!(far < 0.5, "{off}: {far}");
+    }
+}

@@ -370,6 +370,15 @@ pub enum Warning {
         /// It is an arc fit, which can take the edges as they are.
         has_target: bool,
     },
+    /// Edges between measured points are far longer than those round them: straight sides of an outline, or gaps in a curve.
+    LongEdges {
+        /// The point from which the first of them runs.
+        point: usize,
+        /// How many there are.
+        count: usize,
+        /// The curve is held to them as straight sides; else it is free there.
+        held: bool,
+    },
     /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
     ReadAsCurve {
         /// How many there are.

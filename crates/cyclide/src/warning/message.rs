@@ -301,6 +301,13 @@ impl std::fmt::Display for Warning {
                     "if the points have corners, give a corner angle"
                 }
             ),
+            Self::LongEdges { count, held, .. } => write!(
+                f,
+                "{count} {} far longer than those round {}: {}; if that is wrong, measure points there",
+                if *count == 1 { "edge from here is" } else { "edges, the first from here, are" },
+                if *count == 1 { "it" } else { "them" },
+                if *held { "taken for straight sides, which the curve keeps to" } else { "taken for gaps, over which nothing holds the curve" }
+            ),
             Self::ReadAsCurve { count, turn, distance } => write!(
                 f,
                 "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their polyline by {}: if its edges are meant, the target \

@@ -55,7 +55,7 @@ impl Builder<'_> {
                     self.ask_about_turns(
                         angle,
                         Some(format!("{name}:{line}")),
-                        "name the columns roll_deg, pitch_deg, yaw_deg",
+                        "name the columns with _deg, as roll_deg or rotvec_x_deg",
                     );
                 } else if let Some((line, change)) = table.whole_turns {
                     self.remark_whole_turns(change, Some(format!("{name}:{line}")));

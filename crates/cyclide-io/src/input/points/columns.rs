@@ -37,6 +37,24 @@ const LAYERS: [&str; 11] = [
     "parcela",
 ];
 
+/// Other words of them, in names that say more.
+fn is_of_parts(word: &str) -> bool {
+    let parts =
+        ["contour", "contours", "kontur", "contorno", "shape", "path", "loop", "hole", "curve", "object", "group"];
+    LAYERS.contains(&word) || parts.contains(&word)
+}
+
+/// The only column called `contour_id` or the like.
+fn numbers_of_contours(table: &Table<'_>) -> Option<usize> {
+    let is_number = |word: &str| matches!(word, "id" | "no" | "nr" | "number" | "num" | "index" | "idx");
+    let is_of_contours = |i: &usize| {
+        let (words, _) = words_of(table.header[*i].text);
+        matches!(words.as_slice(), [first, second] if first == "contour" && is_number(second))
+    };
+    let mut all = (0..table.header.len()).filter(is_of_contours);
+    all.next().filter(|_| all.next().is_none())
+}
+
 /// Coordinate columns that were found, with the sentence about a choice that could have been another one.
 type Found = (Vec<usize>, Option<String>);
 
@@ -48,7 +66,7 @@ impl Chosen {
         };
         let contour = match &columns.contour {
             Some(name) => Some(required(name)?),
-            None => named(table, "contour")?,
+            None => named(table, "contour")?.or_else(|| numbers_of_contours(table)),
         };
         let corner = named(table, "corner")?;
         let (coordinates, remark) = match &columns.coordinates {
@@ -75,13 +93,20 @@ impl Chosen {
 
     /// The sentence about columns that are not read and may be meant to be: heights beside two coordinates, layers.
     pub(super) fn not_read(&self, table: &Table<'_>) -> Option<String> {
+        let sampled = Sampled::of(table);
+        // What stands in runs calls no points, whatever its name.
+        let is_label = |i: &usize| self.label == Some(*i) && !sampled.comes_in_runs(*i);
         let read =
-            |i: &usize| self.coordinates.contains(i) || [self.contour, self.corner, self.label].contains(&Some(*i));
+            |i: &usize| self.coordinates.contains(i) || [self.contour, self.corner].contains(&Some(*i)) || is_label(i);
         let of_use = |i: &usize| {
             let (words, unit) = words_of(table.header[*i].text);
             let words = &words[..words.len() - usize::from(unit)];
             let layer = matches!(words, [only] if LAYERS.contains(&only.as_str()));
-            layer || Role::of(&table.header[*i]) == Role::Height
+            let tells_apart = self.contour.is_none()
+                && sampled.comes_in_runs(*i)
+                && (matches!(Role::of(&table.header[*i]), Role::Unknown | Role::Label)
+                    || words.iter().any(|word| is_of_parts(word)));
+            layer || tells_apart || Role::of(&table.header[*i]) == Role::Height
         };
         let all: Vec<usize> = (0..table.header.len()).filter(|i| !read(i)).filter(of_use).collect();
         (!all.is_empty()).then(|| {
@@ -193,6 +218,13 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         let guessed = |i: &usize| ["x", "y", "z"].iter().any(|letter| axis_kind(letter, &table.header[*i]) == Some(2));
         let guess = all.iter().any(guessed);
         if !(guess && map.iter().all(Option::is_some)) {
+            // `X(N)`, `Y(E)`: the letter of the map counts.
+            let is_of_map = |i: usize, letter: &str| words_of(table.header[i].text).0.iter().any(|word| word == letter);
+            if is_of_map(x, "n") && is_of_map(y, "e") {
+                let turned: Vec<usize> = [y, x].into_iter().chain(z).collect();
+                let remark = taken_columns(table, &turned);
+                return Ok((turned, Some(remark)));
+            }
             // As in Gauss-Krüger coordinates, where x is the northing.
             let turned = y + 1 == x && z.is_none_or(|z| z > x);
             let clear = |i: usize| roles[i] == Role::East { clear: true } || roles[i] == Role::North { clear: true };

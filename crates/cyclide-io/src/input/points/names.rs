@@ -31,7 +31,7 @@ pub(super) enum Role {
 
 const EAST: &str = "e me east easting eastings rechtswert rechtsw rechts rw ost ostwert ostkoordinate est este oest";
 const NORTH: &str = "n mn north northing northings hochwert hochw hoch hw nord nordwert nordkoordinate norden norte";
-const HEIGHT: &str = "h q height heights ht hgt elevation elev elevacion el altitude alt altitud altura altezza hauteur hohe hoehe hohen \
+const HEIGHT: &str = "up hoogte hojd hoyde alti otmetka \u{43e}\u{442}\u{43c}\u{435}\u{442}\u{43a}\u{430} h q height heights ht hgt elevation elev elevacion el altitude alt altitud altura altezza hauteur hohe hoehe hohen \
     quota quote cota cote level lvl rl niveau";
 const ABSCISSA: &str = "abscissa abscisse abscisses ascissa abscisa abszisse";
 const ORDINATE: &str = "ordinate ordonnee ordonnees ordinata ordenada";
@@ -65,7 +65,7 @@ const OTHER: &str = "station stations stationing stationierung stazione estacion
 
 /// Words of maps and reference systems that may stand beside a coordinate or a height; words with a digit are such too.
 const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign local lokal locale ellipsoidal ellipsoidisch orthometric ellip \
-    ortho u ue uber ueber m false state plane reduced msl amsl ahd gauss kruger boaga";
+    ortho u ue uber ueber m nap false state plane reduced msl amsl ahd gauss kruger boaga";
 
 /// Words before the last one of a unit.
 const BEFORE_UNIT: &str = "us u s survey international intl in";

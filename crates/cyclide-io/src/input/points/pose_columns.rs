@@ -3,7 +3,7 @@
 use super::columns::Chosen;
 use super::names::words_of;
 use super::pose_names::{
-    AMBIGUOUS, ANGLES, AXES, DEGREES, LOOK, MEANT, Meaning, NAMES, POSITION, QUATERNION, TimeUnit, meaning,
+    AMBIGUOUS, ANGLES, AXES, DEGREES, LOOK, MEANT, Meaning, NAMES, POSITION, QUATERNION, TimeUnit, meaning_with_unit,
 };
 use super::table::{Field, Table};
 use crate::text::place::{Diagnostic, Source, quoted};
@@ -38,7 +38,9 @@ pub(super) enum RotationColumns {
 
 impl PoseColumns {
     pub(super) fn new(source: Source<'_>, table: &Table<'_>) -> Result<Self, Box<Diagnostic>> {
-        let mut meanings: Vec<Option<Meaning>> = table.header.iter().map(meaning).collect();
+        let unit = |i: usize| table.unit_words.get(i).map_or("", |field| field.text);
+        let of = |(i, field): (usize, &Field<'_>)| meaning_with_unit(field, unit(i));
+        let mut meanings: Vec<Option<Meaning>> = table.header.iter().enumerate().map(of).collect();
         leave_tangents(table, &mut meanings);
         // What is not read could be what was meant.
         if let Some(other) = meanings.iter().position(Option::is_none) {
@@ -127,15 +129,8 @@ impl PoseColumns {
                 let column = |i: usize| only(ANGLES[i], &|m| matches!(m, Meaning::Angle(own, _) if own == i));
                 let columns = [column(0)?, column(1)?, column(2)?];
                 absent.extend((0..3).filter(|i| columns[*i].is_none()).map(|i| ANGLES[i]));
-                let given = columns.into_iter().flatten();
-                let units: Vec<f64> = given.clone().filter_map(|column| unit_of_angle(meanings[column])).collect();
-                if units.iter().any(|unit| unit.total_cmp(&units[0]).is_ne()) {
-                    let names = table.names(given);
-                    let message =
-                        format!("the columns {names} speak of different units (without one they are radians)");
-                    return Err(table.header_refused(message));
-                }
-                RotationColumns::Angles(columns, units.first().copied().unwrap_or(1.0))
+                let given: Vec<usize> = columns.into_iter().flatten().collect();
+                RotationColumns::Angles(columns, common_unit(table, &meanings, &given)?)
             }
             (false, false) if any(&is_vector) => {
                 let column = |i: usize| {
@@ -144,7 +139,8 @@ impl PoseColumns {
                         &|m| matches!(m, Meaning::Vector(own, _) if own == i),
                     )
                 };
-                RotationColumns::Vector([column(0)?, column(1)?, column(2)?], 1.0)
+                let columns = [column(0)?, column(1)?, column(2)?];
+                RotationColumns::Vector(columns, common_unit(table, &meanings, &columns)?)
             }
             (false, false) if by_matrix => {
                 let row = |i: usize| Ok::<_, Box<Diagnostic>>([entry(i, 0)?, entry(i, 1)?, entry(i, 2)?]);
@@ -191,11 +187,20 @@ type TimeColumn = (usize, TimeUnit);
 
 /// What the columns are, as a document says it, with nothing for those that are not known.
 fn proposed(table: &Table<'_>, meanings: &[Option<Meaning>]) -> String {
+    // Universal Robots call rotation vectors so, in radians and of less than a turn; others mean angles, which nobody can tell apart.
+    let is_vector = |i: usize| {
+        let value = table.first.get(i).and_then(|field| field.text.replace(',', ".").parse::<f64>().ok());
+        words_of(table.header[i].text).0.len() == 1 && value.is_none_or(|value| value.abs() < std::f64::consts::TAU)
+    };
+    let is_of_vector = |i: &usize| {
+        words_of(table.header[*i].text).0.first().is_some_and(|word| matches!(word.as_str(), "rx" | "ry" | "rz"))
+    };
+    let may_be_vector = (0..table.header.len()).filter(is_of_vector).all(is_vector);
     let word = |(field, meaning): (&Field<'_>, &Option<Meaning>)| {
         let known = meaning.is_some_and(|meaning| meaning != Meaning::Label);
-        // What is called so in the tables of Universal Robots.
         let vector = words_of(field.text).0.first().and_then(|word| {
-            ["rx", "ry", "rz"].iter().position(|name| name == word).map(|axis| format!("rotvec_{}", POSITION[axis]))
+            let axis = ["rx", "ry", "rz"].iter().position(|name| name == word)?;
+            Some(if may_be_vector { format!("rotvec_{}", POSITION[axis]) } else { "?".to_owned() })
         });
         let word =
             if known { quoted(field.text).replace(['"', '\\'], " ") } else { vector.unwrap_or_else(|| "-".to_owned()) };
@@ -204,12 +209,22 @@ fn proposed(table: &Table<'_>, meanings: &[Option<Meaning>]) -> String {
     format!("[{}]", table.header.iter().zip(meanings).map(word).collect::<Vec<_>>().join(", "))
 }
 
-/// The radians of the unit of an angle.
-fn unit_of_angle(meaning: Option<Meaning>) -> Option<f64> {
-    match meaning {
-        Some(Meaning::Angle(_, unit)) => Some(unit),
+/// The radians of the unit of some angles.
+///
+/// # Errors
+/// Of angles in several units.
+fn common_unit(table: &Table<'_>, meanings: &[Option<Meaning>], columns: &[usize]) -> Result<f64, Box<Diagnostic>> {
+    let unit = |column: &usize| match meanings[*column] {
+        Some(Meaning::Angle(_, unit) | Meaning::Vector(_, unit)) => Some(unit),
         _ => None,
+    };
+    let units: Vec<f64> = columns.iter().filter_map(unit).collect();
+    if units.iter().any(|unit| unit.total_cmp(&units[0]).is_ne()) {
+        let names = table.names(columns.iter().copied());
+        let message = format!("the columns {names} speak of different units (without one they are radians)");
+        return Err(table.header_refused(message));
     }
+    Ok(units.first().copied().unwrap_or(1.0))
 }
 
 /// Whether a column is one of the coordinates of an axis.

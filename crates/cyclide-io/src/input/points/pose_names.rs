@@ -91,8 +91,11 @@ fn of_messages(words: &[&str]) -> Option<Meaning> {
     if let ["theta"] | ["field" | "pose", "theta"] = words {
         return Some(Meaning::Angle(2, 1.0));
     }
-    if let ["rotvec" | "rv" | "rvec", letter] | ["rot" | "rotation", "vec" | "vector", letter] = words {
-        return POSITION.iter().position(|axis| axis == letter).map(|axis| Meaning::Vector(axis, 1.0));
+    if let ["rotvec" | "rv" | "rvec", letter, unit @ ..] | ["rot" | "rotation", "vec" | "vector", letter, unit @ ..] =
+        words
+    {
+        let axis = POSITION.iter().position(|axis| axis == letter)?;
+        return unit_of_angle(unit).map(|unit| Meaning::Vector(axis, unit));
     }
     if before.ends_with(&["tcp", "pose"]) {
         let number = last.parse::<usize>().ok().filter(|number| *number < 6)?;
@@ -128,6 +131,30 @@ pub(super) fn is_of_pose(field: &Field<'_>) -> bool {
     )
 }
 
+/// The radians of the unit of an angle, by the words beside its name.
+fn unit_of_angle(words: &[&str]) -> Option<f64> {
+    match words {
+        ["deg" | "degs" | "degree" | "degrees" | "\u{ba}"] => Some(DEGREE),
+        [] | ["rad" | "rads" | "radian" | "radians"] => Some(1.0),
+        _ => None,
+    }
+}
+
+/// What a column is, by its name and the word for it in a line of units.
+pub(super) fn meaning_with_unit(field: &Field<'_>, unit: &str) -> Option<Meaning> {
+    let plain = meaning(field);
+    let unit = unit.trim_matches(['[', ']', '(', ')', ' ']);
+    let has_unit_of_its_own =
+        !matches!(plain, Some(Meaning::Angle(..) | Meaning::Vector(..) | Meaning::Time(TimeUnit::Unsaid)));
+    if has_unit_of_its_own || matches!(unit, "" | "-" | "--" | "1") {
+        return plain;
+    }
+    let named = format!("{} [{unit}]", field.text);
+    // `yaw [rad]` over `rad` says it twice.
+    meaning(&Field { text: &named, start: field.start })
+        .or_else(|| plain.filter(|_| field.text.contains(['[', '(', '_'])))
+}
+
 /// The unit of a time, by the words beside its name.
 fn unit_of_time(words: &[&str]) -> Option<TimeUnit> {
     let per_second = match words {
@@ -155,22 +182,23 @@ pub(super) fn meaning(field: &Field<'_>) -> Option<Meaning> {
     }
     // Units there are like `[m s^-1]`, and often empty.
     let (path, _) = words_of(field.text.split(['[', '(']).next().unwrap_or_default());
-    if let Some(found) = of_messages(&path.iter().map(String::as_str).collect::<Vec<_>>()) {
-        return Some(found);
-    }
     let (words, _) = words_of(field.text);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     // The sign is no letter, and not among the words.
     let degrees = field.text.contains('\u{b0}');
+    match of_messages(&path.iter().map(String::as_str).collect::<Vec<_>>()) {
+        Some(Meaning::Vector(axis, unit)) => {
+            let beside = words.get(path.len()..).unwrap_or_default();
+            let beside = if degrees { Some(DEGREE) } else { unit_of_angle(beside) };
+            return beside.map(|beside| Meaning::Vector(axis, unit * beside));
+        }
+        Some(found) => return Some(found),
+        None => {}
+    }
     let (first, beside) = words.split_first()?;
     if let Some(angle) = ANGLES.iter().position(|name| name == first) {
-        let unit = match beside {
-            [] if degrees => DEGREE,
-            ["deg" | "degs" | "degree" | "degrees" | "\u{ba}"] => DEGREE,
-            [] | ["rad" | "rads" | "radian" | "radians"] => 1.0,
-            _ => return None,
-        };
-        return Some(Meaning::Angle(angle, unit));
+        let unit = if degrees && beside.is_empty() { Some(DEGREE) } else { unit_of_angle(beside) };
+        return unit.map(|unit| Meaning::Angle(angle, unit));
     }
     if ["t", "time", "timestamp", "stamp", "rosbagtimestamp", "zeit"].contains(first) {
         return unit_of_time(beside).map(Meaning::Time);
@@ -206,6 +234,19 @@ pub(super) fn meaning(field: &Field<'_>) -> Option<Meaning> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_line_of_units_counts_as_units_in_the_names_do() {
+        let of = |text: &'static str, unit: &str| meaning_with_unit(&Field { text, start: 0 }, unit);
+        assert_eq!(of("yaw", "deg"), Some(Meaning::Angle(2, DEGREE)));
+        assert_eq!(of("roll", "[\u{b0}]"), Some(Meaning::Angle(0, DEGREE)));
+        assert_eq!(of("rotvec_y", "deg"), Some(Meaning::Vector(1, DEGREE)));
+        assert_eq!(of("yaw [rad]", "rad"), Some(Meaning::Angle(2, 1.0)));
+        assert_eq!(of("pitch", ""), Some(Meaning::Angle(1, 1.0)));
+        assert_eq!(of("t", "ms"), Some(Meaning::Time(TimeUnit::PerSecond(1e3))));
+        assert_eq!(of("x", "mm"), Some(Meaning::Position(0)));
+        assert_eq!((of("roll", "gon"), of("t", "h")), (None, None));
+    }
 
     #[test]
     fn columns_are_known_by_their_names() {
@@ -262,6 +303,9 @@ mod tests {
             ("b_w_RS_S_z [rad s^-1]", Some(Meaning::Label)),
             ("actual_TCP_pose_4", Some(Meaning::Vector(1, 1.0))),
             ("rotvec_z", Some(Meaning::Vector(2, 1.0))),
+            ("rotvec_x_deg", Some(Meaning::Vector(0, DEGREE))),
+            ("rotvec_x [deg]", Some(Meaning::Vector(0, DEGREE))),
+            ("rotvec_x [gon]", None),
             ("-", Some(Meaning::Label)),
             ("A", None),
             ("x_left", None),

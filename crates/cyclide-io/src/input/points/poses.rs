@@ -124,6 +124,9 @@ pub(crate) fn read_poses(
             RotationColumns::Vector(columns, unit) => {
                 let vector = Vec3::new(value(columns[0])?, value(columns[1])?, value(columns[2])?) * *unit;
                 let angle = vector.length();
+                if *unit >= 1.0 && angle > TAU + TURN_DIGITS && more_than_a_turn.is_none() {
+                    more_than_a_turn = Some((line(), angle));
+                }
                 let rotation = if angle > 0.0 { Quat::from_axis_angle(vector / angle, angle) } else { Quat::ONE };
                 exact(Pose::new(rotation, translation))
             }

@@ -19,6 +19,8 @@ pub(super) struct Preamble<'a> {
     pub(super) header: Vec<Field<'a>>,
     /// The units of a line of them, one for each column.
     pub(super) units: Vec<Option<UnitWord>>,
+    /// The words of that line.
+    pub(super) unit_words: Vec<Field<'a>>,
     /// Where the lines that are passed over start.
     pub(super) titles: Vec<usize>,
     /// The first line of data, and where it starts.
@@ -68,8 +70,15 @@ impl<'a> Preamble<'a> {
                 text.push(Line { start, fields: std::mem::take(&mut fields) });
                 continue;
             }
-            let mut preamble =
-                Self { delimiter, header: Vec::new(), units: Vec::new(), titles: Vec::new(), first: fields, start };
+            let mut preamble = Self {
+                delimiter,
+                header: Vec::new(),
+                units: Vec::new(),
+                unit_words: Vec::new(),
+                titles: Vec::new(),
+                first: fields,
+                start,
+            };
             preamble.take_text(source, text)?;
             if preamble.header.is_empty() && remark.len() == preamble.first.len() {
                 preamble.header = remark;
@@ -115,7 +124,7 @@ impl<'a> Preamble<'a> {
                 }
                 self.header = line.fields;
             } else if let Some(units) = units_of(&line.fields).filter(|_| k == at + 1) {
-                self.units = units;
+                (self.units, self.unit_words) = (units, line.fields);
             } else {
                 // What stands below the names is data, and refused where it is no number.
                 (self.first, self.start) = (line.fields, line.start);
@@ -219,7 +228,9 @@ fn units_of(fields: &[Field<'_>]) -> Option<Vec<Option<UnitWord>>> {
             _ => return None,
         }
     }
-    found.iter().any(Option::is_some).then_some(found)
+    // Quaternions have none; angles and times alone may have one.
+    let is_unit = |field: &Field<'_>| field.text.chars().any(char::is_alphabetic) || field.text.contains('\u{b0}');
+    (found.iter().any(Option::is_some) || fields.iter().filter(|field| is_unit(field)).count() > 2).then_some(found)
 }
 
 /// True for what begins like a number.

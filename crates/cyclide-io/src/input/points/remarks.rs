@@ -19,7 +19,7 @@ pub(super) const GRID_COORDINATES: &str = "no unit is named, and the coordinates
      (`--units m`, in a document `\"units\": \"m\"`, or name the columns x_m, y_m)";
 
 /// Words below the last point of a table that name no point.
-const TOTALS: [&str; 16] = [
+const TOTALS: [&str; 32] = [
     "total",
     "totals",
     "totale",
@@ -36,6 +36,22 @@ const TOTALS: [&str; 16] = [
     "moyenne",
     "promedio",
     "anzahl",
+    "mittel",
+    "durchschnitt",
+    "media",
+    "moy",
+    "moy.",
+    "min",
+    "max",
+    "minimum",
+    "maximum",
+    "std",
+    "stdev",
+    "std.-abw.",
+    "standardabweichung",
+    "ecart-type",
+    "\u{e9}cart-type",
+    "median",
 ];
 
 /// True if coordinates are far from the origin, as those of map grids are, and near to each other.

@@ -1,13 +1,21 @@
 //! What the first lines of a table say about its columns: whether one of them numbers the points.
 
+use std::collections::HashSet;
+
 use super::decimals::has_decimal_comma;
 use super::remarks::{GRID, PART_OF_GRID};
 use super::table::Table;
 
 /// Lines that are looked at.
 const LOOKED_AT: usize = 500;
-/// Fewer lines do not tell that a column counts.
+/// Fewer lines do not tell that a column counts,
 const FEWEST: usize = 3;
+/// nor, that whole numbers in any order number the points.
+const ENOUGH: usize = 6;
+/// With so many columns beside the first, a height that is 0 throughout says nothing.
+const MAP_COLUMNS: usize = 3;
+/// Parts of a drawing have this many points, on average.
+const SHORTEST_RUN: usize = 3;
 /// Coordinates on a grid of whole numbers range about as far as the numbers of their points.
 const SAME_RANGE: f64 = 10.0;
 
@@ -23,6 +31,13 @@ struct Column {
     even: bool,
     rises: bool,
     range: Option<[f64; 2]>,
+    /// Whole numbers that were met, and whether one came twice.
+    seen: HashSet<u64>,
+    repeats: bool,
+    /// Fields, how often one differs from the one before, and that.
+    fields: usize,
+    changes: usize,
+    text: String,
 }
 
 /// What the first lines of a table say about its columns.
@@ -54,7 +69,8 @@ impl Sampled {
         let Some(first) = self.columns.get(*first) else { return false };
         let others: Vec<&Column> = others.iter().filter_map(|i| self.columns.get(*i)).collect();
         // Where a height is 0 throughout the others are x and y.
-        let flat = others.iter().any(|column| column.range.is_some_and(|range| range.iter().all(|z| z.abs() <= 0.0)));
+        let flat = others.len() < MAP_COLUMNS
+            && others.iter().any(|column| column.range.is_some_and(|range| range.iter().all(|z| z.abs() <= 0.0)));
         if first.fractions || first.lines < FEWEST || others.len() < 2 || flat {
             return false;
         }
@@ -62,7 +78,15 @@ impl Sampled {
         let fractions = others.iter().filter(|column| column.fractions).count();
         let farther = others.iter().any(|column| width(column) > SAME_RANGE * width(first));
         let counts = first.even && first.step.is_some_and(|step| step != 0.0);
-        counts && (fractions > 0 || farther && first.step == Some(1.0)) || first.rises && fractions > 1
+        let numbers = first.rises || !first.repeats && first.lines >= ENOUGH;
+        counts && (fractions > 0 || farther && first.step == Some(1.0)) || numbers && fractions > 1
+    }
+
+    /// True if equal values of a column stand together, and more than one of them: it tells the parts of a drawing apart.
+    pub(super) fn comes_in_runs(&self, column: usize) -> bool {
+        self.columns
+            .get(column)
+            .is_some_and(|column| column.changes > 0 && (column.changes + 1) * SHORTEST_RUN <= column.fields)
     }
 
     /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
@@ -87,6 +111,12 @@ impl Sampled {
 
 impl Column {
     fn see(&mut self, text: &str) {
+        if self.fields > 0 && text != self.text {
+            self.changes += 1;
+        }
+        self.fields += 1;
+        self.text.clear();
+        self.text.push_str(text);
         let comma = has_decimal_comma(text);
         let number = if comma { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
         let Ok(number) = number else {
@@ -95,6 +125,7 @@ impl Column {
         };
         self.lines += 1;
         self.fractions |= !text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
+        self.repeats |= !self.seen.insert(number.to_bits());
         if let Some(last) = self.last {
             let step = number - last;
             self.rises &= step > 0.0;
@@ -124,6 +155,9 @@ mod tests {
             ("10;1,5;2\n20;2,5;2\n30;3,5;4\n", true),
             ("1001 10.5 20.5\n1003 11.5 21.5\n1009 13.5 20.5\n", true),
             ("1 1500 2000\n2 1700 2200\n3 1500 2900\n", true),
+            // Number, northing, easting, height 0.
+            ("1 10.5 20.5 0\n2 11.5 21.5 0\n3 13.5 20.5 0\n", true),
+            ("2 1.5 2.5\n22 1.5 3.5\n8 2.5 1.5\n7 2.5 1.6\n1 2.5 1.7\n6 2.5 1.8\n", true),
             // Coordinates on a grid.
             ("1 10 20\n2 11 21\n3 13 20\n", false),
             ("0 0 0\n10 0 0\n20 10 0\n", false),

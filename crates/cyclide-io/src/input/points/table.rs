@@ -150,6 +150,8 @@ pub(super) struct Table<'a> {
     pub(super) header: Vec<Field<'a>>,
     /// The units of a line of them below the header, one for each column; empty without such a line.
     pub(super) units: Vec<Option<UnitWord>>,
+    /// The words of that line.
+    pub(super) unit_words: Vec<Field<'a>>,
     /// Where lines of text above the header start, which are passed over.
     pub(super) titles: Vec<usize>,
     /// Number of columns of the header, else of the first line of data.
@@ -174,9 +176,9 @@ impl<'a> Table<'a> {
         known: fn(&Field<'_>) -> bool,
     ) -> Result<Self, Box<Diagnostic>> {
         let preamble = Preamble::read(source, wanted, known)?;
-        let Preamble { delimiter, header, units, titles, first, start } = preamble;
+        let Preamble { delimiter, header, units, unit_words, titles, first, start } = preamble;
         let width = if header.is_empty() { first.len() } else { header.len() };
-        Ok(Self { source, delimiter, header, units, titles, width, first, start })
+        Ok(Self { source, delimiter, header, units, unit_words, titles, width, first, start })
     }
 
     /// True if a mark that may separate thousands is in the data: a look at the bytes, which costs little.

@@ -248,6 +248,19 @@ fn names_of_coordinates_are_known_in_many_forms() {
 }
 
 #[test]
+fn columns_that_tell_parts_apart_are_used_or_named() {
+    let parts = |name: &str| format!("{name},x,y\n1,0,0\n1,1,0\n1,1,1\n2,5,0\n2,6,0\n2,6,1\n");
+    assert_eq!(xyz(&read(&parts("contour_id")).unwrap()).len(), 2);
+    for name in ["shape", "path_id", "fid", "Kontur", "id"] {
+        assert_eq!(remarks(&parts(name)), ["columns-not-read"], "{name}");
+    }
+    // Letters of the map beside those of the axes.
+    let turned = read("Pt,X(N),Y(E)\n1,2,1\n").unwrap();
+    assert_eq!(xyz(&turned), [[[1.0, 2.0, 0.0]]]);
+    assert_eq!(xyz(&read("Pt,East,North,Up\n1,1,2,3\n").unwrap()), [[[1.0, 2.0, 3.0]]]);
+}
+
+#[test]
 fn columns_that_could_only_be_guessed_are_refused() {
     for (text, message) in [
         ("a,b,c,d\n1,2,3,4\n", "p.csv:1:1: no column is named x or y; there are a, b, c, d: name two or three"),

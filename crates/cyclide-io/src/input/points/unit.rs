@@ -42,8 +42,11 @@ impl UnitWord {
             "metre" | "metres" | "meter" | "meters" | "m\u{e8}tre" | "m\u{e8}tres" | "metro" | "metri" | "metros" => {
                 Units::Metre
             }
-            "inch" | "inches" => Units::Inch,
-            "foot" | "feet" => Units::Foot,
+            "inch" | "inches" | "zoll" | "pouce" | "pouces" | "pulgada" | "pulgadas" | "pollice" | "pollici" | "\""
+            | "''" => Units::Inch,
+            "foot" | "feet" | "fuss" | "fu\u{df}" | "pied" | "pieds" | "pie" | "pies" | "piede" | "piedi" => {
+                Units::Foot
+            }
             "usft" | "ftus" | "sft" | "usfeet" | "usfoot" | "us-foot" | "us-feet" => Units::UsSurveyFoot,
             "nm" | "nanometre" | "nanometres" | "nanometer" | "nanometers" | "um" | "\u{b5}m" | "\u{3bc}m"
             | "micron" | "microns" | "micrometre" | "micrometres" | "micrometer" | "micrometers" | "dm"

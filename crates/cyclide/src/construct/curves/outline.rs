@@ -75,9 +75,9 @@ pub(in crate::construct) struct Outline {
 impl Outline {
     /// Reads the points of a polyline; neighbours must differ.
     ///
-    /// `angle`, in radians: turns above it are corners and nothing else is, but for reversals (above 150 degrees) and the
-    /// points `forced` (by index, ascending). `None`: turns above 30 degrees, where samples of a smooth curve do not
-    /// explain them. `tolerance`: how far noise may have moved the points.
+    /// `angle`, in radians: turns above it are corners and nothing else is, but for the points `forced` (by index,
+    /// ascending). `None`: turns above 30 degrees, where samples of a smooth curve do not explain them, and reversals, above
+    /// 150 degrees. `tolerance`: how far noise may have moved the points.
     pub fn read(points: &[Point3], closed: bool, tolerance: f64, angle: Option<f64>, forced: &[usize]) -> Self {
         let mut reader = Reader::new(points, closed, tolerance);
         let noisy = reader.is_noisy();
@@ -85,8 +85,9 @@ impl Outline {
         for i in 0..points.len() {
             let turn = reader.turn(i);
             let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
-            reader.corner[i] =
-                reader.is_inside(i) && (forced.binary_search(&i).is_ok() || turn > CUSP_ANGLE || evident);
+            // Points that noise moves past each other turn back too.
+            let reversal = angle.is_none() && turn > CUSP_ANGLE && reader.lasts(i);
+            reader.corner[i] = reader.is_inside(i) && (forced.binary_search(&i).is_ok() || reversal || evident);
         }
         if noisy {
             return reader.finished(false);

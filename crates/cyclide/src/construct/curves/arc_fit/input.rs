@@ -11,6 +11,10 @@ use crate::warning::Warning;
 const MERGE_LIMIT: f64 = 1e-9;
 /// unless the tolerance tells them apart: closer than this times the tolerance.
 const MERGE_TOLERANCE: f64 = 0.01;
+/// They are one point too if they are closer than this part of the usual edge, and of the tolerance: as a closing point is that was
+/// rounded otherwise.
+const MERGE_EDGE: f64 = 0.01;
+const MERGE_WITHIN: f64 = 0.2;
 /// Off-plane distances up to this times the diameter are rounding.
 const PLANE_LIMIT: f64 = 1e-9;
 /// Off-plane distances up to this times the tolerance do not matter.
@@ -56,7 +60,10 @@ impl Distinct {
         if !diameter.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::DistanceFromPoint, index: 0 });
         }
+        let mut edges: Vec<f64> = points.windows(2).map(|w| w[0].distance(w[1])).collect();
+        let usual = *edges.select_nth_unstable_by(points.len() / 2 - usize::from(points.len() < 3), f64::total_cmp).1;
         let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
+        let limit = limit.max((MERGE_EDGE * usual).min(MERGE_WITHIN * tolerance));
         let mut source = vec![0];
         for (i, p) in points.iter().enumerate().skip(1) {
             if p.distance(points[source[source.len() - 1]]) > limit {
@@ -162,6 +169,15 @@ mod tests {
         assert_eq!(merged.source, [0, 1, 3]);
         // The rounding of 1 + 1e-10.
         assert!((merged.moved - 1e-10).abs() < 1e-16);
-        assert_eq!(Distinct::new(&points, false, 1e-9).unwrap().source, [0, 1, 2, 3]);
+        assert_eq!(Distinct::new(&points, false, 1e-10).unwrap().source, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_closing_point_that_was_rounded_otherwise_is_merged() {
+        let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [0.005, 0.0]];
+        let points = square.map(|[x, y]| Point3::new(x, y, 0.0));
+        assert_eq!(Distinct::new(&points, true, 0.05).unwrap().points.len(), 4);
+        // The tolerance tells it apart.
+        assert_eq!(Distinct::new(&points, true, 0.01).unwrap().points.len(), 5);
     }
 }

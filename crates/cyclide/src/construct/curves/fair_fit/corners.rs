@@ -2,7 +2,7 @@
 //! (`docs/math/arc-fitting.md#outlines`), by the same rule as fits of arcs.
 
 use super::options::FairFitOptions;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
 
 /// Places on a straight side, at least and at most.
@@ -17,6 +17,12 @@ const GAP: f64 = 6.0;
 const ROUND: usize = 5;
 /// The neighbours of an outlier are closer to each other than this part of the edge to it.
 const SPIKE: f64 = 0.5;
+/// At an outlier a polyline turns by more than this, and by less than a part of it in all. One in so many points may be one, of
+/// so many at least.
+const SPIKE_TURN: f64 = 0.5;
+const SPIKE_REST: f64 = 0.4;
+const FEW_SPIKES: usize = 10;
+const FEWEST_TO_TELL: usize = 20;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
 const LEGS: f64 = 8.0;
@@ -103,6 +109,39 @@ pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool])
     (0..n).map(is_side).collect()
 }
 
+/// Single points off a polyline that goes on past them as if they were not there, with their neighbours, rising: it turns away,
+/// back, and away again, by nothing in all. None if they are many: then it is the figure that does so.
+pub(super) fn spikes(points: &[Point3], closed: bool) -> Vec<usize> {
+    let n = points.len();
+    if n < FEWEST_TO_TELL {
+        return Vec::new();
+    }
+    let at = |i: usize| points[i % n];
+    let turn = |i: usize| {
+        let (u, v) = (at(i) - at(i + n - 1), at(i + 1) - at(i));
+        u.cross(v).unit().map_or(Vec3::ZERO, |axis| axis * u.angle(v))
+    };
+    let turns: Vec<Vec3> = (0..n).map(turn).collect();
+    let range = if closed { 0..n } else { 3..n.saturating_sub(3) };
+    let is_spike = |i: &usize| {
+        let [far, before, own, after, beyond] = [n - 2, n - 1, 0, 1, 2].map(|k| turns[(i + k) % n]);
+        let size = own.length();
+        size > SPIKE_TURN
+            && before.dot(own) < 0.0
+            && after.dot(own) < 0.0
+            && (before + own + after).length() < SPIKE_REST * size
+            && far.length().max(beyond.length()) < SPIKE * size
+    };
+    let found: Vec<usize> = range.filter(is_spike).collect();
+    if found.len() * FEW_SPIKES > n {
+        return Vec::new();
+    }
+    let mut all: Vec<usize> = found.iter().flat_map(|i| [(i + n - 1) % n, *i, (i + 1) % n]).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
 /// The nearest point along the polyline that is a leg's length away; without one, the last on that side.
 fn leg(points: &[Point3], corner: usize, length: f64, closed: bool, forward: bool) -> Option<Point3> {
     let n = points.len();
@@ -126,6 +165,11 @@ pub(super) fn places_on_edges(points: &[Point3], straight: &[bool], options: &Fa
     let usual = others.get(others.len() / 2).copied().unwrap_or(f64::INFINITY);
     let least = options.edge_points;
     let is_held = |i: usize| straight[i] || (least > 0 && length(i) > APART * usual);
-    let places = |i: usize| (length(i) / usual).clamp(PLACES[0], PLACES[1]) as usize;
+    // As many as make them as dense at its ends as the samples beside it.
+    let beside = |i: usize| {
+        let around = [(i + n - 1) % n, (i + 1) % n].into_iter().filter(|k| !straight[*k]).map(length);
+        around.fold(usual, f64::min)
+    };
+    let places = |i: usize| (2.0 * (length(i) / beside(i)).sqrt()).clamp(PLACES[0], PLACES[1]) as usize;
     (0..n).map(|i| if is_held(i) { places(i).max(least) } else { least }).collect()
 }

@@ -23,6 +23,8 @@ const LENGTH_KEPT: f64 = 0.8;
 /// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
 /// none has between two (`docs/math/arc-fitting.md#outlines`).
 const SAMPLE_SAGITTA: f64 = 0.146;
+/// Feet step back by less than this part of a closed curve.
+const BACK: f64 = 0.25;
 /// Steps in which the curve over an edge is looked at.
 const SWING_PLACES: u32 = 8;
 
@@ -144,7 +146,7 @@ pub(super) fn swing(
     let off = |k: usize| {
         let (a, b) = (points[k], points[(k + 1) % n]);
         // Over the seam of a closed curve, there and back.
-        let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m).round() } else { 0.0 };
+        let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m - BACK).ceil() } else { 0.0 };
         let to = feet[(k + 1) % n] + turn;
         let edge = b - a;
         let limit = kept_to + SAMPLE_SAGITTA * edge.length();

@@ -8,6 +8,7 @@ use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
+use std::collections::BTreeSet;
 
 /// The curve keeps this near to the points without their noise, in deviations of these from what was measured,
 const NEARNESS: f64 = 0.4;
@@ -20,6 +21,14 @@ const RELAXATIONS: usize = 5;
 const OF_NOISE: f64 = 3.0;
 /// Corners and sides are read with the noise of what is left, so often.
 const READINGS: usize = 4;
+/// Of at least so many points,
+const MANY_POINTS: usize = 100;
+/// this part is too many for corners, if in whole degrees their turns differ more often than this part of them (of so many at most)
+const MANY_CORNERS: f64 = 0.2;
+const ALL_SORTS: f64 = 0.25;
+const MOST_SORTS: usize = 160;
+/// and the points without noise are known better than the noise by this factor.
+const SMOOTH: f64 = 0.5;
 /// With more outliers than this each is not named any more.
 pub(super) const NAMED: usize = 20;
 
@@ -87,7 +96,10 @@ impl Edged {
         forced.sort_unstable();
         let outline = corners::outline(&distinct.points, &forced, options, tolerance);
         let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight);
-        Self { corners: outline.corners.into_iter().map(|c| c.0).collect(), straight }
+        let spikes = corners::spikes(&distinct.points, options.closed);
+        let stays = |i: &usize| forced.binary_search(i).is_ok() || spikes.binary_search(i).is_err();
+        let corners = outline.corners.into_iter().map(|c| c.0).filter(stays).collect();
+        Self { corners, straight }
     }
 
     fn is_any(&self) -> bool {
@@ -99,8 +111,8 @@ impl Edged {
     fn runs(&self, options: &FairFitOptions) -> Vec<Run> {
         let n = self.straight.len();
         let is_corner = |i: usize| self.corners.binary_search(&(i % n)).is_ok();
-        let is_end = |i: usize| is_corner(i) || self.straight[i % n] || self.straight[(i + n - 1) % n];
-        let first = if options.closed { (0..n).find(|i| is_end(*i)) } else { Some(0) };
+        let begins = |i: usize| is_corner(i) || self.straight[(i + n - 1) % n];
+        let first = if options.closed { (0..n).find(|i| begins(*i)) } else { Some(0) };
         let Some(first) = first else {
             return vec![Run { numbers: (0..n).collect(), closed: true, fixed: [false; 2] }];
         };
@@ -194,17 +206,21 @@ impl FairFit {
         let gaps = corners::gaps(&distinct.points, options.closed);
         let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps);
         // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
-        let sharp = within(NEAREST * size);
+        let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
+        let sharp = within(known.unwrap_or(NEAREST * size));
         let is_all = sharp.straight.iter().zip(&gaps).all(|(side, gap)| *side || !gap);
-        if options.corner_angle.is_none() && sharp != forced && is_all {
+        let is_asked = options.corner_angle.is_none() && sharp != forced && is_all;
+        if is_asked && !Self::are_of_noise(distinct, &automatic, &sharp, &forced) {
             match read(distinct, options, &sharp) {
-                Some(found) if within(OF_NOISE * found.deviation) == sharp => return (sharp, Some(found)),
+                Some(found) if known.is_some() || within(OF_NOISE * found.deviation) == sharp => {
+                    return (sharp, Some(found));
+                }
                 None => return (sharp, None),
                 Some(_) => {}
             }
         }
         if let Some((edged, found)) =
-            Self::edged_by_places(distinct, &automatic, Edged { corners: forced.corners.clone(), straight: gaps })
+            Self::edged_by_places(distinct, options, Edged { corners: forced.corners.clone(), straight: gaps })
         {
             return (edged, Some(found));
         }
@@ -216,6 +232,20 @@ impl FairFit {
             found = read(distinct, options, &edged);
         }
         (edged, found)
+    }
+
+    /// Corners that are a large part of many points and turn by all sorts of angles are noise, where a smooth curve explains the points.
+    fn are_of_noise(distinct: &Distinct, options: &FairFitOptions, sharp: &Edged, forced: &Edged) -> bool {
+        let (n, count) = (distinct.points.len(), sharp.corners.len());
+        if n < MANY_POINTS || (count as f64) < MANY_CORNERS * n as f64 {
+            return false;
+        }
+        let at = |i: usize| distinct.points[i % n];
+        let turn = |i: &usize| (at(*i) - at(i + n - 1)).angle(at(i + 1) - at(*i)).to_degrees().round() as u32;
+        let sorts: BTreeSet<u32> = sharp.corners.iter().map(turn).collect();
+        let is_smooth = |found: Denoised| found.uncertainty < SMOOTH * found.deviation;
+        sorts.len() as f64 > ALL_SORTS * count.min(MOST_SORTS) as f64
+            && read(distinct, options, forced).is_some_and(is_smooth)
     }
 
     /// Noise hides what the samples beside a corner or a side turn by. So from those that are `edged` at first, corners and sides are
@@ -237,6 +267,18 @@ impl FairFit {
             edged = seen;
         }
         None
+    }
+
+    /// What is said of edges that are far longer than those round them: those that are sides, and those that are not.
+    fn long_edges(distinct: &Distinct, options: &FairFitOptions, straight: &[bool], kept: &[usize]) -> Vec<Warning> {
+        let points: Vec<Point3> = kept.iter().map(|i| distinct.points[*i]).collect();
+        let gaps = corners::without_spikes(&points, options.closed, &corners::gaps(&points, options.closed));
+        let of = |held: bool| {
+            let mut all = (0..gaps.len()).filter(|k| gaps[*k] && straight[*k] == held);
+            let point = distinct.source[kept[all.next()?]];
+            Some(Warning::LongEdges { point, count: 1 + all.count(), held })
+        };
+        [true, false].into_iter().filter_map(of).collect()
     }
 
     /// The fit whose strength follows the noise.
@@ -261,9 +303,16 @@ impl FairFit {
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
         let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
-        let next = |k: usize| found.kept[(k + 1) % found.kept.len()];
-        let is_side = |(k, i): (usize, &usize)| edged.straight[*i] && next(k) == (i + 1) % edged.straight.len();
-        let straight: Vec<bool> = found.kept.iter().enumerate().map(is_side).collect();
+        // An edge over points that are left out is one if it has one in it.
+        let n = edged.straight.len();
+        let is_side = |k: usize| {
+            let (from, to) = (found.kept[k], found.kept[(k + 1) % found.kept.len()]);
+            (from..if to > from { to } else { to + n }).any(|i| edged.straight[i % n])
+        };
+        let straight: Vec<bool> = (0..found.kept.len()).map(is_side).collect();
+        if found.deviation > NEAREST * size {
+            warnings.extend(Self::long_edges(&distinct, options, &straight, &found.kept));
+        }
         let measured = Measured { points: &measured, straight: &straight };
         let places = Distinct::of(found.places, source, distinct.warning.clone());
         let mut task = FairFitOptions {

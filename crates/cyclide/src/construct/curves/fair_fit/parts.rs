@@ -17,6 +17,10 @@ use crate::curve::{BlendSegment, CircleSpline};
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;
 use crate::warning::Warning;
+use std::f64::consts::PI;
+
+/// Measured points are farther from their curve than this many times what they are as a rule if they are outliers.
+const MOST_OF_NOISE: f64 = 4.0;
 
 /// The smooth pieces of a fit so far.
 pub(super) struct Parts<'a> {
@@ -130,7 +134,8 @@ impl<'a> Parts<'a> {
         let quartics: Vec<RationalBezier> = self.spline[first..].iter().filter_map(BlendSegment::to_bezier).collect();
         let sheet = certify(&quartics, closed, &points, &feet);
         // The curve is as far from the edges of measured points as from these.
-        let kept_to = if self.measured.is_some() { sheet.vertex.0 } else { self.tolerance };
+        let rms = (sheet.squares / points.len() as f64).sqrt();
+        let kept_to = if self.measured.is_some() { sheet.vertex.0.min(MOST_OF_NOISE * rms) } else { self.tolerance };
         self.pieces.push(PieceFit {
             swing: swing(&quartics, closed, &points, &feet, kept_to),
             sheet,
@@ -215,7 +220,9 @@ fn with_edge_points(points: &[Point3], closed: bool, on_edges: &[usize]) -> (Vec
         all.push(*p);
         if closed || i + 1 < n {
             let (next, steps) = (points[(i + 1) % n], on_edges[i] + 1);
-            all.extend((1..steps).map(|k| p.lerp(next, k as f64 / steps as f64)));
+            // Denser towards the ends, where samples may be far closer together.
+            let part = |k: usize| 0.5 * (1.0 - (PI * k as f64 / steps as f64).cos());
+            all.extend((1..steps).map(|k| p.lerp(next, part(k))));
         }
     }
     (all, own)

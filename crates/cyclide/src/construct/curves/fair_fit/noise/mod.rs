@@ -2,6 +2,7 @@
 //! is left of the points without it (`docs/math/fair-fits.md#noise`).
 
 mod chords;
+mod neighbours;
 mod outliers;
 mod residuals;
 mod smoother;
@@ -11,17 +12,32 @@ pub(super) use stops::{Stop, stops};
 
 use super::working_frame::WorkingFrame;
 use crate::base::vector::{Point3, Vec3};
+use neighbours::most_noise;
 use outliers::cleaned;
 use smoother::{Series, Smoothed, smoothed};
 
 /// An outlier that is kept has the share of one this many deviations away in the sum of squares.
 const INFLUENCE: f64 = 2.0;
+/// Noise this many times as large as the neighbours of the points allow is none,
+const TOO_MUCH: f64 = 1.5;
+/// (more of few points: by this part for each),
+const UNSURE: f64 = 10.0;
+/// if that is less than this part of an edge: else lengths along noisy points say nothing.
+const OF_EDGE: f64 = 0.1;
+/// The least is this part of an edge.
+const NO_NOISE: f64 = 1e-9;
 /// Fewer points than this are not smoothed.
 pub(super) const FEWEST: usize = smoother::FEWEST;
 
 /// Lengths of the edges of a list, none of them 0.
 pub(super) fn lengths(points: &[Point3], closed: bool) -> Vec<f64> {
     chords::above_shortest(chords::chords(points, closed))
+}
+
+/// The mean edge of a list.
+fn mean_edge(points: &[Point3]) -> f64 {
+    let lengths = chords::chords(points, false);
+    lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
 }
 
 /// One smooth piece of the data: their numbers, whether it is closed, and which ends stay.
@@ -97,7 +113,7 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
         let points: Vec<Point3> = run.numbers.iter().map(|i| frame.to_local(data[*i])).collect();
         let flat = |p: &Point3| Point3::new(p.x, p.y, if reading.heights { 0.0 } else { p.z });
         let across: Vec<Point3> = points.iter().map(flat).collect();
-        let series = Series {
+        let mut series = Series {
             points: &across,
             closed: run.closed,
             fixed: run.fixed,
@@ -108,10 +124,19 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
         };
         let last = points.len() - 1;
         let protected = |i: usize| !run.closed && ((i == 0 && run.fixed[0]) || (i == last && run.fixed[1]));
-        let Some(found) = cleaned(&series, &protected) else {
+        let Some(mut found) = cleaned(&series, &protected) else {
             kept.extend(run.numbers.iter().map(|i| (*i, data[*i])));
             continue;
         };
+        // Few points of a shape that bends a lot: what the smoother leaves is no noise.
+        let most = if series.noise.is_none() { most_noise(&across, run.closed, series.directions) } else { None };
+        let edge = mean_edge(&across);
+        let too_much = TOO_MUCH * (1.0 + UNSURE / points.len() as f64);
+        let is_less = |most: &f64| *most < OF_EDGE * edge && found.smoothed.deviation > too_much * most;
+        if let Some(most) = most.filter(is_less) {
+            series.noise = Some(most.max(NO_NOISE * edge));
+            found = cleaned(&series, &protected).unwrap_or(found);
+        }
         outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], far / unit)));
         sums.add(&found.smoothed);
         let (numbers, mut places) = if reading.drop || found.outliers.is_empty() {

@@ -88,8 +88,9 @@ fn confirmed(
     for (i, r) in kept.iter().zip(&smooth.residuals) {
         let across = smooth.across.max(r.around);
         let stands = (r.alone[0] / across).hypot(r.alone[1] / smooth.along.max(across));
-        if across > 0.0 && stands > far && !protected(*i) {
-            candidates.push((*i, r.across.hypot(r.along)));
+        // Off along the curve only, a point does no harm.
+        if across > 0.0 && stands > far && r.across > OFF * across && !protected(*i) {
+            candidates.push((*i, r.across));
         }
     }
     for i in flagged {

@@ -12,6 +12,8 @@ const GOING: f64 = 4.0;
 const STEADY: f64 = 0.25;
 /// Neighbouring steps inside it have less than this correlation: they do not go round.
 const ALIKE: f64 = 0.25;
+/// And their directions on average less than this one: points on a dense bend go on in one direction.
+const TURNED: f64 = 0.7;
 /// Part of the data that may stand still for the speed of the others to be known.
 const MOVING: f64 = 0.6;
 /// Points this many times the scatter away from the middle are on their way.
@@ -77,7 +79,9 @@ fn is_still(points: &[Point3], far: f64) -> bool {
     }
     let steps: Vec<Vec3> = points.windows(2).map(|w| w[1] - w[0]).collect();
     let squares: f64 = steps.iter().map(|s| s.length_squared()).sum();
-    steps.windows(2).map(|w| w[0].dot(w[1])).sum::<f64>() < ALIKE * squares
+    let directions: Vec<Vec3> = steps.iter().filter_map(|s| s.unit()).collect();
+    let alike = directions.windows(2).map(|w| w[0].dot(w[1])).sum::<f64>();
+    steps.windows(2).map(|w| w[0].dot(w[1])).sum::<f64>() < ALIKE * squares && alike < TURNED * directions.len() as f64
 }
 
 fn mean(points: &[Point3]) -> Point3 {
