@@ -252,6 +252,7 @@ impl FairFit {
     /// those that the points without the noise of the runs between them have, until these are the same. `None` if there are none,
     /// or no end.
     fn edged_by_places(distinct: &Distinct, options: &FairFitOptions, mut edged: Edged) -> Option<(Edged, Denoised)> {
+        let gaps = edged.straight.clone();
         for _ in 0..READINGS {
             if !edged.is_any() {
                 return None;
@@ -260,7 +261,11 @@ impl FairFit {
             let mut places = distinct.points.clone();
             found.kept.iter().zip(&found.places).for_each(|(i, place)| places[*i] = *place);
             let places = Distinct::of(places, distinct.source.clone(), None);
-            let seen = Edged::within(&places, options, OF_NOISE * found.deviation);
+            let mut seen = Edged::within(&places, options, OF_NOISE * found.deviation);
+            // Of a figure with one side, edges that are as long are others.
+            if seen.straight.contains(&true) {
+                seen.straight.iter_mut().zip(&gaps).for_each(|(straight, gap)| *straight |= gap);
+            }
             if seen == edged {
                 return Some((edged, found));
             }

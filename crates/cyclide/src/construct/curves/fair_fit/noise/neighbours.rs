@@ -40,7 +40,7 @@ fn offs(points: &[Point3], lengths: &[f64], closed: bool, k: usize) -> Vec<f64> 
         for j in others() {
             let factor = |l: usize| (places[k] - places[l]) / (places[j] - places[l]);
             let weight: f64 = others().filter(|l| *l != j).map(factor).product();
-            from = from + (points[at[j]] - points[i]) * weight;
+            from += (points[at[j]] - points[i]) * weight;
             spread += weight * weight;
         }
         let along = (points[at[k + 1]] - points[at[k - 1]]).unit();
