@@ -125,7 +125,7 @@ impl Moulds {
     }
 }
 
-/// Tolerances for the kinds: the given one, and steps of a ladder that hangs on the panels only, so that what is good at a smaller tolerance is tried
+/// Tolerances for the kinds: the given one, and steps of a ladder that depends on the panels only, so that what is good at a smaller tolerance is tried
 /// at a larger one too.
 fn ladder(panels: &[CyclidePatch], tolerance: f64) -> Vec<f64> {
     let size = panels.iter().map(CyclidePatch::size).fold(0.0, f64::max);

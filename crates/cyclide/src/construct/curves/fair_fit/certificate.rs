@@ -88,7 +88,7 @@ fn roughness(errors: &[Vec3]) -> (f64, usize) {
 }
 
 /// The point at a position.
-fn at(curve: &[RationalBezier], position: f64) -> Point3 {
+pub(super) fn at(curve: &[RationalBezier], position: f64) -> Point3 {
     // A foot at the end of the last segment stays on it.
     let j = (position as usize).min(curve.len() - 1);
     curve[j].point(position - j as f64)
@@ -113,7 +113,7 @@ fn control_point(row: &Row) -> Option<Point3> {
 }
 
 /// Where on an edge a point projects to, within bounds.
-fn projection([a, b]: [Point3; 2], p: Point3, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn projection([a, b]: [Point3; 2], p: Point3, [from, to]: [f64; 2]) -> f64 {
     let edge = b - a;
     let square = edge.length_squared();
     if square > 0.0 { ((p - a).dot(edge) / square).clamp(from, to) } else { from }

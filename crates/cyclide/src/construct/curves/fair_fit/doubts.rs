@@ -1,6 +1,7 @@
 //! What a user should know about a fair fit: each doubt with what was measured (`docs/math/fair-fits.md#limits`).
 
 use super::FairFitCertificate;
+use super::certificate::{at, projection};
 use super::options::FairFitOptions;
 use super::parts::PieceFit;
 use super::removal::Stop;
@@ -137,23 +138,17 @@ pub(super) fn swing(
     kept_to: f64,
 ) -> Option<(f64, f64)> {
     let (n, m) = (points.len(), curve.len() as f64);
-    let at = |position: f64| {
-        let position = if closed { position.rem_euclid(m) } else { position };
-        let j = (position as usize).min(curve.len() - 1);
-        curve[j].point(position - j as f64)
-    };
     let edges = if closed { n } else { n - 1 };
     let off = |k: usize| {
         let (a, b) = (points[k], points[(k + 1) % n]);
         // Over the seam of a closed curve, there and back.
         let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m - BACK).ceil() } else { 0.0 };
         let to = feet[(k + 1) % n] + turn;
-        let edge = b - a;
-        let limit = kept_to + SAMPLE_SAGITTA * edge.length();
+        let limit = kept_to + SAMPLE_SAGITTA * a.distance(b);
         let distance = |i: u32| {
-            let p = at(feet[k] + (to - feet[k]) * f64::from(i) / f64::from(SWING_PLACES));
-            let t = (p - a).dot(edge) / edge.length_squared();
-            p.distance(a.lerp(b, if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 }))
+            let position = feet[k] + (to - feet[k]) * f64::from(i) / f64::from(SWING_PLACES);
+            let p = at(curve, if closed { position.rem_euclid(m) } else { position });
+            p.distance(a.lerp(b, projection([a, b], p, [0.0, 1.0])))
         };
         ((1..SWING_PLACES).map(distance).fold(0.0, f64::max), limit)
     };

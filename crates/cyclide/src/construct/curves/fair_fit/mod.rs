@@ -13,7 +13,8 @@
 //! the least. The certificate is proved.
 //!
 //! One subject per file: where closed data start, start curve, density, linear model, interior point, one fit, removal, the
-//! run of a smooth piece, the frame it works in, the pieces put together, certificate, doubts.
+//! run of a smooth piece, the frame it works in, the pieces put together, certificate, doubts; of measured points their noise,
+//! and what of them are corners and sides.
 
 mod along;
 mod bordered_band;
@@ -22,6 +23,7 @@ mod certificate;
 mod corners;
 mod density;
 mod doubts;
+mod edged;
 mod feet;
 mod fit;
 mod interior_point;
@@ -47,7 +49,8 @@ use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 use canonical_start::runs_backwards;
-use measured::{Edged, Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
+use edged::Edged;
+use measured::{Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
 use parts::Parts;
 use working_frame::WorkingFrame;

@@ -1,0 +1,148 @@
+//! What of measured points is no curve, corners and straight sides, as far as their noise lets one tell
+//! (`docs/math/fair-fits.md#noise`).
+
+use super::measured::{NEAREST, OF_NOISE, read};
+use super::noise::{Denoised, Run};
+use super::options::Noise;
+use super::{FairFitOptions, corners};
+use crate::construct::curves::arc_fit::input::Distinct;
+use std::collections::BTreeSet;
+
+/// Corners and sides are read with the noise of what is left, so often.
+const READINGS: usize = 4;
+/// Of at least so many points,
+const MANY_POINTS: usize = 100;
+/// this part is too many for corners, if in whole degrees their turns differ more often than this part of them (of so many at most)
+const MANY_CORNERS: f64 = 0.2;
+const ALL_SORTS: f64 = 0.25;
+const MOST_SORTS: usize = 160;
+/// and the points without noise are known better than the noise by this factor.
+const SMOOTH: f64 = 0.5;
+
+/// What of the points is no curve: corners, and the edges that are straight sides.
+#[derive(PartialEq)]
+pub(super) struct Edged {
+    /// Positions of the corners, rising.
+    pub corners: Vec<usize>,
+    /// Whether the edge that begins at each point is a straight side.
+    pub straight: Vec<bool>,
+}
+
+impl Edged {
+    /// What lasts over a tolerance.
+    pub fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Self {
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        let outline = corners::outline(&distinct.points, &forced, options, tolerance);
+        let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight);
+        let spikes = corners::spikes(&distinct.points, options.closed);
+        let stays = |i: &usize| forced.binary_search(i).is_ok() || spikes.binary_search(i).is_err();
+        let corners = outline.corners.into_iter().map(|c| c.0).filter(stays).collect();
+        Self { corners, straight }
+    }
+
+    pub fn is_any(&self) -> bool {
+        !self.corners.is_empty() || self.straight.contains(&true)
+    }
+
+    /// The runs of points that one smooth curve explains: they end at corners, which they share, and at straight sides, beside
+    /// which the curvature jumps.
+    pub fn runs(&self, options: &FairFitOptions) -> Vec<Run> {
+        let n = self.straight.len();
+        let is_corner = |i: usize| self.corners.binary_search(&(i % n)).is_ok();
+        let begins = |i: usize| is_corner(i) || self.straight[(i + n - 1) % n];
+        let first = if options.closed { (0..n).find(|i| begins(*i)) } else { Some(0) };
+        let Some(first) = first else {
+            return vec![Run { numbers: (0..n).collect(), closed: true, fixed: [false; 2] }];
+        };
+        let last = if options.closed { first + n } else { n - 1 };
+        let fixed = |i: usize| options.fix_ends || is_corner(i);
+        let mut runs = Vec::new();
+        let mut from = first;
+        for i in first..=last {
+            let side = i < last && self.straight[i % n];
+            if i == last || side || (i > from && is_corner(i)) {
+                let numbers = (from..=i).map(|i| i % n).collect();
+                runs.push(Run { numbers, closed: false, fixed: [fixed(from), fixed(i)] });
+                from = if side { i + 1 } else { i };
+            }
+        }
+        runs
+    }
+
+    /// The corners and straight sides that last over more than the noise, and what the points say about that with them.
+    pub fn in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Self, Option<Denoised>) {
+        let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
+        let within = |tolerance: f64| Self::within(distinct, &automatic, tolerance);
+        let forced = within(f64::INFINITY);
+        let gaps = corners::gaps(&distinct.points, options.closed);
+        let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps);
+        // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
+        let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
+        let sharp = within(known.unwrap_or(NEAREST * size));
+        let is_all = sharp.straight.iter().zip(&gaps).all(|(side, gap)| *side || !gap);
+        let is_asked = options.corner_angle.is_none() && sharp != forced && is_all;
+        if is_asked && !Self::are_of_noise(distinct, &automatic, &sharp, &forced) {
+            match read(distinct, options, &sharp) {
+                Some(found) if known.is_some() || within(OF_NOISE * found.deviation) == sharp => {
+                    return (sharp, Some(found));
+                }
+                None => return (sharp, None),
+                Some(_) => {}
+            }
+        }
+        if let Some((edged, found)) =
+            Self::by_places(distinct, options, Self { corners: forced.corners.clone(), straight: gaps })
+        {
+            return (edged, Some(found));
+        }
+        // Else those that last over the noise that the points have without any.
+        let mut found = read(distinct, options, &forced);
+        let noise = found.as_ref().map_or(0.0, |found| OF_NOISE * found.deviation);
+        let edged = Self::within(distinct, options, noise);
+        if edged != forced {
+            found = read(distinct, options, &edged);
+        }
+        (edged, found)
+    }
+
+    /// Corners that are a large part of many points and turn by all sorts of angles are noise, where a smooth curve explains the points.
+    fn are_of_noise(distinct: &Distinct, options: &FairFitOptions, sharp: &Self, forced: &Self) -> bool {
+        let (n, count) = (distinct.points.len(), sharp.corners.len());
+        if n < MANY_POINTS || (count as f64) < MANY_CORNERS * n as f64 {
+            return false;
+        }
+        let at = |i: usize| distinct.points[i % n];
+        let turn = |i: &usize| (at(*i) - at(i + n - 1)).angle(at(i + 1) - at(*i)).to_degrees().round() as u32;
+        let sorts: BTreeSet<u32> = sharp.corners.iter().map(turn).collect();
+        let is_smooth = |found: Denoised| found.uncertainty < SMOOTH * found.deviation;
+        sorts.len() as f64 > ALL_SORTS * count.min(MOST_SORTS) as f64
+            && read(distinct, options, forced).is_some_and(is_smooth)
+    }
+
+    /// Noise hides what the samples beside a corner or a side turn by. So from those that are `edged` at first, corners and sides are
+    /// those that the points without the noise of the runs between them have, until these are the same. `None` if there are none,
+    /// or no end.
+    fn by_places(distinct: &Distinct, options: &FairFitOptions, mut edged: Self) -> Option<(Self, Denoised)> {
+        let gaps = edged.straight.clone();
+        for _ in 0..READINGS {
+            if !edged.is_any() {
+                return None;
+            }
+            let found = read(distinct, options, &edged)?;
+            let mut places = distinct.points.clone();
+            found.kept.iter().zip(&found.places).for_each(|(i, place)| places[*i] = *place);
+            let places = Distinct::of(places, distinct.source.clone(), None);
+            let mut seen = Self::within(&places, options, OF_NOISE * found.deviation);
+            // Of a figure with one side, edges that are as long are others.
+            if seen.straight.contains(&true) {
+                seen.straight.iter_mut().zip(&gaps).for_each(|(straight, gap)| *straight |= gap);
+            }
+            if seen == edged {
+                return Some((edged, found));
+            }
+            edged = seen;
+        }
+        None
+    }
+}
