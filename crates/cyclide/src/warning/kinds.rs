@@ -379,6 +379,15 @@ pub enum Warning {
         /// The curve is held to them as straight sides; else it is free there.
         held: bool,
     },
+    /// Few points were taken for noisy ones, though they may be corners as well.
+    FewForNoise {
+        /// How many there are.
+        points: usize,
+        /// The standard deviation of the noise that was read.
+        noise: f64,
+        /// How far apart neighbours usually are.
+        apart: f64,
+    },
     /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
     ReadAsCurve {
         /// How many there are.
@@ -387,6 +396,8 @@ pub enum Warning {
         turn: f64,
         /// How far the curve is from their polyline.
         distance: f64,
+        /// A fit that has the target `polyline`.
+        has_target: bool,
     },
     /// The feet of some points step back along the curve: distances are bounded one way only.
     FeetNotMonotone {

@@ -308,12 +308,21 @@ impl std::fmt::Display for Warning {
                 if *count == 1 { "it" } else { "them" },
                 if *held { "taken for straight sides, which the curve keeps to" } else { "taken for gaps, over which nothing holds the curve" }
             ),
-            Self::ReadAsCurve { count, turn, distance } => write!(
+            Self::FewForNoise { points, noise, apart } => write!(
                 f,
-                "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their polyline by {}: if its edges are meant, the target \
-                 `polyline` keeps to all of them, a smaller corner angle to those between larger turns",
+                "{points} points, usually {} apart, are read as measured with a noise of {}; so few may as well be the corners of an outline: if they are, give a tolerance or \
+                 a corner angle",
+                ShortNumber(*apart),
+                ShortNumber(*noise)
+            ),
+            Self::ReadAsCurve { count, turn, distance, has_target } => write!(
+                f,
+                "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their polyline by {}: if its edges are meant, {}a smaller corner \
+                 angle {}",
                 turn.to_degrees(),
-                ShortNumber(*distance)
+                ShortNumber(*distance),
+                if *has_target { "the target `polyline` keeps to all of them, " } else { "" },
+                if *has_target { "to those between larger turns" } else { "keeps the larger turns as corners" }
             ),
             Self::FeetNotMonotone { point, count } => write!(
                 f,

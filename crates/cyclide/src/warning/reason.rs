@@ -47,6 +47,7 @@ impl Warning {
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
             Self::LongEdges { .. } => "long-edges",
+            Self::FewForNoise { .. } => "few-for-noise",
             Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::Outlier { .. } => "outlier",
@@ -153,6 +154,7 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
+            | Self::FewForNoise { .. }
             | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }

@@ -5,3 +5,4 @@ mod data;
 mod degenerate;
 mod figures;
 mod laws;
+mod wrong_points;

@@ -12,6 +12,7 @@ mod helix;
 mod interpolation;
 mod moebius_spline;
 mod nurbs_arcs;
+mod off_neighbours;
 mod outline;
 mod plane_axes;
 mod qb_arcs;

@@ -2,7 +2,7 @@
 
 use super::options::{ArcFitOptions, FitTarget};
 use crate::base::vector::Point3;
-use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
+use crate::construct::curves::outline::{CORNER_ANGLE, Outline, Scattered};
 
 /// A corner stands out if its turn is this many times those of its neighbours.
 const PROMINENCE: f64 = 3.0;
@@ -49,8 +49,8 @@ pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
 
 /// The reading of the points for a fit: corners by the angle that is given, else by the rule of the target. Edges that are
 /// meant themselves need no reading.
-pub(super) fn outline(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Outline {
-    let mut outline = Outline::read(points, options.closed, options.tolerance, options.corner_angle, forced);
+pub(super) fn outline(points: &[Point3], forced: &[usize], options: &ArcFitOptions, scattered: Scattered) -> Outline {
+    let mut outline = Outline::read(points, options.closed, options.tolerance, options.corner_angle, forced, scattered);
     if options.target == FitTarget::Polyline {
         if options.corner_angle.is_none() {
             outline.corners = corners(points, forced, options);

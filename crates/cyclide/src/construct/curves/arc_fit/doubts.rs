@@ -1,12 +1,11 @@
 //! Warnings about data that do not suit the tolerance or the target (`docs/math/arc-fitting.md#limits`).
 
-use super::corners::{sagitta_quantile, sagittas, turns};
+use super::corners::{sagitta_quantile, sagittas};
 use super::options::{ArcFitOptions, FitTarget};
 use super::piece::Piece;
 use super::trace::Trace;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::construct::curves::outline::Outline;
 use crate::warning::Warning;
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
@@ -14,12 +13,6 @@ const SAGITTA_LIMIT: f64 = 2.0;
 /// A curve through samples leaves their edges by the sagittas; by this many times the largest one and the tolerance it
 /// turns where the points do not.
 const SWING: f64 = 2.0;
-/// Figures of fewer points than this are polygons as well as samples,
-const FEW_POINTS: usize = 24;
-/// if their points turn by more than this: a 24th of a full turn.
-const LARGE_TURN: f64 = std::f64::consts::PI / 12.0;
-/// Turns below this, a sixtieth of a degree, are none.
-const SOME_TURN: f64 = std::f64::consts::PI / 10_800.0;
 /// Tolerances above this part of the diagonal of the figure's box are wide: a sixth of a square's side.
 const WIDE: f64 = 0.12;
 /// Spans of at most this many edges follow single points.
@@ -53,34 +46,6 @@ pub(super) fn swing(
     let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
     let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
     (distance > limit).then_some(Warning::SwingsOut { distance, limit, held: false, has_target: true })
-}
-
-/// Points of an outline, or of a figure of few points, that turn by a lot were read as samples, and that matters.
-pub(super) fn read_as_curve(
-    points: &[Point3],
-    outline: &Outline,
-    options: &ArcFitOptions,
-    distance: f64,
-) -> Option<Warning> {
-    let doubtful = outline.bound.contains(&true) || points.len() < FEW_POINTS;
-    if options.target != FitTarget::Points || !doubtful {
-        return None;
-    }
-    let n = points.len();
-    let is_sample = |i: usize| {
-        let corner = outline.corners.binary_search_by_key(&i, |corner| corner.0).is_ok();
-        !corner && !outline.straight[i] && !outline.straight[(i + n - 1) % n]
-    };
-    let turns = turns(points, options.closed).into_iter().enumerate();
-    // Few points are a polygon as well whatever they turn by.
-    let least = if points.len() < FEW_POINTS { SOME_TURN } else { LARGE_TURN };
-    let large: Vec<f64> = turns.filter(|(i, turn)| is_sample(*i) && *turn > least).map(|(_, turn)| turn).collect();
-    let turn = large.iter().fold(0.0_f64, |a, b| a.max(*b));
-    (!large.is_empty() && distance > SWING * options.tolerance).then_some(Warning::ReadAsCurve {
-        count: large.len(),
-        turn,
-        distance,
-    })
 }
 
 /// A tolerance of the size of the figure's own bends keeps no shape.

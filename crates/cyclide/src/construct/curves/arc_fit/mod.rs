@@ -35,7 +35,7 @@ use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
-use crate::construct::curves::outline::kept_corners;
+use crate::construct::curves::outline::{Outline, Scattered, kept_corners};
 use crate::curve::{Arc, ArcPath};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
@@ -165,11 +165,22 @@ impl ArcFit {
 
     fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
         let distinct = Distinct::new(points, options.closed, options.tolerance)?;
-        let data = &distinct.points;
-        let tolerance = options.tolerance;
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
-        let outline = corners::outline(data, &forced, options);
+        let read = |scattered: Scattered| corners::outline(&distinct.points, &forced, options, scattered);
+        let outline = read(Scattered::Vertices);
+        match Self::of_outline(&distinct, &outline, options, effort) {
+            // Points that noise has moved past each other are vertices of no outline.
+            Err(error @ Error::NoG1SplineInTube { .. }) => {
+                let other = read(Scattered::Noise);
+                if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, options, effort) }
+            }
+            found => found,
+        }
+    }
+
+    fn of_outline(distinct: &Distinct, outline: &Outline, options: &ArcFitOptions, effort: Effort) -> Result<Self> {
+        let (data, tolerance) = (&distinct.points, options.tolerance);
         let corners = &outline.corners;
         let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
         let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
@@ -180,7 +191,7 @@ impl ArcFit {
         let plane = input::plane(data, tolerance);
         let (trace, pieces) = match &plane {
             Some(frame) => {
-                match planar::fit(data, &outline, frame, room, options, effort) {
+                match planar::fit(data, outline, frame, room, options, effort) {
                     Ok((trace, chains)) => {
                         let found = planar_pieces(&trace, &chains, frame)?;
                         let mut pieces = found.clone();
@@ -189,7 +200,7 @@ impl ArcFit {
                         let polished = polish::polished(pieces.clone(), &trace, frame, room, options);
                         let better = || {
                             let sheet = certify(&polished, &trace, options.target, true);
-                            let judged = turning::Data::new(data, &outline, options);
+                            let judged = turning::Data::new(data, outline, options);
                             let turning = turning::of_pieces(&polished, options.closed);
                             let turns_on = turning <= judged.limit(&polished, &trace)
                                 || turning <= turning::of_pieces(&pieces, options.closed);
@@ -215,15 +226,24 @@ impl ArcFit {
             return Err(died(certificate.worst));
         }
         certificate.worst = distinct.source[certificate.worst];
-        let judged = turning::Data::new(data, &outline, options);
+        // The points that others stand for are that much farther away.
+        for distance in
+            [&mut certificate.deviation, &mut certificate.vertex_deviation, &mut certificate.polyline_deviation]
+        {
+            *distance += distinct.moved;
+        }
+        let judged = turning::Data::new(data, outline, options);
         certificate.turning = turning::of_pieces(&pieces, options.closed);
         certificate.turning_limit = judged.limit(&pieces, &trace);
-        let mut warnings: Vec<Warning> = distinct.warning.into_iter().collect();
+        let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
         warnings.extend(kept_corners(corners, &distinct.source));
         warnings.extend(doubts::coarse_samples(data, options));
         let distance = certificate.polyline_deviation;
         let swing = doubts::swing(data, corners, options, distance);
-        warnings.extend(swing.or_else(|| doubts::read_as_curve(data, &outline, options, distance)));
+        warnings.extend(swing.or_else(|| {
+            let is_read = options.target == FitTarget::Points;
+            is_read.then(|| outline.read_as_curve(data, options.closed, tolerance, distance, true)).flatten()
+        }));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
         warnings.extend(doubts::wide(data, tolerance));
         warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));

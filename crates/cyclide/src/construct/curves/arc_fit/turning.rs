@@ -151,11 +151,12 @@ pub(super) fn of_pieces(pieces: &[Piece], closed: bool) -> f64 {
 mod tests {
     use super::*;
     use crate::construct::curves::arc_fit::piece::Place;
+    use crate::construct::curves::outline::Scattered;
     use crate::curve::Arc;
 
     /// Without corners.
     fn read(points: &[Point3]) -> Outline {
-        Outline::read(points, false, 0.01, Some(std::f64::consts::PI), &[])
+        Outline::read(points, false, 0.01, Some(std::f64::consts::PI), &[], Scattered::Vertices)
     }
 
     fn piece(arc: Arc, from: usize, to: usize) -> Piece {

@@ -1,9 +1,10 @@
 //! Which points a fair fit keeps as corners, and which edges of their polyline it keeps to: what outlines are read as
 //! (`docs/math/arc-fitting.md#outlines`), by the same rule as fits of arcs.
 
+use super::noise;
 use super::options::FairFitOptions;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::curves::outline::{CORNER_ANGLE, Outline};
+use crate::construct::curves::outline::{CORNER_ANGLE, Outline, Scattered};
 
 /// Places on a straight side, at least and at most.
 const PLACES: [f64; 2] = [3.0, 64.0];
@@ -37,15 +38,18 @@ const SHARP: f64 = 0.75;
 /// those between edges so long that noise within the tolerance turns them by less.
 pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOptions, tolerance: f64) -> Outline {
     let is_forced = |i: usize| forced.binary_search(&i).is_ok();
-    let mut outline = Outline::read(points, options.closed, tolerance.min(f64::MAX), options.corner_angle, forced);
     let n = points.len();
     let mut lengths: Vec<f64> = (0..n - 1).map(|i| points[i].distance(points[i + 1])).collect();
     let usual = *lengths.select_nth_unstable_by((n - 1) / 2, f64::total_cmp).1;
+    let is_dense = usual < LONG * tolerance;
+    let scattered = if options.noise.is_some() || is_dense { Scattered::Noise } else { Scattered::Vertices };
+    let mut outline =
+        Outline::read(points, options.closed, tolerance.min(f64::MAX), options.corner_angle, forced, scattered);
     // Noise within the tolerance turns no edges by so much that are as long as these.
     let length = |i: usize| points[i].distance(points[(i + 1) % n]);
     let evident =
         |(i, turn): (usize, f64)| length((i + n - 1) % n).min(length(i)) * (0.5 * turn).sin() > 2.0 * tolerance;
-    if options.corner_angle.is_none() && usual < LONG * tolerance {
+    if options.corner_angle.is_none() && is_dense {
         // Where the points beside one are next to each other, it is an outlier.
         let beside = |i: usize| points[(i + n - 1) % n].distance(points[(i + 1) % n]);
         let is_corner = |corner: (usize, f64)| evident(corner) && beside(corner.0) > APART * usual;
@@ -58,6 +62,17 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
         };
         outline.straight = (0..n).map(|i| is_side(i, &outline)).collect();
         return outline;
+    }
+    if options.corner_angle.is_none() {
+        // No smooth curve keeps to two straight sides that meet.
+        let meets = |i: &usize| outline.straight[(i + n - 1) % n] && outline.straight[*i];
+        let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
+        let all = if options.closed { 0..n } else { 1..n - 1 };
+        let is_corner = |i: usize| outline.corners.binary_search_by_key(&i, |c| c.0).is_ok();
+        let more: Vec<(usize, f64)> =
+            all.filter(meets).filter(|i| !is_corner(*i)).map(|i| (i, turn(i))).filter(|c| evident(*c)).collect();
+        outline.corners.extend(more);
+        outline.corners.sort_unstable_by_key(|c| c.0);
     }
     let turn = |i: usize, length: f64| {
         let [before, after] = [false, true].map(|forward| leg(points, i, length, options.closed, forward));
@@ -93,13 +108,14 @@ pub(super) fn gaps(points: &[Point3], closed: bool) -> Vec<bool> {
     (0..n).map(|i| i < edges && is_gap(i)).collect()
 }
 
-/// The sides without those that a single point makes: left out, its neighbours are close to each other, as those of an outlier
-/// are.
+/// The sides without those that wrong points make: a single one, whose neighbours are close to each other, and a run of some.
 pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool]) -> Vec<bool> {
     let n = points.len();
+    let bursts = noise::bursts(points, closed);
     let is_spike = |i: usize, length: f64| {
         let inside = closed || (i > 0 && i + 1 < n);
-        inside && points[(i + n - 1) % n].distance(points[(i + 1) % n]) < SPIKE * length
+        let alone = inside && points[(i + n - 1) % n].distance(points[(i + 1) % n]) < SPIKE * length;
+        alone || bursts.binary_search(&i).is_ok()
     };
     let is_side = |i: usize| {
         let next = (i + 1) % n;
@@ -110,7 +126,8 @@ pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool])
 }
 
 /// Single points off a polyline that goes on past them as if they were not there, with their neighbours, rising: it turns away,
-/// back, and away again, by nothing in all. None if they are many: then it is the figure that does so.
+/// back, and away again, by nothing in all. Of single ones none if they are many: then it is the figure that does so. And runs of
+/// wrong points, with their neighbours too.
 pub(super) fn spikes(points: &[Point3], closed: bool) -> Vec<usize> {
     let n = points.len();
     if n < FEWEST_TO_TELL {
@@ -133,10 +150,9 @@ pub(super) fn spikes(points: &[Point3], closed: bool) -> Vec<usize> {
             && far.length().max(beyond.length()) < SPIKE * size
     };
     let found: Vec<usize> = range.filter(is_spike).collect();
-    if found.len() * FEW_SPIKES > n {
-        return Vec::new();
-    }
-    let mut all: Vec<usize> = found.iter().flat_map(|i| [(i + n - 1) % n, *i, (i + 1) % n]).collect();
+    let found = if found.len() * FEW_SPIKES > n { Vec::new() } else { found };
+    let all = found.into_iter().chain(noise::bursts(points, closed));
+    let mut all: Vec<usize> = all.flat_map(|i| [(i + n - 1) % n, i, (i + 1) % n]).collect();
     all.sort_unstable();
     all.dedup();
     all

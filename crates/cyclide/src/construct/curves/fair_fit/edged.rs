@@ -80,7 +80,9 @@ impl Edged {
         // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
         let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
         let sharp = within(known.unwrap_or(NEAREST * size));
-        let is_all = sharp.straight.iter().zip(&gaps).all(|(side, gap)| *side || !gap);
+        let is_corner = |i: usize| sharp.corners.binary_search(&(i % gaps.len())).is_ok();
+        let is_side = |i: usize| sharp.straight[i] || (is_corner(i) && is_corner(i + 1));
+        let is_all = (0..gaps.len()).all(|i| !gaps[i] || is_side(i));
         let is_asked = options.corner_angle.is_none() && sharp != forced && is_all;
         if is_asked && !Self::are_of_noise(distinct, &automatic, &sharp, &forced) {
             match read(distinct, options, &sharp) {

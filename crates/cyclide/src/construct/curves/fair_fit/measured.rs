@@ -19,6 +19,9 @@ const RELAXED: f64 = 2.0;
 const RELAXATIONS: usize = 5;
 /// Noise moves points by this many deviations.
 pub(super) const OF_NOISE: f64 = 3.0;
+/// Fewer points than this may be corners where their noise is above this part of what they are apart.
+const FEW_POINTS: usize = 60;
+const OF_STEP: f64 = 0.1;
 /// With more outliers than this each is not named any more.
 pub(super) const NAMED: usize = 20;
 
@@ -157,8 +160,16 @@ impl FairFit {
             // Runs between corners and sides that have too few points to tell noise: an outline, which is kept.
             (edged, None) if edged.is_any() => {
                 let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
-                let tolerance = (NEAREST * size).min(options.tolerance);
-                let outline = FairFitOptions { tolerance, corners, corner_angle: None, centre: 0.0, ..options.clone() };
+                // What neighbours were merged over counts.
+                let tolerance = (NEAREST * size + distinct.moved).min(options.tolerance);
+                let outline = FairFitOptions {
+                    tolerance,
+                    corners,
+                    corner_angle: None,
+                    centre: 0.0,
+                    noise: None,
+                    ..options.clone()
+                };
                 let mut fit = Self::near(&distinct, &outline, None)?;
                 fit.certificate.noise = Some(0.0);
                 warnings.append(&mut fit.warnings);
@@ -201,6 +212,10 @@ impl FairFit {
             let points = vec![fit.certificate.worst];
             let (deviation, tolerance) = (fit.certificate.deviation, options.tolerance);
             return Err(Error::ToleranceNotReached { points, deviation, tolerance });
+        }
+        let apart = noise::usual_length(&distinct.points);
+        if places.points.len() < FEW_POINTS && found.deviation > OF_STEP * apart {
+            warnings.push(Warning::FewForNoise { points: places.points.len(), noise: found.deviation, apart });
         }
         fit.certificate.noise = Some(found.deviation);
         fit.certificate.noise_z = found.heights;

@@ -325,7 +325,7 @@ impl FairFit {
             corners::outline(data, &forced, options, if measured.is_some() { f64::INFINITY } else { tolerance });
         let straight = measured.map_or(&outline.straight[..], |measured| measured.straight);
         let on_edges = corners::places_on_edges(data, straight, options);
-        let corners = outline.corners;
+        let corners = &outline.corners;
         let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
 
         let frame = WorkingFrame::new(data, tolerance);
@@ -347,7 +347,11 @@ impl FairFit {
             let ends = ends.map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
             parts.add(numbers, whole, ends).map_err(|e| in_users_numbers(e, &distinct.source))?;
         }
-        let mut fit = parts.finished(distinct, &corners)?;
+        let mut fit = parts.finished(distinct, corners)?;
+        if measured.is_none() && options.corner_angle.is_none() && fit.swing.is_none() {
+            let distance = fit.certificate.polyline_deviation;
+            fit.warnings.extend(outline.read_as_curve(data, options.closed, tolerance, distance, false));
+        }
         if backwards {
             fit.spline = fit.spline.reversed();
         }

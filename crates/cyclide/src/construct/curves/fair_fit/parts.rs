@@ -206,6 +206,7 @@ impl<'a> Parts<'a> {
             sheet.fairness += fairness;
         }
         sheet.deviation += distinct.moved;
+        sheet.polyline_deviation += distinct.moved;
         sheet.rms = (squares / distinct.points.len() as f64).sqrt();
         sheet
     }

@@ -1,6 +1,8 @@
 //! The noise of measured points: how large it is, which points do not belong to the others, where nothing moved, and what
 //! is left of the points without it (`docs/math/fair-fits.md#noise`).
 
+mod beside;
+mod bursts;
 mod chords;
 mod neighbours;
 mod outliers;
@@ -8,6 +10,7 @@ mod residuals;
 mod smoother;
 mod stops;
 
+pub(super) use bursts::bursts;
 pub(super) use stops::{Stop, stops};
 
 use super::working_frame::WorkingFrame;
@@ -32,6 +35,11 @@ pub(super) const FEWEST: usize = smoother::FEWEST;
 /// Lengths of the edges of a list, none of them 0.
 pub(super) fn lengths(points: &[Point3], closed: bool) -> Vec<f64> {
     chords::above_shortest(chords::chords(points, closed))
+}
+
+/// How far apart neighbours usually are.
+pub(super) fn usual_length(points: &[Point3]) -> f64 {
+    chords::median(&mut chords::chords(points, false))
 }
 
 /// The mean edge of a list.

@@ -2,8 +2,9 @@
 //! off by a known multiple of its deviation, and a bend that the polynomial misses only adds to that
 //! (`docs/math/fair-fits.md#noise`).
 
-use super::chords::{chords, median};
-use crate::base::vector::{Point3, Vec3};
+use super::chords::median;
+use crate::base::vector::Point3;
+use crate::construct::curves::off_neighbours::off_neighbours;
 
 /// Neighbours on either side, at most.
 const MOST: usize = 4;
@@ -12,9 +13,8 @@ const MEDIAN: [f64; 2] = [0.6745, 1.1774];
 
 /// A bound on the deviation of the noise across the curve, in one direction; `None` of too few points.
 pub(super) fn most_noise(points: &[Point3], closed: bool, directions: usize) -> Option<f64> {
-    let lengths = chords(points, closed);
     let found = (1..=MOST).filter_map(|k| {
-        let mut off = offs(points, &lengths, closed, k);
+        let mut off = offs(points, closed, k);
         (off.len() >= points.len().div_ceil(2) && off.len() > 2).then(|| median(&mut off) / MEDIAN[directions - 1])
     });
     found.reduce(f64::min)
@@ -22,30 +22,17 @@ pub(super) fn most_noise(points: &[Point3], closed: bool, directions: usize) -> 
 
 /// How far each point is across from the polynomial through `k` neighbours on either side, in units of what noise of
 /// deviation 1 makes of that.
-fn offs(points: &[Point3], lengths: &[f64], closed: bool, k: usize) -> Vec<f64> {
+pub(super) fn offs(points: &[Point3], closed: bool, k: usize) -> Vec<f64> {
     let n = points.len();
     let range = if closed { 0..n } else { k..n.saturating_sub(k) };
     if n < 2 * k + 2 {
         return Vec::new();
     }
+    let others: Vec<usize> = (0..=2 * k).filter(|j| *j != k).collect();
     let off = |i: usize| {
-        // Places along the chords from the first neighbour, this point in the middle.
-        let at: Vec<usize> = (0..=2 * k).map(|j| (i + n + j - k) % n).collect();
-        let mut places = vec![0.0];
-        for j in 0..2 * k {
-            places.push(places[j] + lengths[at[j]]);
-        }
-        let others = || (0..=2 * k).filter(|j| *j != k);
-        let (mut from, mut spread) = (Vec3::ZERO, 1.0);
-        for j in others() {
-            let factor = |l: usize| (places[k] - places[l]) / (places[j] - places[l]);
-            let weight: f64 = others().filter(|l| *l != j).map(factor).product();
-            from += (points[at[j]] - points[i]) * weight;
-            spread += weight * weight;
-        }
-        let along = (points[at[k + 1]] - points[at[k - 1]]).unit();
-        let across = along.map_or(from, |u| from - u * from.dot(u));
-        across.length() / spread.sqrt()
+        let window: Vec<Point3> = (0..=2 * k).map(|j| points[(i + n + j - k) % n]).collect();
+        let (off, spread) = off_neighbours(&window, &others);
+        off / spread
     };
     range.map(off).filter(|off| off.is_finite()).collect()
 }

@@ -1,10 +1,11 @@
 //! Points that do not belong to a run of measured points: far from the smoothed curve of the others, and off the polyline
 //! of their neighbours by more than any bend of it explains (`docs/math/fair-fits.md#outliers`).
 
+use super::beside::{self, Beside, around};
+use super::bursts::bursts;
 use super::chords::{chords, median};
 use super::smoother::{Series, Smoothed, smoothed};
-use crate::base::vector::{Point3, Vec3};
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::base::vector::Point3;
 
 /// A spike stands out from its polyline by this many times what its neighbours do.
 const SPIKE: f64 = 8.0;
@@ -18,10 +19,6 @@ const OFF: f64 = 3.5;
 const FAR: [f64; 2] = [5.0, 5.5];
 /// Points on either side that a point is compared with.
 const AROUND: isize = 10;
-/// A bend may leave the polyline without a point by this many times what a circle does.
-const BEND: f64 = 1.5;
-/// Extrapolations go on for this many edges.
-const BEYOND: f64 = 2.0;
 /// Part of the mean edge below which nothing is off.
 const NOTHING: f64 = 1e-6;
 /// Largest part of the points that may be outliers.
@@ -98,7 +95,7 @@ fn confirmed(
         let at = kept.partition_point(|k| k < i) as isize;
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
         let distance =
-            places.windows(2).map(|w| from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min);
+            places.windows(2).map(|w| beside::from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min);
         if distance > far * smooth.across && distance.is_finite() {
             candidates.push((*i, distance));
         }
@@ -107,10 +104,10 @@ fn confirmed(
     let innocent: Vec<usize> =
         (0..data.points.len()).filter(|i| candidates.binary_search_by_key(i, |c| c.0).is_err()).collect();
     let base: Vec<Point3> = innocent.iter().map(|i| data.points[*i]).collect();
-    let usual: Vec<f64> = (0..base.len()).map(|j| off(&base, j, data.closed, None).0).collect();
+    let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, data.closed).off(base[j]).0).collect();
     candidates.retain(|(i, _)| {
         let at = innocent.partition_point(|k| k < i);
-        let (_, off) = off(&base, at, data.closed, Some(data.points[*i]));
+        let (_, off) = Beside::between(&base, at, data.closed).off(data.points[*i]);
         let mut near: Vec<f64> =
             (-AROUND..AROUND).filter_map(|o| around(&usual, at as isize + o, data.closed)).collect();
         let largest = near.iter().copied().fold(0.0, f64::max);
@@ -119,14 +116,15 @@ fn confirmed(
     candidates
 }
 
-/// Points that are far off the polyline of the others, in rounds: next to one that goes another may come.
+/// Points that are far off the polyline of the others: runs of some, then single ones, in rounds: next to one that goes another
+/// may come.
 fn spikes(points: &[Point3], closed: bool, protected: &dyn Fn(usize) -> bool) -> Vec<usize> {
     let least = NOTHING * points.iter().zip(chords(points, closed)).map(|(_, h)| h).sum::<f64>() / points.len() as f64;
-    let mut list: Vec<usize> = (0..points.len()).collect();
-    let mut found = Vec::new();
+    let mut found: Vec<usize> = bursts(points, closed).into_iter().filter(|i| !protected(*i)).collect();
+    let mut list: Vec<usize> = (0..points.len()).filter(|i| found.binary_search(i).is_err()).collect();
     for _ in 0..ROUNDS {
         let at: Vec<Point3> = list.iter().map(|i| points[*i]).collect();
-        let offs: Vec<(f64, f64)> = (0..at.len()).map(|j| off(&at, j, closed, None)).collect();
+        let offs: Vec<(f64, f64)> = (0..at.len()).map(|j| Beside::one(&at, j, closed).off(at[j])).collect();
         let overall = median(&mut offs.iter().map(|o| o.0).collect::<Vec<_>>()).max(least);
         let ratio = |j: usize| {
             let others = (-AROUND..=AROUND).filter(|o| *o != 0);
@@ -164,71 +162,6 @@ fn spikes(points: &[Point3], closed: bool, protected: &dyn Fn(usize) -> bool) ->
     found
 }
 
-/// The entry of a list at a number, round a closed one.
-fn around<T: Copy>(list: &[T], k: isize, closed: bool) -> Option<T> {
-    let n = list.len() as isize;
-    if n == 0 {
-        return None;
-    }
-    if closed {
-        Some(list[k.rem_euclid(n) as usize])
-    } else {
-        usize::try_from(k).ok().and_then(|k| list.get(k).copied())
-    }
-}
-
-/// How far a point of a list is off the polyline of its neighbours without it, whole and without what a bend explains.
-/// A corner is on the extrapolations of both sides. `extra`: the point is none of the list, and would come before `j`.
-fn off(list: &[Point3], j: usize, closed: bool, extra: Option<Point3>) -> (f64, f64) {
-    let j = j as isize;
-    let point = extra.or_else(|| around(list, j, closed));
-    let Some(point) = point else { return (0.0, 0.0) };
-    let next = if extra.is_some() { 0 } else { 1 };
-    let back = |k: isize| around(list, j - k, closed);
-    let ahead = |k: isize| around(list, j + k - 1 + next, closed);
-    let (before, after) = ([back(1), back(2), back(3)], [ahead(1), ahead(2), ahead(3)]);
-    let neighbours: Vec<Point3> = [before[1], before[0], after[0], after[1]].into_iter().flatten().collect();
-    let skipping = neighbours.windows(2).map(|w| from_segment(point, w[0], w[1])).fold(f64::INFINITY, f64::min);
-    let beyond = |side: &[Option<Point3>; 3]| {
-        let (near, far) = side[0].zip(side[1])?;
-        Some(from_segment(point, near, near + (near - far) * BEYOND))
-    };
-    let sides: Vec<f64> = [beyond(&before), beyond(&after)].into_iter().flatten().collect();
-    let extrapolated = sides.into_iter().reduce(f64::max).unwrap_or(f64::INFINITY);
-    let whole = skipping.min(extrapolated);
-    if !whole.is_finite() {
-        return (0.0, 0.0);
-    }
-    let turn = |a: Vec3, b: Vec3| if a.length() > 0.0 && b.length() > 0.0 { a.angle(b) } else { 0.0 };
-    let at_end = |side: &[Option<Point3>; 3]| match side {
-        [Some(a), Some(b), Some(c)] => a.distance(point) * turn(*b - *a, *c - *b).min(FRAC_PI_2).sin(),
-        _ => 0.0,
-    };
-    let bend = match (before, after) {
-        ([Some(b1), Some(b2), _], [Some(a1), Some(a2), _]) => {
-            0.5 * b1.distance(a1) * (turn(b1 - b2, a2 - a1).min(PI) / 4.0).tan()
-        }
-        ([None, ..], after) => at_end(&after),
-        (before, [None, ..]) => at_end(&before),
-        // Second from an end: the turn of one side, as it goes on over the chord.
-        ([Some(b), None, _], [Some(a), Some(next), _]) | ([Some(a), Some(next), _], [Some(b), None, _]) => {
-            let (chord, edge) = (a - b, next - a);
-            let turn = turn(chord, edge) * 2.0 * chord.length() / (chord.length() + edge.length());
-            0.5 * chord.length() * (turn.min(PI) / 4.0).tan()
-        }
-        _ => 0.0,
-    };
-    (whole, (whole - BEND * bend).max(0.0))
-}
-
-/// Distance of a point from a segment.
-fn from_segment(p: Point3, a: Point3, b: Point3) -> f64 {
-    let (edge, v) = (b - a, p - a);
-    let square = edge.length_squared();
-    let t = if square > 0.0 { (v.dot(edge) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (v - edge * t).length()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -238,9 +171,10 @@ mod tests {
         let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
         // An edge, a corner, another edge.
         let corner = [at(0.0, 0.0), at(1.0, 0.0), at(2.0, 0.0), at(3.0, 0.0), at(3.0, 1.0), at(3.0, 2.0), at(3.0, 3.0)];
-        assert!(off(&corner, 3, false, None).0 < 1e-12);
+        let off = |list: &[Point3], j: usize| Beside::one(list, j, false).off(list[j]);
+        assert!(off(&corner, 3).0 < 1e-12);
         let circle: Vec<Point3> = (0..20).map(|i| at((0.3 * f64::from(i)).cos(), (0.3 * f64::from(i)).sin())).collect();
-        assert!((0..20).all(|j| off(&circle, j, false, None).1 < 1e-3));
+        assert!((0..20).all(|j| off(&circle, j).1 < 1e-3));
         let mut line: Vec<Point3> = (0..30).map(|i| at(f64::from(i), 0.01 * f64::from(i * i % 7))).collect();
         line[11].y = 4.0;
         // Ahead of its place: no farther from the line than the others.

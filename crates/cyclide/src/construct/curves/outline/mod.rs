@@ -8,9 +8,11 @@
 //! left by much more than they are. Everything is measured in angles and in ratios of lengths; the tolerance only says
 //! what noise may have caused.
 
+mod predicted;
+
 use crate::base::vector::{Point3, Vec3};
 use crate::warning::Warning;
-use std::collections::HashSet;
+use predicted::unpredicted;
 use std::f64::consts::PI;
 
 /// Turns above this may be corners.
@@ -45,19 +47,23 @@ const NO_TURN: f64 = 1e-3;
 const LEGS: f64 = 8.0;
 /// With legs half as long a corner keeps this part of its turn; a bend keeps half.
 const SHARP: f64 = 0.75;
-/// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
-const ROUGH: f64 = 5.0 * PI / 180.0;
-/// of which at least so many,
-const ROUGH_PAIRS: u32 = 16;
-/// and this part, turn to different sides
-const ROUGH_PART: f64 = 0.25;
-/// by angles that differ by this factor, and of all sorts: in whole degrees more than this part of them.
-const ROUGH_RATIO: f64 = 1.5;
-const ALL_SORTS: f64 = 0.25;
+/// Samples are off from where two neighbours on either side say by at most this part of what they are from where one says,
+const PREDICTED: f64 = 0.5;
+/// and where some of them turn by more than the corner angle, by this.
+const COARSE_PREDICTED: f64 = 0.4;
 /// No samples turn to and fro at every second point or sooner by more than this.
 const ZIGZAG: f64 = 15.0 * PI / 180.0;
 /// Corners leave others without support; so often at most.
 const MAX_PASSES: usize = 16;
+
+/// Figures of fewer points than this are polygons as well as samples,
+const FEW_POINTS: usize = 24;
+/// if their points turn by more than this: a 24th of a full turn.
+const LARGE_TURN: f64 = PI / 12.0;
+/// Turns below this, a sixtieth of a degree, are none.
+const SOME_TURN: f64 = PI / 10_800.0;
+/// A curve through samples is farther from their polyline than this many tolerances.
+const AWAY: f64 = 2.0;
 
 /// What the points of a polyline are read as.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,6 +76,17 @@ pub(in crate::construct) struct Outline {
     /// Whether the curve keeps to the edge that begins at each point: straight sides, and in an outline with corners or
     /// straight sides the edges between samples as far as arcs of several samples can keep to them.
     pub bound: Vec<bool>,
+    /// Whether points that are not where their neighbours say were taken for noisy samples.
+    pub has_noise: bool,
+}
+
+/// What points are that are not where their neighbours say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scattered {
+    /// Vertices of an outline.
+    Vertices,
+    /// Measured, with noise.
+    Noise,
 }
 
 impl Outline {
@@ -77,35 +94,70 @@ impl Outline {
     ///
     /// `angle`, in radians: turns above it are corners and nothing else is, but for the points `forced` (by index,
     /// ascending). `None`: turns above 30 degrees, where samples of a smooth curve do not explain them, and reversals, above
-    /// 150 degrees. `tolerance`: how far noise may have moved the points.
-    pub fn read(points: &[Point3], closed: bool, tolerance: f64, angle: Option<f64>, forced: &[usize]) -> Self {
-        let mut reader = Reader::new(points, closed, tolerance);
-        let noisy = reader.is_noisy();
+    /// 150 degrees. `tolerance`: how far noise may have moved the points. `scattered`: whether it may have moved them farther.
+    pub fn read(
+        points: &[Point3],
+        closed: bool,
+        tolerance: f64,
+        angle: Option<f64>,
+        forced: &[usize],
+        scattered: Scattered,
+    ) -> Self {
+        let mut reader = Reader::new(points, closed, tolerance, scattered);
         let limit = angle.unwrap_or(CORNER_ANGLE) * (1.0 + 1e-9);
         for i in 0..points.len() {
             let turn = reader.turn(i);
-            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
+            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i));
             // Points that noise moves past each other turn back too.
             let reversal = angle.is_none() && turn > CUSP_ANGLE && reader.lasts(i);
             reader.corner[i] = reader.is_inside(i) && (forced.binary_search(&i).is_ok() || reversal || evident);
-        }
-        if noisy {
-            return reader.finished(false);
         }
         reader.find_straight_sides();
         if angle.is_none() {
             reader.zigzags().into_iter().for_each(|i| reader.corner[i] = true);
             for _ in 0..MAX_PASSES {
-                let found = reader.unsupported_turns(limit);
-                if found.is_empty() {
+                let (turns, edges) = (reader.unsupported_turns(limit), reader.edges_between_scattered_points());
+                if turns.is_empty() && edges.is_empty() {
                     break;
                 }
-                found.into_iter().for_each(|i| reader.corner[i] = true);
+                turns.into_iter().for_each(|i| reader.corner[i] = true);
+                edges.into_iter().for_each(|edge| reader.held[edge] = true);
                 reader.find_straight_sides();
             }
         }
         let has_sides = reader.corner.contains(&true) || reader.straight.contains(&true);
         reader.finished(has_sides)
+    }
+
+    /// What is said where points of an outline, or of a figure of few points, that turn by a lot were read as samples, and that matters:
+    /// the curve is `distance` from their polyline. `has_target`: the fit has a target `polyline` that keeps to all edges.
+    pub fn read_as_curve(
+        &self,
+        points: &[Point3],
+        closed: bool,
+        tolerance: f64,
+        distance: f64,
+        has_target: bool,
+    ) -> Option<Warning> {
+        let n = points.len();
+        let is_few = n < FEW_POINTS;
+        if !(is_few || self.has_noise || self.bound.contains(&true)) || distance <= AWAY * tolerance {
+            return None;
+        }
+        let is_sample = |i: &usize| {
+            let corner = self.corners.binary_search_by_key(i, |corner| corner.0).is_ok();
+            !corner && !self.straight[*i] && !self.straight[(i + n - 1) % n]
+        };
+        // Few points are a polygon as well whatever they turn by.
+        let least = if is_few { SOME_TURN } else { LARGE_TURN };
+        let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
+        let inside = if closed { 0..n } else { 1..n - 1 };
+        let (count, turn) = inside
+            .filter(is_sample)
+            .map(turn)
+            .filter(|turn| *turn > least)
+            .fold((0, 0.0_f64), |most, turn| (most.0 + 1, most.1.max(turn)));
+        (count > 0).then_some(Warning::ReadAsCurve { count, turn, distance, has_target })
     }
 }
 
@@ -121,26 +173,31 @@ struct Reader<'a> {
     points: &'a [Point3],
     closed: bool,
     tolerance: f64,
+    scattered: Scattered,
     /// Turn at each point about its axis; zero at the ends of open data.
     turns: Vec<Vec3>,
     /// Length of the edge that begins at each point.
     lengths: Vec<f64>,
     corner: Vec<bool>,
     straight: Vec<bool>,
+    /// Edges between points that are no samples, whatever stands beside them.
+    held: Vec<bool>,
 }
 
 impl<'a> Reader<'a> {
-    fn new(points: &'a [Point3], closed: bool, tolerance: f64) -> Self {
+    fn new(points: &'a [Point3], closed: bool, tolerance: f64, scattered: Scattered) -> Self {
         let n = points.len();
         let lengths = (0..n).map(|i| points[i].distance(points[(i + 1) % n])).collect();
         let mut reader = Self {
             points,
             closed,
             tolerance,
+            scattered,
             turns: vec![Vec3::ZERO; n],
             lengths,
             corner: vec![false; n],
             straight: vec![false; n],
+            held: vec![false; n],
         };
         for i in (0..n).filter(|i| reader.is_inside(*i)).collect::<Vec<_>>() {
             let (u, v) = (points[i] - points[(i + n - 1) % n], points[(i + 1) % n] - points[i]);
@@ -155,24 +212,9 @@ impl<'a> Reader<'a> {
         let n = self.n();
         let corners = (0..n).filter(|i| self.corner[*i]).map(|i| (i, self.turn(i))).collect();
         let low = |edge: usize| self.sagitta(edge) <= BOUND_SAGITTA * self.tolerance;
+        let has_noise = self.scattered == Scattered::Noise && self.runs().iter().any(|run| !self.is_predicted(run));
         let bound = (0..n).map(|edge| has_sides && (self.straight[edge] || low(edge))).collect();
-        Outline { corners, straight: self.straight, bound }
-    }
-
-    /// Noise above the tolerance turns points to and fro by all sorts of angles.
-    fn is_noisy(&self) -> bool {
-        let rough = |i: usize| (ROUGH..=LARGEST_SAMPLE_TURN).contains(&self.turn(i));
-        let pairs = (0..self.n()).map(|i| (i, self.after(i))).filter(|(i, j)| rough(*i) && rough(*j));
-        let (mut count, mut to_and_fro) = (0, 0);
-        let mut degrees = HashSet::new();
-        for (i, j) in pairs {
-            let (a, b) = (self.turn(i), self.turn(j));
-            count += 1;
-            degrees.insert(a.to_degrees().round() as u32);
-            to_and_fro += u32::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
-        }
-        let all_sorts = degrees.len() as f64 > ALL_SORTS * f64::from(count);
-        count >= ROUGH_PAIRS && all_sorts && f64::from(to_and_fro) > ROUGH_PART * f64::from(count)
+        Outline { corners, straight: self.straight, bound, has_noise }
     }
 
     fn n(&self) -> usize {
@@ -201,12 +243,12 @@ impl<'a> Reader<'a> {
         self.is_inside(vertex) && !self.corner[vertex]
     }
 
-    /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise has not caused it.
-    fn is_evident_corner(&self, vertex: usize, noisy: bool) -> bool {
+    /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise within the tolerance has not caused it.
+    fn is_evident_corner(&self, vertex: usize) -> bool {
         let turn = self.turn(vertex);
         let neighbours = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
         let stands_out = turn > PROMINENCE * neighbours;
-        (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
+        (stands_out || turn > LARGEST_SAMPLE_TURN) && self.lasts(vertex)
     }
 
     /// Whether noise within the tolerance explains no such turn. It turns an edge of length `l` by up to `2 tolerance/l`,
@@ -262,7 +304,7 @@ impl<'a> Reader<'a> {
 
     fn find_straight_sides(&mut self) {
         let edges = if self.closed { self.n() } else { self.n() - 1 };
-        self.straight.fill(false);
+        self.straight.clone_from(&self.held);
         let straight = |edge: &usize| {
             let sides = [self.side(*edge, false), self.side(*edge, true)];
             self.sagitta(*edge) > MATTERS * self.tolerance
@@ -335,9 +377,9 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Turns above the limit that no samples support: a neighbour has to turn the same way by a third of it, over edges
-    /// of comparable length, none of them a straight side; and some point of the run up to the next corners has to turn by
-    /// less than the limit, as samples of a curve would.
+    /// Turns that no samples support: above the limit, a neighbour has to turn the same way by a third of it, over edges of
+    /// comparable length, none of them a straight side; and the points of the run up to the next corners have to turn by less
+    /// than the limit on average, and to be where their neighbours say, as samples of a curve are.
     fn unsupported_turns(&self, limit: f64) -> Vec<usize> {
         let n = self.n();
         let candidate = |i: usize| self.is_passed(i) && self.turn(i) > limit && self.lasts(i);
@@ -353,13 +395,39 @@ impl<'a> Reader<'a> {
                 && !self.straight[i]
         };
         let mut found: Vec<usize> = (0..n).filter(|i| candidate(*i) && !supported(*i)).collect();
-        let samples = |i: &usize| self.turn(*i) > NO_TURN * CORNER_ANGLE && self.turn(*i) <= limit;
+        let is_shape = self.scattered == Scattered::Vertices;
         for run in self.runs() {
-            if !run.iter().any(samples) {
+            let turning = run.iter().map(|i| self.turn(*i)).filter(|turn| *turn > NO_TURN * CORNER_ANGLE);
+            let (count, sum) = turning.fold((0, 0.0), |(count, sum), turn| (count + 1, sum + turn));
+            if sum > limit * f64::from(count) || (is_shape && !self.is_predicted(&run)) {
                 found.extend(run.iter().filter(|i| candidate(**i)));
             }
         }
         found
+    }
+
+    /// The edges that matter between points that are not where their neighbours say.
+    fn edges_between_scattered_points(&self) -> Vec<usize> {
+        let is_shape = self.scattered == Scattered::Vertices;
+        let scattered = self.runs().into_iter().filter(|run| is_shape && !self.is_predicted(run));
+        let edges = scattered.flat_map(|run| run.into_iter().flat_map(|i| [self.before(i), i]));
+        edges.filter(|edge| self.sagitta(*edge) > MATTERS * self.tolerance).collect()
+    }
+
+    /// Whether the points of a run are where their neighbours say, as samples of a curve are.
+    fn is_predicted(&self, run: &[usize]) -> bool {
+        let is_coarse = run.iter().any(|i| self.turn(*i) > CORNER_ANGLE);
+        unpredicted(self.windows(run)) <= if is_coarse { COARSE_PREDICTED } else { PREDICTED }
+    }
+
+    /// Five points in a row each, of a run with the corners or ends beside it, without straight sides.
+    fn windows<'b>(&'b self, run: &'b [usize]) -> impl Iterator<Item = [Point3; 5]> + 'b {
+        let n = self.n();
+        let first = run.first().copied().unwrap_or(0);
+        let (from, count) = if run.len() == n { (first, n) } else { (self.before(first), run.len().saturating_sub(2)) };
+        let is_curved = move |i: &usize| (0..4).all(|k| !self.straight[(i + k) % n]);
+        let window = move |i: usize| [0, 1, 2, 3, 4].map(|k| self.points[(i + k) % n]);
+        (from..from + count).filter(is_curved).map(window)
     }
 
     /// Points in runs of at most two that turn to one side by a lot each, between two such runs to the other side: a curve that
@@ -444,7 +512,7 @@ mod tests {
     }
 
     fn read(points: &[Point3]) -> Outline {
-        Outline::read(points, true, 0.02, None, &[])
+        Outline::read(points, true, 0.02, None, &[], Scattered::Vertices)
     }
 
     #[test]
@@ -501,7 +569,7 @@ mod tests {
                 Point3::new(a * c, s, 0.0)
             };
             let points: Vec<_> = (0..n).map(at).collect();
-            let outline = Outline::read(&points, true, 1e-3, None, &[]);
+            let outline = Outline::read(&points, true, 1e-3, None, &[], Scattered::Vertices);
             assert!(!outline.bound.contains(&true), "{a}, {n}");
         }
     }
@@ -524,7 +592,7 @@ mod tests {
             };
             let points: Vec<_> = (0..n).map(&mut at).collect();
             for tolerance in [0.1, 0.01, 0.001] {
-                let outline = Outline::read(&points, true, tolerance, None, &[]);
+                let outline = Outline::read(&points, true, tolerance, None, &[], Scattered::Vertices);
                 assert!(outline.corners.is_empty() && !outline.straight.contains(&true), "{n} points");
             }
         }
@@ -533,8 +601,9 @@ mod tests {
     #[test]
     fn an_angle_that_is_given_is_obeyed() {
         let points = polygon(24, 10.0);
-        let corners = |angle: f64| Outline::read(&points, true, 0.02, Some(angle), &[]).corners.len();
+        let corners =
+            |angle: f64| Outline::read(&points, true, 0.02, Some(angle), &[], Scattered::Vertices).corners.len();
         assert_eq!((corners(0.2), corners(0.3)), (24, 0));
-        assert_eq!(Outline::read(&polygon(4, 1.0), true, 0.01, Some(2.0), &[2]).corners.len(), 1);
+        assert_eq!(Outline::read(&polygon(4, 1.0), true, 0.01, Some(2.0), &[2], Scattered::Vertices).corners.len(), 1);
     }
 }

@@ -1,0 +1,67 @@
+//! Runs of some wrong points among measured ones: the polyline goes on past them as if they were not there
+//! (`docs/math/fair-fits.md#outliers`).
+
+use super::beside::{Beside, around};
+use super::chords::{chords, median};
+use super::neighbours::offs;
+use crate::base::vector::Point3;
+
+/// Points of a run.
+const COUNTS: [usize; 4] = [2, 3, 4, 5];
+/// Each is off by this many times what the points round about are,
+const OFF: f64 = 5.0;
+/// so many on either side,
+const AROUND: isize = 10;
+/// which are no exact points: from the polynomials through two neighbours on either side they are off by more than this part of it.
+const EXACT: f64 = 1e-3;
+const NEIGHBOURS: usize = 2;
+/// The points beside the run are at most this many times as far apart as so many edges usually are.
+const APART: f64 = 2.0;
+/// Points of a run are farther from those beside it than these edges are, by this factor.
+const JUMP: f64 = 1.2;
+/// One in so many points may belong to a run, of so many at least: else the figure is so.
+const FEW: usize = 10;
+const FEWEST: usize = 30;
+
+/// The points of all runs, rising.
+pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
+    let n = points.len();
+    if n < FEWEST {
+        return Vec::new();
+    }
+    let singles: Vec<f64> = (0..n).map(|j| Beside::one(points, j, closed).off(points[j]).0).collect();
+    let lengths = chords(points, closed);
+    let exact = offs(points, closed, NEIGHBOURS);
+    let usual = |list: &[f64], at: usize| {
+        median(&mut (-AROUND..=AROUND).filter_map(|k| around(list, at as isize + k, closed)).collect::<Vec<_>>())
+    };
+    let mut found: Vec<(f64, usize, usize)> = Vec::new();
+    for count in COUNTS {
+        for from in 0..if closed { n } else { n - count } {
+            let beside = Beside::run(points, from, count, closed);
+            let run = || (from..from + count).map(|k| points[k % n]);
+            let Some(apart) = beside.apart() else { continue };
+            let edge = |k: usize| lengths[k % n];
+            let jumps = edge((from + n - 1) % n).min(edge(from + count - 1));
+            if jumps <= JUMP * apart / (count + 1) as f64 {
+                continue;
+            }
+            let off = run().map(|p| beside.off(p).1).fold(f64::INFINITY, f64::min);
+            let noise = usual(&singles, from);
+            let is_noisy = usual(&exact, from) > EXACT * off;
+            if is_noisy && off > OFF * noise && apart < APART * (count + 1) as f64 * usual(&lengths, from) {
+                found.push((off / noise, from, count));
+            }
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut taken = vec![false; n];
+    for (_, from, count) in found {
+        // What is beside a run is none.
+        if (from + n - 1..=from + n + count).all(|k| !taken[k % n]) {
+            (from..from + count).for_each(|k| taken[k % n] = true);
+        }
+    }
+    let all: Vec<usize> = (0..n).filter(|i| taken[*i]).collect();
+    if all.len() * FEW > n { Vec::new() } else { all }
+}

@@ -1,0 +1,127 @@
+//! Runs of wrong points among measured ones, and polygons that are given as measured points
+//! (`docs/math/fair-fits.md#outliers`).
+
+use crate::data::*;
+use cyclide::{FairFit, FairFitOptions, Noise, Outliers, Point3, Vec3, Warning, closest_point};
+use std::f64::consts::TAU;
+
+fn by_noise(closed: bool) -> FairFitOptions {
+    FairFitOptions { closed, ..FairFitOptions::by_noise(Noise::Estimated) }
+}
+
+fn of(points: &[Point3], options: &FairFitOptions) -> FairFit {
+    FairFit::new(points, options).unwrap()
+}
+
+/// Numbers of the points that are named as outliers.
+fn named(fit: &FairFit) -> Vec<usize> {
+    let number = |w: &Warning| if let Warning::Outlier { point, .. } = w { Some(*point) } else { None };
+    fit.warnings().iter().filter_map(number).collect()
+}
+
+/// A closed walk of so many points, a step apart, with waves that a seed chooses.
+fn walk(seed: u64, count: usize, step: f64) -> Vec<Point3> {
+    let g = deviates(seed, 6);
+    let radius = count as f64 * step / TAU;
+    let at = |i: usize| {
+        let a = TAU * i as f64 / count as f64;
+        let r = radius * (1.0 + 0.08 * g[0] * (2.0 * a + g[1]).cos() + 0.05 * g[2] * (3.0 * a + g[3]).cos());
+        Point3::new(r * a.cos(), 0.8 * r * a.sin(), 0.0)
+    };
+    (0..count).map(at).collect()
+}
+
+#[test]
+fn runs_of_outliers_are_named_and_hold_nothing() {
+    let mut innocent = 0;
+    for seed in 0..24 {
+        let length = 2 + seed as usize % 3;
+        let (count, step) = ([120, 300, 600][seed as usize % 3], [1.0, 2.0, 4.0, 8.0][seed as usize % 4]);
+        let truth = walk(seed, count, step);
+        // Noise of 1 in steps of 1 to 8, runs 15 and 30 away.
+        let mut points = noisy(&truth, 100 + seed, 1.0, 2);
+        let mut wrong = Vec::new();
+        for (from, far) in [(count / 4, 15.0), (2 * count / 3, 30.0)] {
+            let across = (truth[from + 1] - truth[from - 1]).cross(Vec3::Z).unit().unwrap();
+            for i in from..from + length {
+                points[i] = points[i] + across * far;
+                wrong.push(i);
+            }
+        }
+        let fit = of(&points, &by_noise(true));
+        let found = named(&fit);
+        assert!(wrong.iter().all(|i| found.contains(i)), "{seed}: {found:?} of {wrong:?}");
+        innocent += found.len() - wrong.len();
+        let left = FairFitOptions { outliers: Outliers::Drop, ..by_noise(true) };
+        let fit = of(&points, &left);
+        let off = |p: &Point3| closest_point(fit.spline(), *p).distance;
+        let most = truth.iter().map(off).fold(0.0, f64::max);
+        // A run of four points left out is a gap that the curve bridges.
+        assert!(most < 4.0, "{seed}: {most}");
+    }
+    assert!(innocent <= 2, "{innocent}");
+}
+
+#[test]
+fn clean_walks_have_no_runs_of_outliers() {
+    for seed in 0..24 {
+        let (count, step) = ([60, 150, 400][seed as usize % 3], [1.0, 2.0, 4.0, 8.0][seed as usize % 4]);
+        let points = noisy(&walk(seed, count, step), 200 + seed, 1.0, 2);
+        let found = named(&of(&points, &by_noise(true)));
+        assert!(found.len() <= 1, "{seed}: {found:?}");
+    }
+}
+
+#[test]
+fn a_tooth_of_an_exact_outline_is_no_run_of_outliers() {
+    // A circle of 100 points with a tooth of two.
+    let mut points: Vec<Point3> = (0..100)
+        .map(|i| TAU * f64::from(i) / 100.0)
+        .map(|t| Point3::new(40.0 * t.cos(), 40.0 * t.sin(), 0.0))
+        .collect();
+    for p in &mut points[30..32] {
+        *p = Point3::ORIGIN + p.to_vec() * 1.2;
+    }
+    let fit = of(&points, &by_noise(true));
+    assert!(named(&fit).is_empty());
+    assert!(points.iter().all(|p| closest_point(fit.spline(), *p).distance < 0.05));
+}
+
+#[test]
+fn exact_saws_and_stairs_are_kept_where_noise_is_looked_for() {
+    let mut g = deviates(31, 2000).into_iter().map(|x| x.abs().min(2.0));
+    let mut size = |low: f64, high: f64| low + (high - low) * g.next().unwrap() / 2.0;
+    for k in 0..40 {
+        let teeth = 4 + k % 15;
+        let (mut points, mut x) = (Vec::new(), 0.0);
+        for i in 0..2 * teeth {
+            x += size(5.0, 12.0);
+            points.push([x, if i % 2 == 1 { size(4.0, 9.0) } else { 0.0 }]);
+        }
+        if k % 2 == 0 {
+            // Stairs: of each pair of points the second is above the first.
+            let steps = points.clone();
+            points = (0..steps.len() / 2)
+                .flat_map(|i| [[8.0 * i as f64, 5.0 * i as f64], [8.0 * i as f64, 5.0 * (i + 1) as f64]])
+                .collect();
+            x = 8.0 * (steps.len() / 2 - 1) as f64;
+        }
+        points.extend([[x + 1.0, -20.0], [0.0, -20.0]]);
+        let points: Vec<Point3> = points.into_iter().map(|[x, y]| Point3::new(x, y, 0.0)).collect();
+        let fit = of(&points, &by_noise(true));
+        assert!(fit.certificate().polyline_deviation < 1e-3, "{k}: {}", fit.certificate().polyline_deviation);
+    }
+}
+
+#[test]
+fn few_scattered_points_may_be_corners_and_that_is_said() {
+    let g = deviates(77, 30);
+    let at = |i: usize| {
+        let (s, c) = (TAU * i as f64 / 30.0).sin_cos();
+        let r = 50.0 + 2.0 * g[i];
+        Point3::new(r * c, r * s, 0.0)
+    };
+    let points: Vec<Point3> = (0..30).map(at).collect();
+    let fit = of(&points, &by_noise(true));
+    assert!(fit.warnings().iter().any(|w| w.reason() == "few-for-noise"), "{:?}", fit.warnings());
+}
