@@ -74,6 +74,7 @@
 //! | circles and arcs | [`Circle`], [`Ellipse`], [`Helix`], [`Arc`], [`Arc4`], [`Biarc`] ([`BiarcRule`]), [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
 //! | curves through points | [`CircleSpline::fair`] ([`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`]), [`CircleSpline::from_points`] ([`CircleSplineOptions`], [`SplineEnds`]), [`ArcPath::spline`] ([`ArcSplineOptions`], [`estimate_tangents`]), [`ArcPath::rounded_polyline`], [`QbSpline::through_points`] ([`MoebiusSplineOptions`], [`circle_tangents`]), [`QbInterpolation`] ([`NodeParameters`], [`QbNode`]), [`BlendSegment`] ([`BlendVariant`], [`BlendLaw`]), [`corners_by_angle`] |
 //! | quotients of quaternion polynomials | [`QbCurve`] ([`QbReach`]), [`QbSpline`] |
+//! | what points are | [`outline_corners`] |
 //! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`Noise`], [`Outliers`], [`Heights`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
@@ -139,7 +140,7 @@ pub use construct::{
 };
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing};
-pub use construct::{Ellipse, Helix, Sweep, SweepFrame, SweepOptions};
+pub use construct::{Ellipse, Helix, Sweep, SweepFrame, SweepOptions, outline_corners};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions, Heights, Noise, Outliers};
 #[cfg(feature = "circular-mesh")]

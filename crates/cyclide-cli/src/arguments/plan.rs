@@ -56,6 +56,8 @@ pub struct MakePlan {
     pub write: WriteOptions,
     /// The tolerance is that of an arc fit, not of the files alone.
     pub fit_tolerance: bool,
+    /// The points are what a curve goes through because no kind was told.
+    pub kind_by_default: bool,
     pub json: bool,
     /// Places of curves tighter than this are named.
     pub min_radius: Option<f64>,
@@ -193,6 +195,7 @@ impl OutputArgs {
             options,
             write,
             fit_tolerance: false,
+            kind_by_default: false,
             json: self.json,
             min_radius: self.min_radius,
         })
@@ -217,6 +220,7 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
 
 impl CurveArgs {
     fn plan(self) -> Result<MakePlan, Failure> {
+        let kind_by_default = self.kind.is_none() && self.smooth.is_none();
         let kind = self.kind.unwrap_or(if self.smooth.is_some() { Kind::FairFit } else { Kind::default() });
         effect::refuse_options_of_other_kinds(&self, kind)?;
         let stem = self.points.file_stem().and_then(OsStr::to_str);
@@ -236,7 +240,7 @@ impl CurveArgs {
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
         let plan = self.output.plan(input, self.tolerance)?;
-        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, ..plan })
+        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, kind_by_default, ..plan })
     }
 
     /// The object of a kind from points, by the options that the kind has.

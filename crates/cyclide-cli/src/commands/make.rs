@@ -10,6 +10,7 @@ use cyclide_io::{
 use crate::arguments::effect;
 use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
 use crate::commands::load::{self, Inputs, Loaded};
+use crate::commands::outline_doubt;
 use crate::commands::per_object::{self, Part};
 use crate::output::failure::Failure;
 use crate::output::files;
@@ -69,6 +70,9 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     }
     drop(progress);
     let (model, provenance) = per_object::joined(parts);
+    if plan.kind_by_default {
+        outline_doubt::warnings(&model).iter().for_each(|message| terminal::warning(message));
+    }
     for message in effect::without_effect(plan, &model, &provenance, &report) {
         terminal::warning(&message);
     }

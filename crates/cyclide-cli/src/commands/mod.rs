@@ -6,6 +6,7 @@ pub mod inspect;
 mod load;
 pub mod make;
 pub mod manuals;
+mod outline_doubt;
 mod per_object;
 pub mod sample;
 pub mod schedule;

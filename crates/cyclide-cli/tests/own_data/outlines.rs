@@ -29,6 +29,19 @@ fn an_outline_of_corners_is_lines() {
 }
 
 #[test]
+fn the_smooth_curve_that_nobody_asked_for_is_said() {
+    for name in ["rect.csv", "ushape.csv"] {
+        let folder = Folder::with(&[(name, &case(name))]);
+        let said = folder.run(&format!("curve {name} --closed -o c.json"));
+        assert_eq!(said.code, 0, "{}", said.stderr);
+        assert!(said.stderr.contains("[read-as-curve]") && said.stderr.contains("--kind arc-fit"), "{}", said.stderr);
+        // It is meant where it is typed.
+        let typed = folder.run(&format!("curve {name} --closed --kind fair-spline -o c.json --force"));
+        assert!(!typed.stderr.contains("[read-as-curve]"), "{}", typed.stderr);
+    }
+}
+
+#[test]
 fn a_slot_is_two_lines_and_two_half_circles() {
     let report = fit(&Folder::with(&[]), "slot", "--closed --tolerance 0.02");
     assert_eq!(counts(&report), (2, 2));

@@ -28,7 +28,7 @@ pub use curves::{
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, Heights, Noise,
     Outliers, RationalRun, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
-pub use curves::{Ellipse, Helix};
+pub use curves::{Ellipse, Helix, outline_corners};
 pub use curves::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use curves::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,

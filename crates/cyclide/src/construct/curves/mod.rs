@@ -32,6 +32,7 @@ pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use helix::Helix;
 pub use interpolation::{NodeParameters, QbInterpolation, QbNode};
 pub use moebius_spline::{MoebiusSplineOptions, circle_tangents};
+pub use outline::outline_corners;
 pub use rational_runs::RationalRun;
 pub use torus::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,

@@ -1,7 +1,6 @@
 //! Which points a fair fit keeps as corners, and which edges of their polyline it keeps to: what outlines are read as
 //! (`docs/math/arc-fitting.md#outlines`), by the same rule as fits of arcs.
 
-use super::noise;
 use super::options::FairFitOptions;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::outline::{CORNER_ANGLE, Outline, Scattered};
@@ -16,6 +15,8 @@ const APART: f64 = 4.0;
 /// A gap is this many times as long as the median of so many edges on either side.
 const GAP: f64 = 6.0;
 const ROUND: usize = 5;
+/// Straight sides that turn by more than this make a corner.
+const SOME_TURN: f64 = CORNER_ANGLE / 3.0;
 /// The neighbours of an outlier are closer to each other than this part of the edge to it.
 const SPIKE: f64 = 0.5;
 /// At an outlier a polyline turns by more than this, and by less than a part of it in all. One in so many points may be one, of
@@ -64,13 +65,17 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
         return outline;
     }
     if options.corner_angle.is_none() {
-        // No smooth curve keeps to two straight sides that meet.
+        // No smooth curve keeps to two straight sides that meet, but for a small turn.
         let meets = |i: &usize| outline.straight[(i + n - 1) % n] && outline.straight[*i];
         let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
         let all = if options.closed { 0..n } else { 1..n - 1 };
         let is_corner = |i: usize| outline.corners.binary_search_by_key(&i, |c| c.0).is_ok();
-        let more: Vec<(usize, f64)> =
-            all.filter(meets).filter(|i| !is_corner(*i)).map(|i| (i, turn(i))).filter(|c| evident(*c)).collect();
+        let more: Vec<(usize, f64)> = all
+            .filter(meets)
+            .filter(|i| !is_corner(*i))
+            .map(|i| (i, turn(i)))
+            .filter(|c| c.1 > SOME_TURN && evident(*c))
+            .collect();
         outline.corners.extend(more);
         outline.corners.sort_unstable_by_key(|c| c.0);
     }
@@ -108,10 +113,10 @@ pub(super) fn gaps(points: &[Point3], closed: bool) -> Vec<bool> {
     (0..n).map(|i| i < edges && is_gap(i)).collect()
 }
 
-/// The sides without those that wrong points make: a single one, whose neighbours are close to each other, and a run of some.
-pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool]) -> Vec<bool> {
+/// The sides without those that wrong points make: a single one, whose neighbours are close to each other, and runs of some,
+/// `bursts`.
+pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool], bursts: &[usize]) -> Vec<bool> {
     let n = points.len();
-    let bursts = noise::bursts(points, closed);
     let is_spike = |i: usize, length: f64| {
         let inside = closed || (i > 0 && i + 1 < n);
         let alone = inside && points[(i + n - 1) % n].distance(points[(i + 1) % n]) < SPIKE * length;
@@ -127,8 +132,8 @@ pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool])
 
 /// Single points off a polyline that goes on past them as if they were not there, with their neighbours, rising: it turns away,
 /// back, and away again, by nothing in all. Of single ones none if they are many: then it is the figure that does so. And runs of
-/// wrong points, with their neighbours too.
-pub(super) fn spikes(points: &[Point3], closed: bool) -> Vec<usize> {
+/// wrong points, `bursts`, with their neighbours too.
+pub(super) fn spikes(points: &[Point3], closed: bool, bursts: &[usize]) -> Vec<usize> {
     let n = points.len();
     if n < FEWEST_TO_TELL {
         return Vec::new();
@@ -151,7 +156,7 @@ pub(super) fn spikes(points: &[Point3], closed: bool) -> Vec<usize> {
     };
     let found: Vec<usize> = range.filter(is_spike).collect();
     let found = if found.len() * FEW_SPIKES > n { Vec::new() } else { found };
-    let all = found.into_iter().chain(noise::bursts(points, closed));
+    let all = found.into_iter().chain(bursts.iter().copied());
     let mut all: Vec<usize> = all.flat_map(|i| [(i + n - 1) % n, i, (i + 1) % n]).collect();
     all.sort_unstable();
     all.dedup();

@@ -2,10 +2,10 @@
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::measured::{NEAREST, OF_NOISE, read};
-use super::noise::{Denoised, Run};
+use super::noise::{self, Denoised, Run};
 use super::options::Noise;
 use super::{FairFitOptions, corners};
-use crate::construct::curves::arc_fit::input::Distinct;
+use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use std::collections::BTreeSet;
 
 /// Corners and sides are read with the noise of what is left, so often.
@@ -34,8 +34,11 @@ impl Edged {
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
         let outline = corners::outline(&distinct.points, &forced, options, tolerance);
-        let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight);
-        let spikes = corners::spikes(&distinct.points, options.closed);
+        // Exact points have no runs of wrong ones.
+        let is_exact = tolerance <= NEAREST * diameter(&distinct.points);
+        let bursts = if is_exact { Vec::new() } else { noise::bursts(&distinct.points, options.closed) };
+        let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight, &bursts);
+        let spikes = corners::spikes(&distinct.points, options.closed, &bursts);
         let stays = |i: &usize| forced.binary_search(i).is_ok() || spikes.binary_search(i).is_err();
         let corners = outline.corners.into_iter().map(|c| c.0).filter(stays).collect();
         Self { corners, straight }
@@ -76,7 +79,8 @@ impl Edged {
         let within = |tolerance: f64| Self::within(distinct, &automatic, tolerance);
         let forced = within(f64::INFINITY);
         let gaps = corners::gaps(&distinct.points, options.closed);
-        let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps);
+        let bursts = noise::bursts(&distinct.points, options.closed);
+        let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps, &bursts);
         // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
         let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
         let sharp = within(known.unwrap_or(NEAREST * size));

@@ -11,8 +11,10 @@
 mod predicted;
 
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::arc_fit::input::diameter;
 use crate::warning::Warning;
 use predicted::unpredicted;
+use std::collections::HashSet;
 use std::f64::consts::PI;
 
 /// Turns above this may be corners.
@@ -47,10 +49,17 @@ const NO_TURN: f64 = 1e-3;
 const LEGS: f64 = 8.0;
 /// With legs half as long a corner keeps this part of its turn; a bend keeps half.
 const SHARP: f64 = 0.75;
-/// Samples are off from where two neighbours on either side say by at most this part of what they are from where one says,
-const PREDICTED: f64 = 0.5;
-/// and where some of them turn by more than the corner angle, by this.
-const COARSE_PREDICTED: f64 = 0.4;
+/// Samples are off from where two neighbours on either side say by at most this part of what they are from where one says.
+const PREDICTED: f64 = 0.6;
+/// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
+const ROUGH: f64 = 5.0 * PI / 180.0;
+/// of which at least so many,
+const ROUGH_PAIRS: u32 = 16;
+/// and this part, turn to different sides
+const ROUGH_PART: f64 = 0.25;
+/// by angles that differ by this factor, and of all sorts: in whole degrees more than this part of them.
+const ROUGH_RATIO: f64 = 1.5;
+const ALL_SORTS: f64 = 0.25;
 /// No samples turn to and fro at every second point or sooner by more than this.
 const ZIGZAG: f64 = 15.0 * PI / 180.0;
 /// Corners leave others without support; so often at most.
@@ -80,6 +89,9 @@ pub(in crate::construct) struct Outline {
     pub has_noise: bool,
 }
 
+/// Without a tolerance noise may move points by this part of their size.
+const EXACT: f64 = 1e-9;
+
 /// What points are that are not where their neighbours say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scattered {
@@ -104,13 +116,17 @@ impl Outline {
         scattered: Scattered,
     ) -> Self {
         let mut reader = Reader::new(points, closed, tolerance, scattered);
+        let noisy = scattered == Scattered::Noise && reader.is_noisy();
         let limit = angle.unwrap_or(CORNER_ANGLE) * (1.0 + 1e-9);
         for i in 0..points.len() {
             let turn = reader.turn(i);
-            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i));
+            let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
             // Points that noise moves past each other turn back too.
             let reversal = angle.is_none() && turn > CUSP_ANGLE && reader.lasts(i);
             reader.corner[i] = reader.is_inside(i) && (forced.binary_search(&i).is_ok() || reversal || evident);
+        }
+        if noisy {
+            return reader.finished(false);
         }
         reader.find_straight_sides();
         if angle.is_none() {
@@ -159,6 +175,32 @@ impl Outline {
             .fold((0, 0.0_f64), |most, turn| (most.0 + 1, most.1.max(turn)));
         (count > 0).then_some(Warning::ReadAsCurve { count, turn, distance, has_target })
     }
+}
+
+/// What the points of a polyline are if no curve is meant: the numbers of those that are corners, and of those where an edge begins
+/// that is a straight side, both ascending. A polyline of samples of a smooth curve has neither (`docs/math/arc-fitting.md#outlines`).
+///
+/// Lengths may have any unit. Two equal neighbours, or fewer than three points, or numbers that are not finite: there are none.
+///
+/// ```
+/// use cyclide::{Point3, outline_corners};
+/// let rectangle = [[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+/// assert_eq!(outline_corners(&rectangle, true), (vec![0, 1, 2, 3], vec![]));
+/// let circle: Vec<Point3> = (0..40).map(|k| f64::from(k) * 0.157).map(|a| Point3::new(a.cos(), a.sin(), 0.0)).collect();
+/// assert_eq!(outline_corners(&circle, false), (vec![], vec![]));
+/// ```
+#[must_use]
+pub fn outline_corners(points: &[Point3], closed: bool) -> (Vec<usize>, Vec<usize>) {
+    let n = points.len();
+    let edges = if closed { n } else { n.saturating_sub(1) };
+    let edge = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let size = diameter(points);
+    if n < 3 || !size.is_finite() || (0..edges).any(|i| !(edge(i) > EXACT * size)) {
+        return (Vec::new(), Vec::new());
+    }
+    let outline = Outline::read(points, closed, EXACT * size, None, &[], Scattered::Vertices);
+    let sides = (0..edges).filter(|i| outline.straight[*i]).collect();
+    (outline.corners.into_iter().map(|corner| corner.0).collect(), sides)
 }
 
 /// What is said of corners that are kept, one line for all of them; `source` has the number of each point in the user's list.
@@ -217,6 +259,22 @@ impl<'a> Reader<'a> {
         Outline { corners, straight: self.straight, bound, has_noise }
     }
 
+    /// Noise above the tolerance turns points to and fro by all sorts of angles.
+    fn is_noisy(&self) -> bool {
+        let rough = |i: usize| (ROUGH..=LARGEST_SAMPLE_TURN).contains(&self.turn(i));
+        let pairs = (0..self.n()).map(|i| (i, self.after(i))).filter(|(i, j)| rough(*i) && rough(*j));
+        let (mut count, mut to_and_fro) = (0, 0);
+        let mut degrees = HashSet::new();
+        for (i, j) in pairs {
+            let (a, b) = (self.turn(i), self.turn(j));
+            count += 1;
+            degrees.insert(a.to_degrees().round() as u32);
+            to_and_fro += u32::from(self.turns[i].dot(self.turns[j]) < 0.0 && a.max(b) > ROUGH_RATIO * a.min(b));
+        }
+        let all_sorts = degrees.len() as f64 > ALL_SORTS * f64::from(count);
+        count >= ROUGH_PAIRS && all_sorts && f64::from(to_and_fro) > ROUGH_PART * f64::from(count)
+    }
+
     fn n(&self) -> usize {
         self.points.len()
     }
@@ -244,11 +302,11 @@ impl<'a> Reader<'a> {
     }
 
     /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise within the tolerance has not caused it.
-    fn is_evident_corner(&self, vertex: usize) -> bool {
+    fn is_evident_corner(&self, vertex: usize, noisy: bool) -> bool {
         let turn = self.turn(vertex);
         let neighbours = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
         let stands_out = turn > PROMINENCE * neighbours;
-        (stands_out || turn > LARGEST_SAMPLE_TURN) && self.lasts(vertex)
+        (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
     }
 
     /// Whether noise within the tolerance explains no such turn. It turns an edge of length `l` by up to `2 tolerance/l`,
@@ -416,8 +474,7 @@ impl<'a> Reader<'a> {
 
     /// Whether the points of a run are where their neighbours say, as samples of a curve are.
     fn is_predicted(&self, run: &[usize]) -> bool {
-        let is_coarse = run.iter().any(|i| self.turn(*i) > CORNER_ANGLE);
-        unpredicted(self.windows(run)) <= if is_coarse { COARSE_PREDICTED } else { PREDICTED }
+        unpredicted(self.windows(run), self.tolerance) <= PREDICTED
     }
 
     /// Five points in a row each, of a run with the corners or ends beside it, without straight sides.

@@ -4,15 +4,17 @@ use crate::base::vector::Point3;
 use crate::construct::curves::off_neighbours::off_neighbours;
 
 /// How far points are from where the two neighbours on either side say, as a part of how far they are from where only the next
-/// ones do: root mean squares over all windows of five points in a row. 0 of none, and of points on a line.
+/// ones do: root mean squares over all windows of five points in a row, less what noise of up to a tolerance explains. 0 of none, and
+/// of points on a line.
 ///
 /// Of samples of a smooth curve this is small; of points that follow no curve it is about 1.
-pub(super) fn unpredicted(windows: impl Iterator<Item = [Point3; 5]>) -> f64 {
+pub(super) fn unpredicted(windows: impl Iterator<Item = [Point3; 5]>, tolerance: f64) -> f64 {
     let (mut off, mut all) = (0.0, 0.0);
     for points in windows {
-        let nearest = off_neighbours(&points, &[1, 3]).0;
+        let (nearest, _) = off_neighbours(&points, &[1, 3]);
+        let (two, spread) = off_neighbours(&points, &[0, 1, 3, 4]);
         // Of uneven points the nearest may say more.
-        off += off_neighbours(&points, &[0, 1, 3, 4]).0.min(nearest).powi(2);
+        off += (two.min(nearest) - spread * tolerance).max(0.0).powi(2);
         all += nearest.powi(2);
     }
     if all > 0.0 { (off / all).sqrt() } else { 0.0 }
@@ -24,7 +26,7 @@ mod tests {
 
     fn of(at: impl Fn(usize) -> [f64; 2]) -> f64 {
         let points: Vec<Point3> = (0..40).map(|i| Point3::new(at(i)[0], at(i)[1], 0.0)).collect();
-        unpredicted(points.windows(5).map(|w| [w[0], w[1], w[2], w[3], w[4]]))
+        unpredicted(points.windows(5).map(|w| [w[0], w[1], w[2], w[3], w[4]]), 0.0)
     }
 
     #[test]

@@ -14,7 +14,8 @@ const OFF: f64 = 5.0;
 const AROUND: isize = 10;
 /// which are no exact points: from the polynomials through two neighbours on either side they are off by more than this part of it.
 const EXACT: f64 = 1e-3;
-const NEIGHBOURS: usize = 2;
+/// And by more than this part of what they are off the next ones alone: a coarse curve is off those by more.
+const SCATTERED: f64 = 0.3;
 /// The points beside the run are at most this many times as far apart as so many edges usually are.
 const APART: f64 = 2.0;
 /// Points of a run are farther from those beside it than these edges are, by this factor.
@@ -31,7 +32,7 @@ pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
     }
     let singles: Vec<f64> = (0..n).map(|j| Beside::one(points, j, closed).off(points[j]).0).collect();
     let lengths = chords(points, closed);
-    let exact = offs(points, closed, NEIGHBOURS);
+    let [next, two] = [1, 2].map(|k| offs(points, closed, k));
     let usual = |list: &[f64], at: usize| {
         median(&mut (-AROUND..=AROUND).filter_map(|k| around(list, at as isize + k, closed)).collect::<Vec<_>>())
     };
@@ -48,7 +49,8 @@ pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
             }
             let off = run().map(|p| beside.off(p).1).fold(f64::INFINITY, f64::min);
             let noise = usual(&singles, from);
-            let is_noisy = usual(&exact, from) > EXACT * off;
+            let off_two = usual(&two, from);
+            let is_noisy = off_two > EXACT * off && off_two > SCATTERED * usual(&next, from);
             if is_noisy && off > OFF * noise && apart < APART * (count + 1) as f64 * usual(&lengths, from) {
                 found.push((off / noise, from, count));
             }

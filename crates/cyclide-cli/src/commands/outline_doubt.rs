@@ -1,0 +1,65 @@
+//! `curve` without a kind draws a smooth curve through the points: what is said where they are corners of an outline.
+
+use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
+
+/// Places on a piece at which it is compared with its edge.
+const PLACES: u32 = 8;
+/// A corner turns by more than samples of a curve do.
+const SHARP: f64 = 65.0 * std::f64::consts::PI / 180.0;
+/// Farther from the edges than this part of their lengths, a curve is another figure.
+const FAR: f64 = 0.02;
+
+/// A warning for each curve whose points read as an outline.
+pub fn warnings(model: &Model) -> Vec<String> {
+    let curves = model.items.iter().flat_map(|item| item.curves().iter().map(|curve| (&item.name, curve.as_curve())));
+    let said = |(name, curve): (&String, &dyn ParamCurve)| {
+        let points: Vec<Point3> = nodes(curve);
+        let (corners, sides) = outline_corners(&points, curve.is_closed());
+        let (distance, edge) = farthest(curve);
+        // Smooth curves through few points turn by less.
+        let n = points.len();
+        let turn = |i: &usize| (points[*i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[*i]);
+        if sides.is_empty() && !corners.iter().any(|i| turn(i) > SHARP) {
+            return None;
+        }
+        let what = match (corners.len(), sides.len()) {
+            (0, 0) => return None,
+            (0, count) => format!("straight sides of an outline ({count})"),
+            (count, _) => format!("corners of an outline ({count} of {})", points.len()),
+        };
+        (distance > FAR * edge).then(|| {
+            format!(
+                "{name}: the points read as {what}, and the smooth curve through them leaves their edges by up to {} {}; \
+                 `--kind arc-fit --tolerance T` keeps to outlines, `--kind fair-spline` says that this curve is meant [read-as-curve]",
+                ShortNumber(distance),
+                model.units.symbol()
+            )
+        })
+    };
+    curves.filter_map(said).collect()
+}
+
+/// The points between the pieces.
+fn nodes(curve: &dyn ParamCurve) -> Vec<Point3> {
+    let count = curve.piece_count();
+    let mut points: Vec<Point3> = (0..count).map(|piece| curve.piece_point(piece, 0.0)).collect();
+    if !curve.is_closed() && count > 0 {
+        points.push(curve.piece_point(count - 1, 1.0));
+    }
+    points
+}
+
+/// How far the curve is from the edges between its points, and how long that edge is.
+fn farthest(curve: &dyn ParamCurve) -> (f64, f64) {
+    let of = |piece: usize| {
+        let [start, end] = [0.0, 1.0].map(|s| curve.piece_point(piece, s));
+        let edge = end - start;
+        let off = |k: u32| {
+            let v = curve.piece_point(piece, f64::from(k) / f64::from(PLACES)) - start;
+            let t = (v.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
+            (v - edge * t).length()
+        };
+        ((1..PLACES).map(off).fold(0.0, f64::max), edge.length())
+    };
+    (0..curve.piece_count()).map(of).fold((0.0, 0.0), |most, at| if at.0 > most.0 { at } else { most })
+}
