@@ -43,10 +43,8 @@ fn runs_of_outliers_are_named_and_hold_nothing() {
         let mut wrong = Vec::new();
         for (from, far) in [(count / 4, 15.0), (2 * count / 3, 30.0)] {
             let across = (truth[from + 1] - truth[from - 1]).cross(Vec3::Z).unit().unwrap();
-            for i in from..from + length {
-                points[i] = points[i] + across * far;
-                wrong.push(i);
-            }
+            points[from..from + length].iter_mut().for_each(|p| *p = *p + across * far);
+            wrong.extend(from..from + length);
         }
         let fit = of(&points, &by_noise(true));
         let found = named(&fit);
