@@ -86,6 +86,24 @@ fn a_tooth_of_an_exact_outline_is_no_run_of_outliers() {
 }
 
 #[test]
+fn a_slit_in_a_measured_outline_is_no_run_of_outliers() {
+    // A plate of 120 x 60 in steps of 2, with a slit 1 wide and 12 deep that has no samples on its flanks.
+    let side = |from: [f64; 2], to: [f64; 2]| {
+        let n = ((to[0] - from[0]).hypot(to[1] - from[1]) / 2.0).round();
+        let at = move |k: usize| [0, 1].map(|c| from[c] + (to[c] - from[c]) * k as f64 / n);
+        (0..n as usize).map(at)
+    };
+    let mut points: Vec<[f64; 2]> = side([0.0, 0.0], [60.0, 0.0]).collect();
+    points.extend([[60.0, 0.0], [60.0, 12.0], [61.0, 12.0]]);
+    points.extend(side([61.0, 0.0], [121.0, 0.0]).chain(side([121.0, 0.0], [121.0, 60.0])));
+    points.extend(side([121.0, 60.0], [0.0, 60.0]).chain(side([0.0, 60.0], [0.0, 0.0])));
+    let points: Vec<Point3> = points.into_iter().map(|[x, y]| Point3::new(x, y, 0.0)).collect();
+    let fit = of(&noisy(&points, 3, 0.03, 2), &by_noise(true));
+    assert!(named(&fit).is_empty(), "{:?}", fit.warnings());
+    assert!(points.iter().all(|p| closest_point(fit.spline(), *p).distance < 0.3));
+}
+
+#[test]
 fn exact_saws_and_stairs_are_kept_where_noise_is_looked_for() {
     let mut g = deviates(31, 2000).into_iter().map(|x| x.abs().min(2.0));
     let mut size = |low: f64, high: f64| low + (high - low) * g.next().unwrap() / 2.0;

@@ -16,8 +16,11 @@ const AROUND: isize = 10;
 const EXACT: f64 = 1e-3;
 /// And by more than this part of what they are off the next ones alone: a coarse curve is off those by more.
 const SCATTERED: f64 = 0.3;
-/// The points beside the run are at most this many times as far apart as so many edges usually are.
-const APART: f64 = 2.0;
+/// The points beside the run are at least and at most this many times as far apart as so many edges usually are: those beside a slit
+/// are closer together,
+const APART: [f64; 2] = [0.5, 2.0];
+/// but for what noise may move them by.
+const MOVED: f64 = 5.0;
 /// Points of a run are farther from those beside it than these edges are, by this factor.
 const JUMP: f64 = 1.2;
 /// One in so many points may belong to a run, of so many at least: else the figure is so.
@@ -51,7 +54,9 @@ pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
             let noise = usual(&singles, from);
             let off_two = usual(&two, from);
             let is_noisy = off_two > EXACT * off && off_two > SCATTERED * usual(&next, from);
-            if is_noisy && off > OFF * noise && apart < APART * (count + 1) as f64 * usual(&lengths, from) {
+            let expected = (count + 1) as f64 * usual(&lengths, from);
+            let goes_on = apart + MOVED * noise > APART[0] * expected && apart < APART[1] * expected;
+            if is_noisy && goes_on && off > OFF * noise {
                 found.push((off / noise, from, count));
             }
         }
