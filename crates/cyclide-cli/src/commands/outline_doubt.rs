@@ -6,6 +6,8 @@ use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
 const PLACES: u32 = 8;
 /// A corner turns by more than samples of a curve do.
 const SHARP: f64 = 65.0 * std::f64::consts::PI / 180.0;
+/// Fewer corners make no outline.
+const FEWEST: usize = 3;
 /// Farther from the edges than this part of their lengths, a curve is another figure.
 const FAR: f64 = 0.02;
 
@@ -19,7 +21,7 @@ pub fn warnings(model: &Model) -> Vec<String> {
         // Smooth curves through few points turn by less.
         let n = points.len();
         let turn = |i: &usize| (points[*i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[*i]);
-        if sides.is_empty() && !corners.iter().any(|i| turn(i) > SHARP) {
+        if sides.is_empty() && (corners.len() < FEWEST || !corners.iter().any(|i| turn(i) > SHARP)) {
             return None;
         }
         let what = match (corners.len(), sides.len()) {
