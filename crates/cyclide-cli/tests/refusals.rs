@@ -244,7 +244,7 @@ fn warnings_are_on_standard_error_with_their_place() {
         ("track.csv", "# x_m,y_m,w_m\n0,0,1\n4,0,1\n4,0,1\n4,4,1\n0,4,1\n0,0,1\n"),
         ("mm.csv", "x [mm],y [mm]\n0,0\n4,0\n4,4\n"),
     ]);
-    let run = folder.run("curve track.csv --closed --units mm -o a.step");
+    let run = folder.run("curve track.csv --kind fair-spline --closed --units mm -o a.step");
     assert_eq!(run.code, 0);
     let expected = [
         "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
