@@ -56,7 +56,7 @@ pub struct MakePlan {
     pub write: WriteOptions,
     /// The tolerance is that of an arc fit, not of the files alone.
     pub fit_tolerance: bool,
-    /// The points are what a curve goes through because no kind was told.
+    /// No kind was given: the curve is the default one.
     pub kind_by_default: bool,
     pub json: bool,
     /// Places of curves tighter than this are named.

@@ -1,4 +1,4 @@
-//! `curve` without a kind draws a smooth curve through the points: what is said where they are corners of an outline.
+//! `curve` without a kind draws a smooth curve through the points: the warning where they are corners of an outline.
 
 use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
 

@@ -65,7 +65,7 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
         return outline;
     }
     if options.corner_angle.is_none() {
-        // No smooth curve keeps to two straight sides that meet, but for a small turn.
+        // No smooth curve keeps to two straight sides that meet, unless they turn by little.
         let meets = |i: &usize| outline.straight[(i + n - 1) % n] && outline.straight[*i];
         let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
         let all = if options.closed { 0..n } else { 1..n - 1 };

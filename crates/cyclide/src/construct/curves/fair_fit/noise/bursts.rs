@@ -19,7 +19,7 @@ const SCATTERED: f64 = 0.3;
 /// The points beside the run are at least and at most this many times as far apart as so many edges usually are: those beside a slit
 /// are closer together,
 const APART: [f64; 2] = [0.5, 2.0];
-/// but for what noise may move them by.
+/// by more than this many times what noise moves points by.
 const MOVED: f64 = 5.0;
 /// Points of a run are farther from those beside it than these edges are, by this factor.
 const JUMP: f64 = 1.2;
