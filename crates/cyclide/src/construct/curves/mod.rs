@@ -5,6 +5,7 @@ mod arc_fit;
 mod arc_spline;
 mod biarc;
 mod biarc_cover;
+mod canonical_start;
 mod ellipse;
 mod fair_fit;
 mod fair_spline;

@@ -325,11 +325,15 @@ impl Bends {
 
     /// Steps of least norm until the ends are met; `None` if they are not.
     pub fn closed(mut self) -> Option<Self> {
-        let size = self.pieces.iter().map(|b| b.length).sum::<f64>();
+        // Places are rounded as lengths are, the angle as a sum of radians is.
+        let sizes = [self.pieces.iter().map(|b| b.length).sum::<f64>(); 2];
+        let sizes = sizes.into_iter().chain([self.pieces.len() as f64]);
+        let largest = |rows: &[(f64, Vec<f64>)]| {
+            rows.iter().zip(sizes.clone()).map(|(row, size)| row.0.abs() / size).fold(0.0, f64::max)
+        };
         for _ in 0..CLOSING_STEPS {
             let rows = self.misses(&self.states());
-            let miss = rows.iter().map(|r| r.0.abs()).fold(0.0, f64::max);
-            if miss <= 4.0 * f64::EPSILON * size.max(1.0) {
+            if largest(&rows) <= 4.0 * f64::EPSILON {
                 break;
             }
             let units = self.units();
@@ -338,8 +342,7 @@ impl Bends {
             (0..columns).for_each(|j| normal[j][j] = units[j] * units[j]);
             self = self.moved(&constrained_step(normal, &vec![0.0; columns], &rows, &units, 0.0)?);
         }
-        let rows = self.misses(&self.states());
-        (rows.iter().all(|r| r.0.abs() <= 1e-12 * size.max(1.0)) && self.is_valid()).then_some(self)
+        (largest(&self.misses(&self.states())) <= 1e-12 && self.is_valid()).then_some(self)
     }
 
     /// Lowers the sum of the `power`-th powers of the distances in at most `steps` steps, none of which takes a point

@@ -108,7 +108,14 @@ impl Distinct {
         Self { points, source, tail: (usize::MAX, 0), warning, moved: 0.0 }
     }
 
-    /// Position in the merged list of a point of the user's list.
+    /// The same points in another order.
+    pub fn in_order(&self, order: &[usize]) -> Self {
+        let points = order.iter().map(|i| self.points[*i]).collect();
+        let source = order.iter().map(|i| self.source[*i]).collect();
+        Self { points, source, tail: (usize::MAX, 0), warning: self.warning.clone(), moved: self.moved }
+    }
+
+    /// Position in the merged list, in the order it came in, of a point of the user's list.
     pub fn position(&self, index: usize) -> usize {
         let (first, position) = self.tail;
         if index >= first { position } else { self.source.partition_point(|s| *s <= index).saturating_sub(1) }

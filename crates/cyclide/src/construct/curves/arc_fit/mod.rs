@@ -23,6 +23,7 @@ mod space_tangents;
 mod straighten;
 mod trace;
 mod turning;
+mod way_round;
 
 pub use arc_certificate::{ArcCertificate, certify_arc};
 pub use bulge_interval::{BulgeIntervals, feasible_bulges};
@@ -44,6 +45,7 @@ use certificate::certify;
 use input::Distinct;
 use piece::{Piece, Place, Span};
 use trace::{Chain, Trace};
+use way_round::WayRound;
 
 /// Part of the tolerance kept for rounding between the search and the certificate.
 const ROUNDING_MARGIN: f64 = 1e-9;
@@ -164,22 +166,29 @@ impl ArcFit {
     }
 
     fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
-        let distinct = Distinct::new(points, options.closed, options.tolerance)?;
-        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
-        forced.sort_unstable();
+        let list = Distinct::new(points, options.closed, options.tolerance)?;
+        let way = WayRound::of(&list.points, options.closed);
+        let forced: Vec<usize> = options.corners.iter().map(|c| list.position(*c)).collect();
+        let (distinct, forced) = way.taken(&list, &forced);
         let read = |scattered: Scattered| corners::outline(&distinct.points, &forced, options, scattered);
         let outline = read(Scattered::Vertices);
-        match Self::of_outline(&distinct, &outline, options, effort) {
+        match Self::of_outline(&distinct, &outline, &way, options, effort) {
             // Points that noise has moved past each other are vertices of no outline.
             Err(error @ Error::NoG1SplineInTube { .. }) => {
                 let other = read(Scattered::Noise);
-                if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, options, effort) }
+                if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, &way, options, effort) }
             }
             found => found,
         }
     }
 
-    fn of_outline(distinct: &Distinct, outline: &Outline, options: &ArcFitOptions, effort: Effort) -> Result<Self> {
+    fn of_outline(
+        distinct: &Distinct,
+        outline: &Outline,
+        way: &WayRound,
+        options: &ArcFitOptions,
+        effort: Effort,
+    ) -> Result<Self> {
         let (data, tolerance) = (&distinct.points, options.tolerance);
         let corners = &outline.corners;
         let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
@@ -219,7 +228,8 @@ impl ArcFit {
             None => space::fit(data, &indices, room, options).map_err(died)?,
         };
 
-        let path = ArcPath::new(pieces.iter().map(|p| p.arc).collect(), options.closed)?;
+        let (arcs, place_in_path) = way.back(pieces.iter().map(|p| p.arc).collect());
+        let path = ArcPath::new(arcs, options.closed)?;
         let mut certificate = certify(&pieces, &trace, options.target, plane.is_some());
         let proved = certificate.monotone || options.target == FitTarget::Points;
         if certificate.deviation > tolerance || !proved || !options.limits_kept(&pieces) {
@@ -246,7 +256,11 @@ impl ArcFit {
         }));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
         warnings.extend(doubts::wide(data, tolerance));
-        warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));
+        let mut tight = judged.tight_arcs(&pieces, &trace, &distinct.source);
+        if let Some(Warning::TightArc { piece, .. }) = &mut tight {
+            *piece = place_in_path(*piece);
+        }
+        warnings.extend(tight);
         Ok(Self { path, certificate, warnings })
     }
 

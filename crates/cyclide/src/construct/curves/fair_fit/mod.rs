@@ -18,7 +18,6 @@
 
 mod along;
 mod bordered_band;
-mod canonical_start;
 mod certificate;
 mod corners;
 mod density;
@@ -45,10 +44,10 @@ pub use options::{FairFitOptions, Heights, Noise, Outliers};
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
+use crate::construct::curves::canonical_start::runs_backwards;
 use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
-use canonical_start::runs_backwards;
 use edged::Edged;
 use measured::{Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;

@@ -1,7 +1,6 @@
 //! One smooth piece from its data to its nodes: start, first fit, insertion, removal, polish
 //! (`docs/math/fair-fits.md#nodes`).
 
-use super::canonical_start::canonical_start;
 use super::density;
 use super::feet::COLD;
 use super::fit::{Data, Fit, Patience, fewest_nodes};
@@ -11,6 +10,7 @@ use super::tube_curve::TubeCurve;
 use super::whittaker::{Smoothed, smooth};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
+use crate::construct::curves::canonical_start::canonical_start;
 
 /// Rounds of insertion where the first nodes do not reach the data.
 const INSERTIONS: usize = 12;

@@ -1,11 +1,11 @@
 //! The frame a fit works in: its origin among the data and lengths near 1, so that neither big offsets nor tiny or
 //! huge scales cost digits; planar data lie in `z = 0`.
 
-use super::canonical_start::canonical_start;
 use crate::base::frame::Frame;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::{diameter, plane};
+use crate::construct::curves::canonical_start::{canonical_start, in_axes};
 
 /// A similarity from the user's coordinates.
 pub(super) struct WorkingFrame {
@@ -20,7 +20,7 @@ impl WorkingFrame {
     pub fn new(points: &[Point3], tolerance: f64) -> Self {
         let exponent = diameter(points).log2().floor().clamp(-1000.0, 1000.0);
         let mut sorted = points.to_vec();
-        sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
+        sorted.sort_unstable_by(|a, b| in_axes(*a, *b));
         let origin = canonical_start(&sorted);
         sorted.swap(0, origin);
         Self { origin: sorted[0], plane: plane(&sorted, tolerance), scale: (-exponent).exp2() }

@@ -205,10 +205,11 @@ pub fn outline_corners(points: &[Point3], closed: bool) -> (Vec<usize>, Vec<usiz
 
 /// What is said of corners that are kept, one line for all of them; `source` has the number of each point in the user's list.
 pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usize]) -> Option<Warning> {
-    let (vertex, angle) = *corners.first()?;
+    let (_, angle) = *corners.first()?;
     let angles = corners.iter().map(|corner| corner.1);
     let (least, most) = angles.fold((angle, angle), |(least, most), a| (least.min(a), most.max(a)));
-    Some(Warning::CornerKept { vertex: source[vertex], count: corners.len(), least, most })
+    let vertex = corners.iter().map(|corner| source[corner.0]).min()?;
+    Some(Warning::CornerKept { vertex, count: corners.len(), least, most })
 }
 
 struct Reader<'a> {

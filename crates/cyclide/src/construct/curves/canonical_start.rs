@@ -5,9 +5,10 @@
 //! It is the datum farthest from the centre `c` of all; of several the one farthest along `sum |p - c|² (p - c)`, where the
 //! data are not alike on both sides of their centre; of several the one whose neighbours 1, 2, 4, … places away on both
 //! sides are farthest from each other. Data that none of this tells apart are, but for freaks, copies of each other by a
-//! symmetry, and so are the curves.
+//! symmetry: of those the one with the largest `x`, `y`, `z`.
 
 use crate::base::vector::{Point3, Vec3};
+use std::cmp::Ordering;
 
 /// Measures that differ by less than this part of their scale are equal: rounding must not choose.
 const EQUAL: f64 = 1e-9;
@@ -29,11 +30,11 @@ pub(super) fn canonical_start(points: &[Point3]) -> usize {
         keep_largest(&mut candidates, size, apart);
         away *= 2;
     }
-    candidates.first().copied().unwrap_or(0)
+    candidates.into_iter().max_by(|a, b| in_axes(points[*a], points[*b])).unwrap_or(0)
 }
 
 /// True if the data are fitted from their last point to their first, closed ones the other way round: away from the start
-/// the first neighbours that differ in distance are farther that way.
+/// the first neighbours that differ in distance are farther that way; where none do, the way with the larger coordinates.
 pub(super) fn runs_backwards(points: &[Point3], closed: bool) -> bool {
     let n = points.len();
     let pairs = |ends: [usize; 2], k: usize| {
@@ -47,7 +48,13 @@ pub(super) fn runs_backwards(points: &[Point3], closed: bool) -> bool {
             return back > ahead;
         }
     }
-    false
+    let [ahead, back] = if closed { [(ends[0] + 1) % n, (ends[0] + n - 1) % n] } else { ends };
+    in_axes(points[back], points[ahead]).is_gt()
+}
+
+/// By `x`, of equal ones by `y`, then by `z`.
+pub(super) fn in_axes(a: Point3, b: Point3) -> Ordering {
+    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z))
 }
 
 /// Keeps those with the largest measure.
