@@ -379,6 +379,13 @@ pub enum Warning {
         /// The curve is held to them as straight sides; else it is free there.
         held: bool,
     },
+    /// The noise that was given is not that of the points.
+    NoiseContradicted {
+        /// The standard deviation that was given.
+        given: f64,
+        /// That of the points.
+        found: f64,
+    },
     /// Few points were taken for noisy ones, though they may be corners as well.
     FewForNoise {
         /// How many there are.

@@ -308,6 +308,17 @@ impl std::fmt::Display for Warning {
                 if *count == 1 { "it" } else { "them" },
                 if *held { "taken for straight sides, which the curve keeps to" } else { "taken for gaps, over which nothing holds the curve" }
             ),
+            Self::NoiseContradicted { given, found } => write!(
+                f,
+                "the noise is given as {}, but the points scatter by {}: {}",
+                ShortNumber(*given),
+                ShortNumber(*found),
+                if given < found {
+                    "the curve follows their noise; let them say it themselves, or give heights that are less certain a noise of their own"
+                } else {
+                    "the curve may leave out bends that they show"
+                }
+            ),
             Self::FewForNoise { points, noise, apart } => write!(
                 f,
                 "{points} points, usually {} apart, are read as measured with a noise of {}; so few may as well be the corners of an outline: if they are, give a tolerance or \

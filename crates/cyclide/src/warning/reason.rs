@@ -47,6 +47,7 @@ impl Warning {
             Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
             Self::LongEdges { .. } => "long-edges",
+            Self::NoiseContradicted { .. } => "noise-contradicted",
             Self::FewForNoise { .. } => "few-for-noise",
             Self::ReadAsCurve { .. } => "read-as-curve",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
@@ -155,6 +156,7 @@ impl Warning {
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
             | Self::FewForNoise { .. }
+            | Self::NoiseContradicted { .. }
             | Self::ReadAsCurve { .. }
             | Self::Zigzag { .. }
             | Self::SharpEdgesSmoothed { .. }

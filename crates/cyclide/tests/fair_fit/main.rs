@@ -5,4 +5,5 @@ mod data;
 mod degenerate;
 mod figures;
 mod laws;
+mod strength;
 mod wrong_points;

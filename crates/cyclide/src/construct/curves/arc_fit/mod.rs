@@ -168,15 +168,25 @@ impl ArcFit {
     fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
         let list = Distinct::new(points, options.closed, options.tolerance)?;
         let way = WayRound::of(&list.points, options.closed);
+        match Self::one_way(&list, &way, options, effort) {
+            // What ends in a dead end from one side may not from the other.
+            Err(died @ Error::NoG1SplineInTube { .. }) => {
+                Self::one_way(&list, &way.turned(), options, effort).map_err(|_| died)
+            }
+            found => found,
+        }
+    }
+
+    fn one_way(list: &Distinct, way: &WayRound, options: &ArcFitOptions, effort: Effort) -> Result<Self> {
         let forced: Vec<usize> = options.corners.iter().map(|c| list.position(*c)).collect();
-        let (distinct, forced) = way.taken(&list, &forced);
+        let (distinct, forced) = way.taken(list, &forced);
         let read = |scattered: Scattered| corners::outline(&distinct.points, &forced, options, scattered);
         let outline = read(Scattered::Vertices);
-        match Self::of_outline(&distinct, &outline, &way, options, effort) {
+        match Self::of_outline(&distinct, &outline, way, options, effort) {
             // Points that noise has moved past each other are vertices of no outline.
             Err(error @ Error::NoG1SplineInTube { .. }) => {
                 let other = read(Scattered::Noise);
-                if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, &way, options, effort) }
+                if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, way, options, effort) }
             }
             found => found,
         }

@@ -33,6 +33,13 @@ impl WayRound {
         Self { order, first: points[0], backwards, closed }
     }
 
+    /// The other direction from there.
+    pub fn turned(mut self) -> Self {
+        self.order[usize::from(self.closed)..].reverse();
+        self.backwards = !self.backwards;
+        self
+    }
+
     /// The points in this order, and the rising places in it of those that a list numbers so.
     pub fn taken(&self, list: &Distinct, numbers: &[usize]) -> (Distinct, Vec<usize>) {
         let mut place = vec![0; self.order.len()];
@@ -86,6 +93,10 @@ mod tests {
             turned.reverse();
             assert_eq!(taken(&turned), reference, "{start} back");
         }
+        let list = Distinct::of(points.clone(), (0..points.len()).collect(), None);
+        let mut other = WayRound::of(&points, true).turned().taken(&list, &[]).0.points;
+        other[1..].reverse();
+        assert_eq!(other, reference);
     }
 
     #[test]

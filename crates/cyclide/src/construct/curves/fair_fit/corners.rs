@@ -15,8 +15,8 @@ const APART: f64 = 4.0;
 /// A gap is this many times as long as the median of so many edges on either side.
 const GAP: f64 = 6.0;
 const ROUND: usize = 5;
-/// Straight sides that turn by more than this make a corner.
-const SOME_TURN: f64 = CORNER_ANGLE / 3.0;
+/// Straight sides that turn by more than this make a corner: one degree.
+const SOME_TURN: f64 = CORNER_ANGLE / 30.0;
 /// The neighbours of an outlier are closer to each other than this part of the edge to it.
 const SPIKE: f64 = 0.5;
 /// At an outlier a polyline turns by more than this, and by less than a part of it in all. One in so many points may be one, of

@@ -2,6 +2,7 @@
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::measured::{NEAREST, OF_NOISE, read};
+use super::meeting_sides::with_meeting_sides;
 use super::noise::{self, Denoised, Run};
 use super::options::Noise;
 use super::{FairFitOptions, corners};
@@ -100,6 +101,7 @@ impl Edged {
         if let Some((edged, found)) =
             Self::by_places(distinct, options, Self { corners: forced.corners.clone(), straight: gaps })
         {
+            let (edged, found) = with_meeting_sides(distinct, options, edged, found);
             return (edged, Some(found));
         }
         // Else those that last over the noise that the points have without any.
@@ -109,7 +111,9 @@ impl Edged {
         if edged != forced {
             found = read(distinct, options, &edged);
         }
-        (edged, found)
+        let Some(found) = found else { return (edged, None) };
+        let (edged, found) = with_meeting_sides(distinct, options, edged, found);
+        (edged, Some(found))
     }
 
     /// Corners that are a large part of many points and turn by all sorts of angles are noise, where a smooth curve explains the points.

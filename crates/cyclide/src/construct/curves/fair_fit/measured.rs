@@ -19,8 +19,7 @@ const RELAXED: f64 = 2.0;
 const RELAXATIONS: usize = 5;
 /// Noise moves points by this many deviations.
 pub(super) const OF_NOISE: f64 = 3.0;
-/// Fewer points than this may be corners where their noise is above this part of what they are apart.
-const FEW_POINTS: usize = 60;
+/// Few points may be corners where their noise is above this part of what they are apart.
 const OF_STEP: f64 = 0.1;
 /// With more outliers than this each is not named any more.
 pub(super) const NAMED: usize = 20;
@@ -173,7 +172,6 @@ impl FairFit {
                     ..options.clone()
                 };
                 let mut fit = Self::near(&distinct, &outline, None)?;
-                fit.certificate.noise = Some(0.0);
                 warnings.append(&mut fit.warnings);
                 fit.warnings = warnings;
                 return Ok(fit);
@@ -181,6 +179,9 @@ impl FairFit {
             _ => return Err(Error::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }),
         };
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
+        if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
+            warnings.push(Warning::NoiseContradicted { given, found });
+        }
         let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
         // An edge over points that are left out is one if it has one in it.
@@ -216,7 +217,7 @@ impl FairFit {
             return Err(Error::ToleranceNotReached { points, deviation, tolerance });
         }
         let apart = noise::usual_length(&distinct.points);
-        if places.points.len() < FEW_POINTS && found.deviation > OF_STEP * apart {
+        if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {
             warnings.push(Warning::FewForNoise { points: places.points.len(), noise: found.deviation, apart });
         }
         fit.certificate.noise = Some(found.deviation);

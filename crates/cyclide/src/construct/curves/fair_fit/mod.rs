@@ -28,6 +28,7 @@ mod fit;
 mod interior_point;
 mod linear_model;
 mod measured;
+mod meeting_sides;
 mod noise;
 mod options;
 mod parts;
@@ -175,7 +176,13 @@ impl FairFit {
         let mut warnings = warnings;
         if options.outliers == Outliers::Drop {
             let edged = Edged::within(&distinct, options, options.tolerance);
-            if let Some(found) = read(&distinct, options, &edged).filter(|found| !found.outliers.is_empty()) {
+            // Points of straight runs are sides to a tolerance, and to noise they are not.
+            let by_noise = || {
+                let options = FairFitOptions { noise: Some(Noise::Estimated), ..options.clone() };
+                Edged::in_noise(&distinct, &options, diameter(&distinct.points)).1
+            };
+            let found = read(&distinct, options, &edged).or_else(by_noise);
+            if let Some(found) = found.filter(|found| !found.outliers.is_empty()) {
                 warnings.extend(outliers_named(&found, &distinct.source, true));
                 distinct = without_outliers(&distinct, &found);
             }
@@ -347,7 +354,7 @@ impl FairFit {
             parts.add(numbers, whole, ends).map_err(|e| in_users_numbers(e, &distinct.source))?;
         }
         let mut fit = parts.finished(distinct, corners)?;
-        if measured.is_none() && options.corner_angle.is_none() && fit.swing.is_none() {
+        if measured.is_none() && fit.swing.is_none() {
             let distance = fit.certificate.polyline_deviation;
             fit.warnings.extend(outline.read_as_curve(data, options.closed, tolerance, distance, false));
         }

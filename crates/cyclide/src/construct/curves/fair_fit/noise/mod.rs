@@ -4,6 +4,7 @@
 mod beside;
 mod bursts;
 mod chords;
+mod directions;
 mod neighbours;
 mod outliers;
 mod residuals;
@@ -15,8 +16,10 @@ pub(super) use stops::{Stop, stops};
 
 use super::working_frame::WorkingFrame;
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::arc_fit::input::diameter;
+use directions::directions;
 use neighbours::most_noise;
-use outliers::cleaned;
+use outliers::{Cleaned, cleaned};
 use smoother::{Series, Smoothed, smoothed};
 
 /// An outlier that is kept has the share of one this many deviations away in the sum of squares.
@@ -25,8 +28,12 @@ const INFLUENCE: f64 = 2.0;
 const TOO_MUCH: f64 = 1.5;
 /// (more of few points: by this part for each),
 const UNSURE: f64 = 10.0;
-/// if that is less than this part of an edge: else lengths along noisy points say nothing.
+/// if that is less than this part of an edge, or the points are few: else lengths along noisy points say nothing.
 const OF_EDGE: f64 = 0.1;
+/// Fewer points than this may all be shape.
+pub(super) const FEW_POINTS: usize = 60;
+/// Noise that is given and this many times as large or as small as what the points say is another.
+const UNLIKE: f64 = 1.5;
 /// The least is this part of an edge.
 const NO_NOISE: f64 = 1e-9;
 /// Fewer points than this are not smoothed.
@@ -80,6 +87,8 @@ pub(super) struct Denoised {
     pub outliers: Vec<(usize, f64)>,
     /// Directions across the curve.
     pub directions: usize,
+    /// The deviation that the points say themselves, where another was given that they contradict.
+    pub contradicted: Option<f64>,
 }
 
 /// Sums over the runs.
@@ -111,8 +120,18 @@ impl Sums {
 
 /// Reads the noise of data in runs; `None` where no run has enough points.
 pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoised> {
-    let frame = if reading.heights { WorkingFrame::in_axes(data) } else { WorkingFrame::new(data, 0.0) };
+    let mut found = with_reading(data, runs, reading)?;
+    if let Some(noise) = reading.noise.filter(|_| data.len() >= FEW_POINTS) {
+        let own = with_reading(data, runs, Reading { noise: None, ..reading })?.deviation;
+        found.contradicted = Some(own).filter(|own| *own > UNLIKE * noise || *own * UNLIKE < noise);
+    }
+    Some(found)
+}
+
+fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoised> {
+    let frame = if reading.heights { WorkingFrame::in_axes(data) } else { WorkingFrame::new(data, diameter(data)) };
     let unit = frame.length(1.0);
+    let across = if frame.planar() || reading.heights { 1 } else { directions(data, runs) };
     let mut sums = Sums::default();
     let mut outliers = Vec::new();
     let mut kept: Vec<(usize, Point3)> = Vec::new();
@@ -120,12 +139,12 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
     for run in runs {
         let points: Vec<Point3> = run.numbers.iter().map(|i| frame.to_local(data[*i])).collect();
         let flat = |p: &Point3| Point3::new(p.x, p.y, if reading.heights { 0.0 } else { p.z });
-        let across: Vec<Point3> = points.iter().map(flat).collect();
+        let level: Vec<Point3> = points.iter().map(flat).collect();
         let mut series = Series {
-            points: &across,
+            points: &level,
             closed: run.closed,
             fixed: run.fixed,
-            directions: if frame.planar() || reading.heights { 1 } else { 2 },
+            directions: across,
             chords: None,
             noise: reading.noise.map(|noise| frame.length(noise)),
             weights: None,
@@ -137,32 +156,26 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
             continue;
         };
         // Few points of a shape that bends a lot: what the smoother leaves is no noise.
-        let most = if series.noise.is_none() { most_noise(&across, run.closed, series.directions) } else { None };
-        let edge = mean_edge(&across);
+        let most = if series.noise.is_none() { most_noise(&level, run.closed, series.directions) } else { None };
+        let edge = mean_edge(&level);
         let too_much = TOO_MUCH * (1.0 + UNSURE / points.len() as f64);
-        let is_less = |most: &f64| *most < OF_EDGE * edge && found.smoothed.deviation > too_much * most;
+        let is_sure = |most: f64| most < OF_EDGE * edge || points.len() < FEW_POINTS;
+        let is_less = |most: &f64| is_sure(*most) && found.smoothed.deviation > too_much * most;
         if let Some(most) = most.filter(is_less) {
             series.noise = Some(most.max(NO_NOISE * edge));
             found = cleaned(&series, &protected).unwrap_or(found);
         }
         outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], far / unit)));
         sums.add(&found.smoothed);
-        let (numbers, mut places) = if reading.drop || found.outliers.is_empty() {
-            (found.kept, found.smoothed.points)
-        } else {
-            let mut weights = vec![1.0; points.len()];
-            // Each of them adds the square of its influence.
-            let share = found.outliers.len() as f64 / points.len() as f64;
-            let noise = found.smoothed.deviation * (1.0 + INFLUENCE * INFLUENCE * share).sqrt();
-            for (i, far) in &found.outliers {
-                weights[*i] = (INFLUENCE * found.smoothed.deviation / far).min(1.0).powi(2);
-            }
-            let all = smoothed(&Series { weights: Some(&weights), noise: Some(noise), ..series })?;
-            ((0..points.len()).collect(), all.points)
-        };
+        let (mut numbers, mut places) = kept_or_held(&series, found, reading.drop)?;
         if reading.heights {
             let lengths = lengths(&places, run.closed);
-            let heights: Vec<Point3> = numbers.iter().map(|i| Point3::new(0.0, 0.0, points[*i].z)).collect();
+            // Beside where they stand along the curve, which closed data have no beginning of.
+            let stations = lengths.iter().scan(0.0, |sum, h| Some(std::mem::replace(sum, *sum + h)));
+            let stations = stations.chain([lengths.iter().sum()]);
+            let at =
+                |(i, station): (&usize, f64)| Point3::new(if run.closed { 0.0 } else { station }, 0.0, points[*i].z);
+            let heights: Vec<Point3> = numbers.iter().zip(stations).map(at).collect();
             let heights = Series {
                 points: &heights,
                 directions: 1,
@@ -171,10 +184,15 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
                 weights: None,
                 ..series
             };
-            let found = smoothed(&heights)?;
-            sums.add_heights(&found);
+            let protected = |i: usize| run.closed || protected(numbers[i]);
+            let found = cleaned(&heights, &protected)?;
+            outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[*i]], far / unit)));
+            sums.add_heights(&found.smoothed);
             heights_of_runs = true;
-            places.iter_mut().zip(&found.points).for_each(|(p, z)| *p = *p + Vec3::new(0.0, 0.0, z.z));
+            let (own, smooth) = kept_or_held(&heights, found, reading.drop)?;
+            let whole = |(i, z): (&usize, &Point3)| places[*i] + Vec3::new(0.0, 0.0, z.z);
+            places = own.iter().zip(&smooth).map(whole).collect();
+            numbers = own.iter().map(|i| numbers[*i]).collect();
         }
         let ends = [numbers.first().copied(), numbers.last().copied()];
         for (i, place) in numbers.into_iter().zip(places) {
@@ -188,7 +206,9 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
     // Corners end one run and begin the next.
     kept.sort_by_key(|k| k.0);
     kept.dedup_by_key(|k| k.0);
-    outliers.sort_by_key(|o| o.0);
+    // One may be one across and in its height.
+    outliers.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    outliers.dedup_by_key(|o| o.0);
     let (kept, places) = kept.into_iter().unzip();
     Some(Denoised {
         kept,
@@ -197,6 +217,25 @@ pub(super) fn denoised(data: &[Point3], runs: &[Run], reading: Reading) -> Optio
         heights: heights_of_runs.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
         uncertainty: (sums.uncertain / sums.count).sqrt() / unit,
         outliers,
-        directions: if frame.planar() { 1 } else { 2 },
+        directions: across,
+        contradicted: None,
     })
+}
+
+/// Where the points of a run are without their noise, by their numbers in it: without its outliers, or with them as far as they
+/// may pull the curve.
+fn kept_or_held(series: &Series<'_>, found: Cleaned, drop: bool) -> Option<(Vec<usize>, Vec<Point3>)> {
+    if drop || found.outliers.is_empty() {
+        return Some((found.kept, found.smoothed.points));
+    }
+    let count = series.points.len();
+    let mut weights = vec![1.0; count];
+    // Each of them adds the square of its influence.
+    let share = found.outliers.len() as f64 / count as f64;
+    let noise = found.smoothed.deviation * (1.0 + INFLUENCE * INFLUENCE * share).sqrt();
+    for (i, far) in &found.outliers {
+        weights[*i] = (INFLUENCE * found.smoothed.deviation / far).min(1.0).powi(2);
+    }
+    let all = smoothed(&Series { weights: Some(&weights), noise: Some(noise), ..*series })?;
+    Some(((0..count).collect(), all.points))
 }

@@ -68,8 +68,16 @@ pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> O
 fn without(data: &Series<'_>, left_out: &[usize]) -> Option<(Vec<usize>, Smoothed)> {
     let kept: Vec<usize> = (0..data.points.len()).filter(|i| left_out.binary_search(i).is_err()).collect();
     let points: Vec<Point3> = kept.iter().map(|i| data.points[*i]).collect();
-    let smoothed = smoothed(&Series { points: &points, ..*data })?;
+    let lengths = data.chords.map(|chords| over(&kept, chords, data.points.len()));
+    let smoothed = smoothed(&Series { points: &points, chords: lengths.as_deref(), ..*data })?;
     Some((kept, smoothed))
+}
+
+/// Lengths from each point that is kept to the next, over those that are not.
+fn over(kept: &[usize], chords: &[f64], n: usize) -> Vec<f64> {
+    let closing = (chords.len() == n).then(|| kept.first().map(|first| first + n)).flatten();
+    let ends: Vec<usize> = kept.iter().copied().chain(closing).collect();
+    ends.windows(2).map(|w| (w[0]..w[1]).map(|i| chords[i % n]).sum()).collect()
 }
 
 /// Those that are outliers by the smoothed curve and by their neighbours, with their distances from the curve.

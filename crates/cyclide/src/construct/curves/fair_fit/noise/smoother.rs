@@ -6,15 +6,19 @@ use super::super::whittaker::Smoother;
 use super::chords::{above_shortest, chords, robust_chords};
 use super::residuals::{Residual, residuals, scale};
 use crate::base::vector::{Point3, Vec3};
+use std::ops::Range;
 
 /// Fewer points than this are not smoothed: they say nothing about noise.
 pub(super) const FEWEST: usize = 8;
 /// Weight of a degree of freedom in the cross-validation: above 1 it does not take noise for shape by chance.
 const CAUTION: f64 = 1.4;
-/// Part of the points that must be left to errors.
+/// Part of the points that must be left to errors, beside that; where the noise is known, in all.
 const LEFT: f64 = 0.05;
-/// Exponents of the strength, in fifth powers of the mean chord, and their step.
+const LEFT_IF_KNOWN: f64 = 0.02;
+/// Exponents of the strength, in fifth powers of the mean chord, and their step; the softest where the noise is known: there
+/// the curve may run through the points.
 const SOFTEST: f64 = -4.0;
+const SOFTEST_IF_KNOWN: f64 = -8.0;
 const STIFFEST: f64 = 12.0;
 const STEP: f64 = 0.5;
 const FINE_STEP: f64 = 0.1;
@@ -80,7 +84,8 @@ pub(super) fn smoothed(data: &Series<'_>) -> Option<Smoothed> {
     let n = data.points.len();
     let mut group = 1;
     loop {
-        let (points, weights) = averaged(data, group);
+        let groups = groups(data, group);
+        let (points, weights) = averaged(data, &groups);
         let lengths = (group == 1).then_some(data.chords).flatten();
         let coarse = Series { points: &points, weights: Some(&weights), chords: lengths, ..*data };
         let choice = rounds(&coarse)?;
@@ -88,23 +93,32 @@ pub(super) fn smoothed(data: &Series<'_>) -> Option<Smoothed> {
             group *= 2;
             continue;
         }
-        return Some(finished(data, choice, group));
+        return Some(finished(data, choice, &groups));
     }
 }
 
-/// Means of so many neighbours each.
-fn averaged(data: &Series<'_>, group: usize) -> (Vec<Point3>, Vec<f64>) {
+/// So many neighbours each; an end that stays is alone, or the curve would bend to it from a mean beside it.
+fn groups(data: &Series<'_>, size: usize) -> Vec<Range<usize>> {
+    let n = data.points.len();
+    let [first, last] = data.fixed.map(|fixed| usize::from(fixed && !data.closed && size > 1));
+    let inner = (first..n - last).step_by(size).map(|from| from..(from + size).min(n - last));
+    (0..first).map(|i| i..i + 1).chain(inner).chain((n - last..n).map(|i| i..i + 1)).collect()
+}
+
+/// Means of groups of neighbours.
+fn averaged(data: &Series<'_>, groups: &[Range<usize>]) -> (Vec<Point3>, Vec<f64>) {
     let given: Vec<f64> = data.weights.map_or_else(|| vec![1.0; data.points.len()], <[f64]>::to_vec);
-    if group == 1 {
+    if groups.len() == data.points.len() {
         return (data.points.to_vec(), given);
     }
     let first = data.points[0];
-    let mean = |(points, weights): (&[Point3], &[f64])| {
+    let mean = |group: &Range<usize>| {
+        let (points, weights) = (&data.points[group.clone()], &given[group.clone()]);
         let whole: f64 = weights.iter().sum();
         let sum = points.iter().zip(weights).fold(Vec3::ZERO, |sum, (p, w)| sum + (*p - first) * *w);
         (first + sum / whole, whole)
     };
-    data.points.chunks(group).zip(given.chunks(group)).map(mean).unzip()
+    groups.iter().map(mean).unzip()
 }
 
 /// The data smoothed in rounds: each takes lengths, stiffness and weights from the one before.
@@ -117,7 +131,8 @@ fn rounds(data: &Series<'_>) -> Option<Choice> {
     let given: Vec<f64> = data.weights.map_or_else(|| vec![1.0; n], <[f64]>::to_vec);
     let mut weights = given.clone();
     let mut stiffness = vec![1.0; if closed { n } else { n - 3 }];
-    let mut range = [SOFTEST, STIFFEST];
+    let softest = if data.noise.is_some() { SOFTEST_IF_KNOWN } else { SOFTEST };
+    let mut range = [softest, STIFFEST];
     let mut chosen: Option<Choice> = None;
     for round in 0..ROUNDS {
         let smoother = smoother(data, &lengths, &weights, &stiffness);
@@ -164,12 +179,15 @@ fn choose(
     let directions = data.directions as f64;
     let mut best: Option<(f64, Choice)> = None;
     // The noise that is given is to be reached, not only kept.
-    let near = range[1] - range[0] < STIFFEST - SOFTEST;
+    let softest = if data.noise.is_some() { SOFTEST_IF_KNOWN } else { SOFTEST };
+    let near = range[1] - range[0] < STIFFEST - softest;
     let step = if near && data.noise.is_some() { FINE_STEP } else { STEP };
     let steps = ((range[1] - range[0]) / step).round() as usize;
-    for exponent in (0..=steps).map(|k| range[0] + step * k as f64).filter(|e| (SOFTEST..=STIFFEST).contains(e)) {
+    for exponent in (0..=steps).map(|k| range[0] + step * k as f64).filter(|e| (softest..=STIFFEST).contains(e)) {
         let Some((rest, freedom)) = smoother.fitted(h.powi(5) * 10_f64.powf(exponent)) else { continue };
-        if n - CAUTION * freedom <= LEFT * n {
+        let too_free =
+            if data.noise.is_some() { n - freedom <= LEFT_IF_KNOWN * n } else { n - CAUTION * freedom <= LEFT * n };
+        if too_free {
             continue;
         }
         let points: Vec<Point3> = data.points.iter().zip(rest).map(|(p, w)| *p - w).collect();
@@ -234,19 +252,22 @@ fn calm(variations: &[f64], reach: f64, closed: bool) -> Vec<f64> {
 }
 
 /// The places of all data on what was found for their groups.
-fn finished(data: &Series<'_>, choice: Choice, group: usize) -> Smoothed {
+fn finished(data: &Series<'_>, choice: Choice, groups: &[Range<usize>]) -> Smoothed {
     let (n, count) = (data.points.len(), choice.points.len());
-    let points: Vec<Point3> = if group == 1 {
+    let points: Vec<Point3> = if groups.len() == n {
         choice.points
     } else {
-        let size = |g: usize| group.min(n - g * group) as f64;
-        let at = |i: usize| {
-            let g = i / group;
-            let position = g as f64 + ((i - g * group) as f64 + 0.5) / size(g) - 0.5;
+        let at = |(g, i, size): (usize, usize, usize)| {
+            let position = g as f64 + (i as f64 + 0.5) / size as f64 - 0.5;
             let position = if data.closed && position < 0.0 { position + count as f64 } else { position };
             point_at(&choice.points, data.closed, position)
         };
-        (0..n).map(at).collect()
+        groups
+            .iter()
+            .enumerate()
+            .flat_map(|(g, group)| (0..group.len()).map(move |i| (g, i, group.len())))
+            .map(at)
+            .collect()
     };
     let mut points = points;
     for (end, fixed) in [0, n - 1].into_iter().zip(data.fixed) {
