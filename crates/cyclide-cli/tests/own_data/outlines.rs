@@ -42,6 +42,18 @@ fn the_smooth_curve_that_nobody_asked_for_is_said() {
 }
 
 #[test]
+fn marked_corners_are_kept_or_it_is_said() {
+    let table = "x,y,corner\n0,0,1\n30,0,0\n60,0,1\n60,40,1\n30,50,0\n0,40,1\n";
+    let folder = Folder::with(&[("c.csv", table)]);
+    for kind in ["fair-spline", "circle-spline", "moebius-spline", "arc-fit --tolerance 0.1", "arc-spline"] {
+        let said = folder.run(&format!("curve c.csv --closed --kind {kind} -o c.json --force"));
+        assert_eq!(said.code, 0, "{}", said.stderr);
+        let is_said = said.stderr.contains("4 points are marked as corners") && said.stderr.contains("[no-effect]");
+        assert_eq!(is_said, kind == "arc-spline", "{kind}: {}", said.stderr);
+    }
+}
+
+#[test]
 fn a_slot_is_two_lines_and_two_half_circles() {
     let report = fit(&Folder::with(&[]), "slot", "--closed --tolerance 0.02");
     assert_eq!(counts(&report), (2, 2));

@@ -613,7 +613,7 @@ impl std::fmt::Display for Error {
             }
             Self::NoG1SplineInTube { vertex, tolerance } => write!(
                 f,
-                "no G1 arc spline within {} of the polyline near vertex {vertex}: a larger tolerance, a corner angle below the turn there, or smoothing first, where points are closer together than their noise",
+                "no G1 arc spline within {} of the polyline near vertex {vertex}: a larger tolerance, the target `polyline` where the edges are meant, a corner angle below the turn there, or smoothing first, where points are closer together than their noise",
                 ShortNumber(*tolerance)
             ),
             Self::ArcLimitNotKept { vertex, name, value, limit } => write!(

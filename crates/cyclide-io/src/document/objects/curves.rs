@@ -2,7 +2,7 @@
 
 use cyclide::{Arc, Biarc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Units, Vec3, Warning};
 
-use super::idle::{Idle, idle_fields};
+use super::idle::{Idle, NO_EFFECT, idle_fields};
 use super::wavers::wavers;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
@@ -61,6 +61,11 @@ impl ObjectSpec {
             Self::QbInterpolation(_) => true,
             _ => false,
         }
+    }
+
+    /// True where points that are marked as corners are points as all others.
+    fn has_no_corners(&self) -> bool {
+        matches!(self, Self::ArcSpline(_) | Self::QbInterpolation(_) | Self::TorusSpline(_))
     }
 
     /// The angle above which turns of the points are corners, if one is given.
@@ -346,6 +351,17 @@ impl Builder<'_> {
             idle =
                 Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
             warnings.extend(wavers(self.spec, &curve, &at.list.points));
+            let marked = at.list.corners.len();
+            if let Some(first) = at.list.corners.first().filter(|_| self.spec.has_no_corners()) {
+                let given = points.kept[contour].get(*first).copied();
+                let place = given.map(|i| self.place(&points, contour, i));
+                let message = format!(
+                    "{marked} {} marked as corners, which this kind of curve does not keep: `fair-spline`, `circle-spline`, \
+                     `moebius-spline`, `arc-fit` and `fair-fit` do",
+                    if marked == 1 { "point is" } else { "points are" }
+                );
+                self.remark(NO_EFFECT, Some(contour), given, place, message);
+            }
             // Said once, with the place of the field.
             warnings.retain(|warning| *warning != Warning::EndsWithoutEffect);
             for warning in warnings {
