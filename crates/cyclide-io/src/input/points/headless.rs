@@ -11,6 +11,9 @@ const LOOKED_AT: usize = 1000;
 const MATRIX: [&str; 12] = ["m11", "m12", "m13", "m14", "m21", "m22", "m23", "m24", "m31", "m32", "m33", "m34"];
 const LAST_ROW: [&str; 4] = ["m41", "m42", "m43", "m44"];
 const TUM: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];
+const WITH_W_FIRST: [&str; 8] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz"];
+/// The w of a pose that is turned by less than 50 degrees.
+const HARDLY_TURNED: f64 = 0.9;
 
 /// What is known of a table without a header.
 pub(super) enum Headless {
@@ -18,6 +21,8 @@ pub(super) enum Headless {
     Certain(Vec<&'static str>, &'static str),
     /// Eight numbers that may be in one order or the other.
     QuaternionFirstOrLast,
+    /// The same as TUM has them, where the first coordinate of the quaternion is large as w is: with the sentence that asks.
+    PerhapsFirst(Vec<&'static str>, &'static str, String),
     Unknown,
 }
 
@@ -47,15 +52,33 @@ impl Headless {
                 Self::Certain([&["t"], &MATRIX[..]].concat(), "each line is a time and a matrix, row by row")
             }
             8 if rises() && rows.iter().all(|row| is_one(row[4..].iter().map(|q| q * q).sum())) => {
-                if table.delimiter == Delimiter::Blanks {
-                    Self::Certain(TUM.to_vec(), "each line is t x y z qx qy qz qw (as TUM has them)")
-                } else {
-                    Self::QuaternionFirstOrLast
+                let begins_at_rest = rows.first().is_some_and(|row| row[4].abs() == 1.0);
+                if table.delimiter != Delimiter::Blanks || begins_at_rest {
+                    return Self::QuaternionFirstOrLast;
+                }
+                let note = "each line is t x y z qx qy qz qw (as TUM has them)";
+                match is_large_first(&rows) {
+                    true => Self::PerhapsFirst(TUM.to_vec(), note, perhaps_first()),
+                    false => Self::Certain(TUM.to_vec(), note),
                 }
             }
             _ => Self::Unknown,
         }
     }
+}
+
+/// True if the first pose is hardly turned where w stands first, and almost turned over where it stands last, which cameras that look down are too.
+fn is_large_first(rows: &[Vec<f64>]) -> bool {
+    rows.first().is_some_and(|row| row[4].abs() > HARDLY_TURNED && row[7].abs() < row[4].abs())
+}
+
+/// The question whether w stands first.
+fn perhaps_first() -> String {
+    let first = WITH_W_FIRST.map(|name| format!("\"{name}\"")).join(", ");
+    format!(
+        "the last four of the eight columns are taken as qx qy qz qw, and the first of them is large, as w is in most tables: if it is w, say so, in the \
+         document `\"columns\": [{first}]`"
+    )
 }
 
 fn number(field: &Field<'_>) -> Option<f64> {

@@ -22,6 +22,7 @@ mod merge;
 mod names;
 mod pose_columns;
 mod pose_names;
+mod pose_proposal;
 mod poses;
 mod preamble;
 mod remarks;
