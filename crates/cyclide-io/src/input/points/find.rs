@@ -463,6 +463,7 @@ mod tests {
             ("x,y,foo", ["0,0,0", "5,0,0"], None),
             ("Point ID,x,y,code,time", ["1,0,0,A,1.5", "2,5,0,B,2.5"], None),
             ("x,y,sx,sy,hdop,Height SD", ["0,0,1,1,1,1", "5,0,2,1,2,1"], None),
+            ("x,y,w_right_m", ["0,0,5", "5,0,5"], None),
             ("x,y,w_tr_right_m,w_tr_left_m", ["0,0,7.5,7.3", "5,0,7.4,7.2"], None),
             ("x,y,z,tangent_x,curvature", ["0,0,1,1,0.1", "5,0,1,0.9,0.2"], None),
             ("x,y,remark", ["0,0,a", "5,0,b"], None),

@@ -40,7 +40,7 @@ const QUIET: &str = "s sx sy sz sh se sn mx my mz mp ms mh me mn sigma cq nx ny 
     scan age status state mode sat satnum nsat numsat snr cn0 rssi signal battery voltage pressure humidity year month day hour minute second \
     seconds jahr monat tag stunde jour area flache cost cadence power pulse hr heartrate track tr lane spur mps kmh kph rpm acceleration \
     accel antenna antennen antenne instrument reflektor reflector prisma prism antennenhohe instrumentenhohe zielhohe reflektorhohe prismenhohe \
-    stabhohe geratehohe hi ih dx dy dz de dn dh delta diff difference differenz";
+    stabhohe geratehohe hi ih dx dy dz de dn dh delta diff difference differenz w right left";
 
 /// Columns with heights that a message offers at most.
 const OFFERED: usize = 3;
