@@ -445,10 +445,10 @@ mod tests {
             "Pt,Northing,Easting,WGS84 Ellipsoidal Height (m),Elevation (m)\n1,20,10,59.7,12.5\n2,21,11,59.9,12.7\n",
         )
         .unwrap();
-        assert_eq!(first(&sea), [10.0, 20.0, 12.5]);
+        assert_eq!(first(&sea).to_vec(), [10.0, 20.0, 12.5]);
         assert_eq!(offered(&remark(&sea, "columns-not-read")), [["3", "2", "4"]]);
         let two = read("Pt,Easting,Northing,Elevation,Altitude\n1,10,20,59.7,12.5\n2,11,21,59.9,12.7\n").unwrap();
-        assert_eq!(first(&two), [10.0, 20.0, 0.0]);
+        assert_eq!(first(&two).to_vec(), [10.0, 20.0, 0.0]);
         assert_eq!(offered(&remark(&two, "columns-not-read")), [["2", "3", "4"], ["2", "3", "5"]]);
         // Nothing stands in the column.
         assert_eq!(read("Nr;E [m];N [m];Höhe\n1;10;20;\n2;11;21;\n").unwrap().remarks.len(), 1);
@@ -505,7 +505,8 @@ mod tests {
             assert!(first(&table)[1] > 5.4e6 && first(&table)[1] < 5.5e6, "{text}");
         }
         // Names say more than figures, and an easting that stands first is right.
-        assert_eq!(first(&read("N_UTM,E_UTM\n5432000,456000\n5432010,456020\n").unwrap())[0], 456_000.0);
+        let named = read("N_UTM,E_UTM\n5432000,456000\n5432010,456020\n").unwrap();
+        assert_eq!(first(&named).to_vec(), [456_000.0, 5_432_000.0, 0.0]);
         for text in ["456000 5432000 412\n456020 5432010 413\n", "X;Y\n3456000;5432000\n3456020;5432010\n"] {
             assert!(read(text).is_ok(), "{text}");
         }
@@ -515,11 +516,11 @@ mod tests {
     fn letters_of_the_map_beside_the_name_of_a_system_are_known() {
         for header in ["MTM_N;MTM_E", "N MTM9;E MTM9", "N_LV95;E_LV95", "Northing;Easting", "P;M"] {
             let table = read(&format!("Nr.;{header};H\n1;900.5;545.5;100\n2;906.5;543.5;101\n")).unwrap();
-            assert_eq!(first(&table), [545.5, 900.5, 100.0], "{header}");
+            assert_eq!(first(&table).to_vec(), [545.5, 900.5, 100.0], "{header}");
         }
         // Accuracies and differences are no coordinates.
         let table = read("Point,Easting,Northing,Delta E,Delta N\n1,10,20,0.1,0.2\n2,11,21,0.2,0.1\n").unwrap();
-        assert_eq!(first(&table), [10.0, 20.0, 0.0]);
+        assert_eq!(first(&table).to_vec(), [10.0, 20.0, 0.0]);
     }
 
     #[test]
