@@ -182,6 +182,93 @@ fn poses_of_data_sets_and_robots_are_read() {
     assert!(folder.fails(1, "report m.json").contains("rotvec_x"));
 }
 
+/// What a refusal proposes for the columns of poses, typed, gives the same motion as the table with known names: no rotation is lost on the way.
+#[test]
+fn what_is_proposed_for_poses_keeps_their_rotations() {
+    let euroc = case("poses_euroc.csv");
+    let poses: Vec<Vec<f64>> =
+        euroc.lines().skip(1).map(|line| line.split(',').skip(1).map(|v| v.parse().unwrap()).collect()).collect();
+    // The first pose is not turned, as robots and phones begin.
+    let conjugate = [poses[0][3], -poses[0][4], -poses[0][5], -poses[0][6]];
+    let turned = |q: &[f64]| {
+        let [a, b, c, d] = conjugate;
+        [
+            a * q[0] - b * q[1] - c * q[2] - d * q[3],
+            a * q[1] + b * q[0] + c * q[3] - d * q[2],
+            a * q[2] - b * q[3] + c * q[0] + d * q[1],
+            a * q[3] + b * q[2] - c * q[1] + d * q[0],
+        ]
+    };
+    let table = |header: &str, separator: &str, order: [usize; 4]| -> String {
+        let row = |(i, pose): (usize, &Vec<f64>)| {
+            let q = turned(&pose[3..]);
+            let numbers = [0.5 * i as f64, pose[0], pose[1], pose[2]].into_iter().chain(order.map(|k| q[k]));
+            numbers.map(|v| format!("{v:.9}")).collect::<Vec<_>>().join(separator) + "\n"
+        };
+        let header = if header.is_empty() { String::new() } else { format!("{header}\n") };
+        header + &poses.iter().enumerate().map(row).collect::<String>()
+    };
+    let motion = |columns: &str| {
+        let columns = if columns.is_empty() { String::new() } else { format!(", {columns}") };
+        format!(
+            r#"{{"cyclide": 1, "units": "m", "objects": {{"m": {{"type": "motion", "kind": "linear", "poses": {{"csv": "p.txt"{columns}}}}}}}}}"#
+        )
+    };
+    let (first, last) = ([0, 1, 2, 3], [1, 2, 3, 0]);
+    let plain = Folder::with(&[("p.txt", &table("t,x,y,z,qw,qx,qy,qz", ",", first)), ("m.json", &motion(""))]);
+    let expected = plain.json("report m.json --json")["objects"]["m"]["length"].clone();
+    let angles = |folder: &Folder| folder.ok("sample m.json --object m --count 9");
+    let expected_samples = angles(&plain);
+    for (header, separator, order) in [
+        ("t,x,y,z,q1,q2,q3,q4", ",", first),
+        ("t,x,y,z,q[0],q[1],q[2],q[3]", ",", first),
+        ("t,x,y,z,quat_0,quat_1,quat_2,quat_3", ",", last),
+        ("t,x,y,z,x.1,y.1,z.1,w", ",", last),
+    ] {
+        let text = table(header, separator, order);
+        let folder = Folder::with(&[("p.txt", &text), ("m.json", &motion(""))]);
+        let error = folder.fails(1, "report m.json");
+        let columns = error.split_once("`\"columns\": ").and_then(|(_, rest)| rest.split_once('`')).unwrap().0;
+        let folder = Folder::with(&[("p.txt", &text), ("m.json", &motion(&format!("\"columns\": {columns}")))]);
+        assert_eq!(folder.json("report m.json --json")["objects"]["m"]["length"], expected, "{header}");
+        assert_eq!(angles(&folder), expected_samples, "{header}");
+    }
+    // Eight numbers without names, whose fifth is 1 in the first line: w may be first, and that is refused.
+    for (order, code) in [(first, 1), (last, 0)] {
+        let folder = Folder::with(&[("p.txt", &table("", " ", order)), ("m.json", &motion(""))]);
+        let run = folder.run("report m.json");
+        assert_eq!(run.code, code, "{}", run.stderr);
+        assert!(code == 0 || run.stderr.contains(r#"["t", "x", "y", "z", "qw", "qx", "qy", "qz"]"#), "{}", run.stderr);
+    }
+    // Who leaves the rotations aside is told.
+    let aside = r#""columns": ["t", "x", "y", "z", "-", "-", "-", "-"]"#;
+    let folder = Folder::with(&[("p.txt", &table("", " ", last)), ("m.json", &motion(aside))]);
+    assert!(folder.run("report m.json").stderr.contains("[taken-as-zero]"));
+    // Nor are times of another unit taken for seconds in silence.
+    let uptime: String = poses
+        .iter()
+        .enumerate()
+        .map(|(i, p)| format!("{},{},{},{}\n", 5_000_000 + 250_000 * i, p[0], p[1], p[2]))
+        .collect();
+    let folder = Folder::with(&[("p.txt", &format!("timestamp,x,y,z\n{uptime}")), ("m.json", &motion(""))]);
+    assert!(folder.run("report m.json").stderr.contains("taken as seconds, 250000 apart"));
+}
+
+/// Files of instruments and drawings are called by their names, and arcs are not taken for their chords.
+#[test]
+fn what_points_alone_do_not_say_is_refused() {
+    let gsi = "*110001+0000000000000001 81..40+0000003456000000 82..40+0000005432000000\n";
+    for (name, text, message) in [
+        ("p.gsi", gsi, "Leica GSI"),
+        ("p.csv", "x,y,bulge\n0,0,0\n100,0,0.41421356\n120,20,0\n", "`--columns 1,2`"),
+        ("p.txt", "5432000 456000 412\n5432010 456020 413\n5432020 456030 413\n", "`--columns 2,1,3`"),
+    ] {
+        let folder = Folder::with(&[(name, text)]);
+        let error = folder.fails(1, &format!("curve {name} --units m -o c.step"));
+        assert!(error.contains(message), "{error}");
+    }
+}
+
 /// Numbers that look random and are the same each time.
 struct Random(u64);
 
@@ -203,7 +290,7 @@ impl Random {
 /// Names of columns: of the number, then of the coordinates with the axis that each of them is.
 type Names = (&'static [&'static str], &'static [(&'static str, usize)]);
 
-const LANGUAGES: [Names; 17] = [
+const LANGUAGES: [Names; 20] = [
     (
         &["No.", "Point", "Point ID", "PtID", "OBJECTID", "FID", "Vertex", "seq", "idx", "Pt #"],
         &[("Easting", 0), ("Northing", 1)],
@@ -222,6 +309,9 @@ const LANGUAGES: [Names; 17] = [
     (&["Id. punto"], &[("Norte", 1), ("Este", 0)]),
     (&["ID"], &[("E", 0), ("N", 1), ("H", 2)]),
     (&["Point"], &[("X (Easting)", 0), ("Y (Northing)", 1), ("RL", 2)]),
+    (&["PktNr"], &[("East", 0), ("North", 1), ("Geländehöhe", 2)]),
+    (&["Nr."], &[("MTM_N", 1), ("MTM_E", 0), ("Rzędna", 2)]),
+    (&["Ponto"], &[("M", 0), ("P", 1), ("Cota", 2)]),
     // Words that nobody knows.
     (&["Merkmal", "w1"], &[("foo", 0), ("bar", 1)]),
     (&[], &[]),

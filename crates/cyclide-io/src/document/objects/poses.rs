@@ -8,7 +8,7 @@ use crate::document::angle::Angle;
 use crate::document::locate::Step;
 use crate::document::spec::{MotionKind, MotionSpec, PoseSource, PoseSpec};
 use crate::error::{Error, Result};
-use crate::input::points::{SIX_DECIMALS, read_poses, whole_turns};
+use crate::input::points::{SIX_DECIMALS, UNITS_ASSUMED, read_poses, whole_turns};
 use std::f64::consts::TAU;
 
 /// Matrices that are off a rotation by this much are written with three decimals: the nearest one is taken, and said.
@@ -43,6 +43,12 @@ impl Builder<'_> {
                 self.note_all(&name, &table.notes);
                 if let Some(message) = table.taken_as_zero {
                     self.remark("taken-as-zero", None, None, Some(name.clone()), message);
+                }
+                if let Some(message) = table.columns_taken {
+                    self.remark("columns-taken", None, None, Some(name.clone()), message);
+                }
+                if let Some(message) = table.seconds_assumed {
+                    self.remark(UNITS_ASSUMED, None, None, Some(name.clone()), message);
                 }
                 if let Some((count, line, off)) = table.rounded_matrices {
                     self.remark_rounded_matrices(count, off, Some(format!("{name}:{line}")));

@@ -1,11 +1,15 @@
 //! Times of tables: in the unit that their column names, or that the figures of a date tell, and in whole numbers too large for a
 //! double exactly.
 
+use cyclide::ShortNumber;
+
 use super::decimals::Decimals;
 use super::pose_names::TimeUnit;
 use super::table::Field;
 use crate::text::place::{Diagnostic, Source};
 
+/// Seconds between poses from which on another unit may be meant.
+const LONG_STEP: f64 = 1000.0;
 /// Whole numbers from here on are not all doubles.
 const NOT_ALL_DOUBLES: i128 = 1 << 53;
 
@@ -16,13 +20,16 @@ pub(super) struct Clock {
     /// The first time, in whole units, where those are too large for a double: the others count from it.
     first: Option<i128>,
     begun: bool,
+    /// The least and the most of the times in their unit, and how many there are.
+    range: Option<[f64; 2]>,
+    count: usize,
     /// What was chosen.
     pub(super) note: Option<String>,
 }
 
 impl Clock {
     pub(super) const fn new(unit: TimeUnit) -> Self {
-        Self { unit, first: None, begun: false, note: None }
+        Self { unit, first: None, begun: false, range: None, count: 0, note: None }
     }
 
     /// The time of a row in seconds, with its whole nanoseconds, if they have a column of their own.
@@ -37,6 +44,9 @@ impl Clock {
         nanoseconds: Option<&Field<'_>>,
     ) -> Result<f64, Box<Diagnostic>> {
         let value = decimals.read(source, field)?;
+        let [low, high] = self.range.unwrap_or([value; 2]);
+        self.range = Some([low.min(value), high.max(value)]);
+        self.count += 1;
         let whole = field.text.parse::<i128>().ok();
         if let Some(parts) = nanoseconds {
             let parts_value = decimals.read(source, parts)?;
@@ -70,6 +80,19 @@ impl Clock {
                 self.since_first(whole, per_second)
             }
             _ => value / per_second,
+        })
+    }
+
+    /// The sentence about times that are so far apart that they are hardly seconds, where nothing says their unit.
+    pub(super) fn seconds_assumed(&self) -> Option<String> {
+        let [low, high] = self.range.filter(|_| self.unit == TimeUnit::Unsaid && self.count > 1)?;
+        let step = (high - low) / (self.count - 1) as f64;
+        (step >= LONG_STEP).then(|| {
+            format!(
+                "no unit of the times is named: they are taken as seconds, {} apart on average; if they are others, name the column time_ms, time_us or \
+                 time_ns",
+                ShortNumber(step)
+            )
         })
     }
 
@@ -111,6 +134,19 @@ mod tests {
         assert_eq!(read(TimeUnit::Unsaid, &["0", "2"]), (vec![0.0, 2.0], None));
         assert_eq!(read(TimeUnit::PerSecond(1e9), &["0", "2000000000"]), (vec![0.0, 2.0], None));
         assert_eq!(read(TimeUnit::Unsaid, &["1700000000000", "1700000000500"]).0, [1.7e9, 1_700_000_000.5]);
+        for (unit, times, said) in [
+            (TimeUnit::Unsaid, ["5000000", "5250000"], true),
+            (TimeUnit::Unsaid, ["0", "900"], false),
+            (TimeUnit::Unsaid, ["1700000000000000", "1700000000250000"], false),
+            (TimeUnit::PerSecond(1.0), ["0", "5000"], false),
+        ] {
+            let mut clock = Clock::new(unit);
+            let (source, mut decimals) = (Source { name: "t", text: "" }, Decimals::default());
+            for text in times {
+                clock.read(source, &mut decimals, &Field { text, start: 0 }, None).unwrap();
+            }
+            assert_eq!(clock.seconds_assumed().is_some(), said, "{times:?}");
+        }
         let mut clock = Clock::new(TimeUnit::PerSecond(1.0));
         let source = Source { name: "t", text: "" };
         let mut decimals = Decimals::default();

@@ -14,20 +14,26 @@
 mod clock;
 mod columns;
 mod decimals;
+mod find;
 mod groups;
 mod headless;
+mod height_words;
 #[cfg(feature = "circular-mesh")]
 mod heights;
 mod merge;
 mod names;
+mod northing;
 mod pose_columns;
 mod pose_names;
+mod pose_proposal;
 mod poses;
 mod preamble;
 mod remarks;
 mod sampled;
+mod strings;
 mod table;
 mod unit;
+mod unread;
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -38,12 +44,14 @@ use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
+use find::numbers_of;
 #[cfg(feature = "circular-mesh")]
 pub(crate) use heights::read_heights;
 pub(crate) use merge::{Merged, merge_repeated};
 pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};
 use table::{Field, Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
+use unread::Bulges;
 
 /// The reason of the remark that coordinates look like those of a map grid, and no unit is named.
 pub(crate) const UNITS_ASSUMED: &str = "units-assumed";
@@ -147,12 +155,14 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     let decimals = Decimals::of(source, &table, Some(&chosen.coordinates))?;
     let mut contours = Contours { decimals, ..Contours::default() };
     let mut count = 0;
+    let bulges = Bulges::of(&table, columns);
     table.for_each_row(|row| {
         count += 1;
         if count > MOST_POINTS {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POINTS} points")));
         }
         pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
+        bulges.refuse(source, &chosen.coordinates, row)?;
         contours.add(source, &chosen, row)
     })?;
     let Contours { mut lists, decimals, last_label, .. } = contours;
@@ -171,7 +181,13 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     } else if let Some(message) = chosen.remark.clone() {
         remark("columns-taken", message);
     }
-    if let Some(message) = chosen.not_read(&table).filter(|_| columns.coordinates.is_none()) {
+    let not_read = chosen.not_read(&table).filter(|_| columns.coordinates.is_none());
+    let strings = match &not_read {
+        // It is named already.
+        Some(message) if message.contains("--contour-column") => None,
+        _ => chosen.joined_strings(&table, &lists)?,
+    };
+    for message in not_read.into_iter().chain(strings) {
         remark("columns-not-read", message);
     }
     if let Some(message) = chosen.unit_not_applied(&table) {
@@ -224,8 +240,20 @@ impl<'a> Contours<'a> {
         let list = &mut self.lists[target];
         self.last_label = chosen.label.and_then(|column| row.fields.get(column).copied());
         let mut coordinates = [0.0; 3];
-        for (value, &column) in coordinates.iter_mut().zip(&chosen.coordinates) {
-            *value = self.decimals.read(source, &row.field(source, column, "coordinate")?)?;
+        for (k, (value, &column)) in coordinates.iter_mut().zip(&chosen.coordinates).enumerate() {
+            let field = row.field(source, column, "coordinate")?;
+            // The points of a plan have no heights in places.
+            if k == 2 && is_missing(field.text) {
+                return Err(field.refused(
+                    source,
+                    format!(
+                        "the height of this point is missing: leave the point out, or take all points in the plane (`--columns {}`, in a document \
+                         `columns`)",
+                        numbers_of(chosen.coordinates[..2].iter().copied())
+                    ),
+                ));
+            }
+            *value = self.decimals.read(source, &field)?;
         }
         if let Some(column) = chosen.corner {
             let field = row.field(source, column, "corner")?;
@@ -243,6 +271,11 @@ impl<'a> Contours<'a> {
         }
         Ok(())
     }
+}
+
+/// True for what stands for no number.
+fn is_missing(text: &str) -> bool {
+    text.is_empty() || ["-", "--", "n/a", "na", "nan", "null", "none"].iter().any(|own| text.eq_ignore_ascii_case(own))
 }
 
 /// True if the first coordinates of at least three points are whole numbers that rise by one throughout, or rise from 0 in equal

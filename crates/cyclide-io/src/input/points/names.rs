@@ -1,5 +1,6 @@
 //! What the name of a column says: the words of surveying, maps and CAD in English, German, French, Italian and Spanish.
 
+use super::height_words::{height_in, is_height, is_system};
 use super::table::Field;
 use super::unit::unit_in_name;
 
@@ -14,8 +15,10 @@ pub(super) enum Role {
     North {
         clear: bool,
     },
-    /// A height over the map.
-    Height,
+    /// A height over the map. `clear` is false for what may be the height of something that is no point.
+    Height {
+        clear: bool,
+    },
     /// Abscissa and ordinate.
     Abscissa,
     Ordinate,
@@ -31,20 +34,18 @@ pub(super) enum Role {
 
 const EAST: &str = "e me east easting eastings rechtswert rechtsw rechts rw ost ostwert ostkoordinate est este oest";
 const NORTH: &str = "n mn north northing northings hochwert hochw hoch hw nord nordwert nordkoordinate norden norte";
-const HEIGHT: &str = "up hoogte hojd hoyde alti otmetka \u{43e}\u{442}\u{43c}\u{435}\u{442}\u{43a}\u{430} h q height heights ht hgt elevation elev elevacion el altitude alt altitud altura altezza hauteur hohe hoehe hohen \
-    quota quote cota cote level lvl rl niveau";
 const ABSCISSA: &str = "abscissa abscisse abscisses ascissa abscisa abszisse";
 const ORDINATE: &str = "ordinate ordonnee ordonnees ordinata ordenada";
 
 /// Words of which the names of numbers and codes of points are made, alone (`Nr.`), beside each other (`Lfd. Nr.`) or joined
 /// (`Punktnummer`).
-const LABEL: &str = "no nr nro num numb nums number numbers numero numeros nummer nummern nº n° nø id ids ident identifier fid oid gid uid \
+const LABEL: &str = "no nr nro num numb nums number numbers numero numeros nummer nummern nº n° nø nokta cislo bodu punkty punktu id ids ident identifier fid oid gid uid \
     uuid guid pid key index indice idx ix row line seq sequence secuencia sequenza order ordre orden ordine count counter \
     lfd laufende pos point points pointe pt pts pnt pkt punkt punkte punto punti puntos pto vertex vertices vert vertice \
     vertici node nodes knoten noeud nodo sommet matricule matricola matricula bezeichnung kennung name names nom nombre \
     nome label labels etiquette etiqueta etichetta tag marker target ziel ref reference referenz referencia riferimento \
     site waypoint wp wpt feature object objekt record rec sample measurement messung mesure sr sl serial ser item shot peg \
-    borne piquet picchetto estaca mojon p sno marke stutz grenz fest satz zeile ligne linea riga fila vermessungs pose";
+    borne piquet picchetto estaca mojon p sno marke stutz grenz fest satz zeile ligne linea riga fila vermessungs pose ponto pontos";
 
 /// Words that stand beside them and say nothing.
 const FILLERS: &str = "of de du des di del della delle the der le la el il d";
@@ -56,7 +57,7 @@ const OTHER: &str = "station stations stationing stationierung stazione estacion
     heure hora ora uhrzeit zeit temps tiempo tempo epoch week secs nsecs hz vz sd hd vd azimuth azimut bearing heading \
     course kurs richtung gisement winkel angle angolo angulo zenith tilt speed velocity geschwindigkeit vitesse velocidad \
     velocita hdop pdop vdop gdop dop sats satellites fix quality qual accuracy acc genauigkeit precision precisione sigma \
-    std stdev stddev error err rms hrms vrms rmse cq hcq vcq residual weight gewicht poids temperature temp intensity epsg \
+    std stdev stddev error err rms hrms vrms rmse cq hcq vcq undulation separation drms residual weight gewicht poids temperature temp intensity epsg \
     srid zone cant curvature length lange laenge width breite radius radio rayon raggio westing westings southing \
     southings west south ouest sud suden oeste sur ovest westen code codigo codice kode desc description descripcion \
     descrizione beschreibung remark remarks remarque comment comments commentaire kommentar bemerkung bemerkungen note \
@@ -64,7 +65,7 @@ const OTHER: &str = "station stations stationing stationierung stazione estacion
     couleur contour corner part polyline ring";
 
 /// Words of maps and reference systems that may stand beside a coordinate or a height; words with a digit are such too.
-const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign local lokal locale ellipsoidal ellipsoidisch orthometric ellip \
+const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign local lokal locale ellipsoidal ellipsoidisch orthometric ellip ell \
     ortho u ue uber ueber m nap false state plane reduced msl amsl ahd gauss kruger boaga";
 
 /// Words before the last one of a unit.
@@ -91,7 +92,7 @@ impl Role {
         let raw = field.text.trim();
         // `N°` is a number, not a north, and so is `#`, or no name beside names.
         let mut start = raw.chars().map(|c| c.to_ascii_lowercase());
-        if raw.is_empty() || raw.starts_with('#') {
+        if raw.is_empty() || raw.starts_with(['#', '\u{2116}']) {
             return Self::Label;
         }
         if start.next() == Some('n')
@@ -108,7 +109,8 @@ impl Role {
         }
         let words: Vec<&str> = words[..count].iter().map(String::as_str).collect();
         let has_digit = |word: &str| word.chars().any(|c| c.is_ascii_digit());
-        let beside = |word: &str| is_among(BESIDE, word) || is_among(BESIDE_MAP, word) || has_digit(word);
+        let beside =
+            |word: &str| is_among(BESIDE, word) || is_among(BESIDE_MAP, word) || is_system(word) || has_digit(word);
         let own: Vec<&str> = match words.as_slice() {
             [only] => vec![*only],
             several => several.iter().copied().filter(|word| !beside(word)).collect(),
@@ -124,8 +126,8 @@ impl Role {
                     return Self::East { clear };
                 } else if is(NORTH) {
                     return Self::North { clear };
-                } else if is(HEIGHT) {
-                    return Self::Height;
+                } else if is_height(word) && !own.iter().any(|word| matches!(*word, "x" | "y")) {
+                    return Self::Height { clear: true };
                 } else if is(ABSCISSA) {
                     return Self::Abscissa;
                 } else if is(ORDINATE) {
@@ -142,7 +144,8 @@ impl Role {
         if words.iter().any(|word| is_among(OTHER, word)) {
             return Self::Other;
         }
-        Self::Unknown
+        let says_nothing = |word: &str| beside(word) || is_among(FILLERS, word);
+        height_in(&words, says_nothing).map_or(Self::Unknown, |clear| Self::Height { clear })
     }
 
     /// True for a coordinate, or what a point is called: words that titles rarely have.
@@ -243,13 +246,20 @@ fn is_accent(c: char) -> bool {
 /// A letter without its accent.
 const fn plain(c: char) -> char {
     match c {
-        'à' | 'á' | 'â' | 'ä' | 'ã' => 'a',
-        'è' | 'é' | 'ê' | 'ë' => 'e',
-        'ì' | 'í' | 'î' | 'ï' => 'i',
-        'ò' | 'ó' | 'ô' | 'ö' | 'õ' => 'o',
-        'ù' | 'ú' | 'û' | 'ü' => 'u',
-        'ñ' => 'n',
-        'ç' => 'c',
+        'à' | 'á' | 'â' | 'ä' | 'ã' | 'å' | 'ą' | 'ă' => 'a',
+        'è' | 'é' | 'ê' | 'ë' | 'ę' | 'ě' => 'e',
+        'ì' | 'í' | 'î' | 'ï' | 'ı' => 'i',
+        'ò' | 'ó' | 'ô' | 'ö' | 'õ' | 'ø' | 'ő' => 'o',
+        'ù' | 'ú' | 'û' | 'ü' | 'ů' | 'ű' => 'u',
+        'ý' => 'y',
+        'ñ' | 'ń' => 'n',
+        'ç' | 'ć' | 'č' => 'c',
+        'ś' | 'š' | 'ş' | 'ș' => 's',
+        'ź' | 'ż' | 'ž' => 'z',
+        'ł' => 'l',
+        'ř' => 'r',
+        'ğ' => 'g',
+        'ț' => 't',
         other => other,
     }
 }
@@ -376,7 +386,7 @@ mod tests {
             "Ho\u{308}he",
             "Cote NGF",
         ] {
-            assert_eq!(role(name), Role::Height, "{name}");
+            assert_eq!(role(name), Role::Height { clear: true }, "{name}");
         }
         assert_eq!((role("NorthUSft"), role("eastM")), (Role::North { clear: true }, Role::East { clear: true }));
         assert_eq!((role("E"), role("n")), (Role::East { clear: false }, Role::North { clear: false }));

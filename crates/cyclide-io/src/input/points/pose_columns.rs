@@ -5,6 +5,7 @@ use super::names::words_of;
 use super::pose_names::{
     AMBIGUOUS, ANGLES, AXES, DEGREES, LOOK, MEANT, Meaning, NAMES, POSITION, QUATERNION, TimeUnit, meaning_with_unit,
 };
+use super::pose_proposal::proposed;
 use super::table::{Field, Table};
 use crate::text::place::{Diagnostic, Source, quoted};
 use crate::text::suggest::did_you_mean;
@@ -50,7 +51,7 @@ impl PoseColumns {
             let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
             let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
             let message = format!(
-                "`{}` is no column of poses, which are {NAMES}{hint}; or say what each column is (`-`: nothing of the pose), as in the document `\"columns\": {}`",
+                "`{}` is no column of poses, which are {NAMES}{hint}; or say what each column is (`-`: nothing of the pose), as in the document {}",
                 quoted(field.text),
                 proposed(table, &meanings)
             );
@@ -184,30 +185,6 @@ impl PoseColumns {
 
 /// A column of times and its unit.
 type TimeColumn = (usize, TimeUnit);
-
-/// What the columns are, as a document says it, with nothing for those that are not known.
-fn proposed(table: &Table<'_>, meanings: &[Option<Meaning>]) -> String {
-    // Universal Robots call rotation vectors so, in radians and of less than a turn; others mean angles, which nobody can tell apart.
-    let is_vector = |i: usize| {
-        let value = table.first.get(i).and_then(|field| field.text.replace(',', ".").parse::<f64>().ok());
-        words_of(table.header[i].text).0.len() == 1 && value.is_none_or(|value| value.abs() < std::f64::consts::TAU)
-    };
-    let is_of_vector = |i: &usize| {
-        words_of(table.header[*i].text).0.first().is_some_and(|word| matches!(word.as_str(), "rx" | "ry" | "rz"))
-    };
-    let may_be_vector = (0..table.header.len()).filter(is_of_vector).all(is_vector);
-    let word = |(field, meaning): (&Field<'_>, &Option<Meaning>)| {
-        let known = meaning.is_some_and(|meaning| meaning != Meaning::Label);
-        let vector = words_of(field.text).0.first().and_then(|word| {
-            let axis = ["rx", "ry", "rz"].iter().position(|name| name == word)?;
-            Some(if may_be_vector { format!("rotvec_{}", POSITION[axis]) } else { "?".to_owned() })
-        });
-        let word =
-            if known { quoted(field.text).replace(['"', '\\'], " ") } else { vector.unwrap_or_else(|| "-".to_owned()) };
-        format!("\"{word}\"")
-    };
-    format!("[{}]", table.header.iter().zip(meanings).map(word).collect::<Vec<_>>().join(", "))
-}
 
 /// The radians of the unit of some angles.
 ///

@@ -34,6 +34,7 @@ pub(super) enum TimeUnit {
 pub(super) const POSITION: [&str; 3] = ["x", "y", "z"];
 pub(super) const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 pub(super) const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
+const GERMAN_ANGLES: [&str; 3] = ["wank", "nick", "gier"];
 pub(super) const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
 
 /// The names, for messages.
@@ -56,7 +57,7 @@ pub(super) const MEANT: &str = "; controllers mean different angles by `rx, ry, 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// What stands for a column that is left aside.
-const LEFT_ASIDE: &str = "-";
+pub(super) const LEFT_ASIDE: &str = "-";
 /// Words of messages beside `x`, `y`, `z` that make them a place, a rotation, or neither.
 const PLACES: [&str; 10] = ["position", "pos", "p", "translation", "trans", "location", "tvec", "tcp", "pose", "field"];
 const ROTATIONS: [&str; 6] = ["orientation", "quaternion", "quat", "q", "rotation", "rot"];
@@ -134,7 +135,7 @@ pub(super) fn is_of_pose(field: &Field<'_>) -> bool {
 /// The radians of the unit of an angle, by the words beside its name.
 fn unit_of_angle(words: &[&str]) -> Option<f64> {
     match words {
-        ["deg" | "degs" | "degree" | "degrees" | "\u{ba}"] => Some(DEGREE),
+        ["deg" | "degs" | "degree" | "degrees" | "grad" | "altgrad" | "\u{ba}"] => Some(DEGREE),
         [] | ["rad" | "rads" | "radian" | "radians"] => Some(1.0),
         _ => None,
     }
@@ -196,12 +197,15 @@ pub(super) fn meaning(field: &Field<'_>) -> Option<Meaning> {
         None => {}
     }
     let (first, beside) = words.split_first()?;
-    if let Some(angle) = ANGLES.iter().position(|name| name == first) {
+    if let Some(angle) = [ANGLES, GERMAN_ANGLES].iter().find_map(|names| names.iter().position(|name| name == first)) {
         let unit = if degrees && beside.is_empty() { Some(DEGREE) } else { unit_of_angle(beside) };
         return unit.map(|unit| Meaning::Angle(angle, unit));
     }
     if ["t", "time", "timestamp", "stamp", "rosbagtimestamp", "zeit"].contains(first) {
         return unit_of_time(beside).map(Meaning::Time);
+    }
+    if let ["rosbag", "timestamp", unit @ ..] = words.as_slice() {
+        return unit_of_time(unit).map(Meaning::Time);
     }
     if words.len() == 1 && LABELS.contains(first) || MEASURES.contains(&words.join("_").as_str()) {
         return Some(Meaning::Label);
@@ -262,6 +266,7 @@ mod tests {
             ("T_ms", Some(Meaning::Time(TimeUnit::PerSecond(1e3)))),
             ("time (h)", None),
             ("timestamp", Some(Meaning::Time(TimeUnit::Unsaid))),
+            ("rosbagTimestamp", Some(Meaning::Time(TimeUnit::Unsaid))),
             ("ty", Some(Meaning::Position(1))),
             ("time_ns", Some(Meaning::Time(TimeUnit::PerSecond(1e9)))),
             ("timestamp [us]", Some(Meaning::Time(TimeUnit::PerSecond(1e6)))),
@@ -275,7 +280,10 @@ mod tests {
             ("yaw_deg", Some(Meaning::Angle(2, DEGREE))),
             ("yaw (°)", Some(Meaning::Angle(2, DEGREE))),
             ("yaw [º]", Some(Meaning::Angle(2, DEGREE))),
-            ("roll_grad", None),
+            ("Roll [Grad]", Some(Meaning::Angle(0, DEGREE))),
+            ("Nick [Grad]", Some(Meaning::Angle(1, DEGREE))),
+            ("Gier (°)", Some(Meaning::Angle(2, DEGREE))),
+            ("yaw [gon]", None),
             ("m34", Some(Meaning::Matrix(2, 3))),
             ("m44", Some(Meaning::Matrix(3, 3))),
             ("m54", None),

@@ -7,7 +7,7 @@ use super::clock::Clock;
 use super::decimals::Decimals;
 use super::headless::Headless;
 use super::pose_columns::{PoseColumns, RotationColumns};
-use super::pose_names::{NAMES, is_of_pose};
+use super::pose_names::{LEFT_ASIDE, NAMES, is_of_pose};
 use super::table::{Field, Table};
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source};
@@ -34,6 +34,10 @@ pub(crate) struct PoseTable {
     pub(crate) rounded_matrices: Option<(usize, usize, f64)>,
     /// The sentence about columns that are not there.
     pub(crate) taken_as_zero: Option<String>,
+    /// The sentence about columns that may be in another order.
+    pub(crate) columns_taken: Option<String>,
+    /// The sentence about times without a unit that are far apart.
+    pub(crate) seconds_assumed: Option<String>,
     /// Units that the names of the coordinates speak of.
     pub(crate) unit_hints: Vec<(String, Units)>,
     /// The sentence about names that speak of a unit which no model has.
@@ -70,7 +74,7 @@ pub(crate) fn read_poses(
     let mut table = Table::parse_with(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()], is_of_pose)?;
     let mut notes: Vec<String> =
         decoded.encoding.map(|name| format!("the text is read as {name}")).into_iter().collect();
-    name_columns(&mut table, columns, &mut notes)?;
+    let columns_taken = name_columns(&mut table, columns, &mut notes)?;
     let PoseColumns { position, time, nanoseconds, rotation, absent } = PoseColumns::new(source, &table)?;
     let mut decimals = Decimals::of(source, &table, None)?;
     let mut clock = time.map(|(_, unit)| Clock::new(unit));
@@ -158,8 +162,11 @@ pub(crate) fn read_poses(
         Ok(())
     })?;
     let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
+    let seconds_assumed = clock.as_ref().and_then(Clock::seconds_assumed);
     notes.extend(clock.and_then(|clock| clock.note));
-    let taken_as_zero = (!absent.is_empty()).then(|| format!("no column is named {}: taken as 0", absent.join(", ")));
+    let not_turned = columns.is_some_and(|columns| columns.iter().any(|name| name == LEFT_ASIDE))
+        && matches!(rotation, RotationColumns::None);
+    let taken_as_zero = zeros(&absent, not_turned);
     let rounded_matrices = rounded.map(|(count, start, off)| (count, source.line_of(start), off));
     Ok(PoseTable {
         poses,
@@ -167,10 +174,23 @@ pub(crate) fn read_poses(
         whole_turns: turns,
         rounded_matrices,
         taken_as_zero,
+        columns_taken,
+        seconds_assumed,
         unit_hints,
         unit_not_applied,
         notes,
     })
+}
+
+/// The sentence about what no column says; `not_turned` where columns are left aside, and none of the others is a rotation.
+fn zeros(absent: &[&str], not_turned: bool) -> Option<String> {
+    let place = (!absent.is_empty()).then(|| format!("no column is named {}: taken as 0", absent.join(", ")));
+    let turn = not_turned.then(|| {
+        "`columns` leaves columns aside (`-`), and none of the others says how the poses are turned: they are not"
+            .to_owned()
+    });
+    let sentences: Vec<String> = place.into_iter().chain(turn).collect();
+    (!sentences.is_empty()).then(|| sentences.join("; "))
 }
 
 /// Gives the columns of a table their names, where it has none or a document says them.
@@ -178,7 +198,8 @@ fn name_columns<'a>(
     table: &mut Table<'a>,
     columns: Option<&'a [String]>,
     notes: &mut Vec<String>,
-) -> Result<(), Box<Diagnostic>> {
+) -> Result<Option<String>, Box<Diagnostic>> {
+    let mut asked = None;
     let names: Vec<&'a str> = match columns {
         Some(columns) if columns.len() == table.width => columns.iter().map(String::as_str).collect(),
         Some(columns) => {
@@ -189,10 +210,15 @@ fn name_columns<'a>(
             );
             return Err(table.refused(message));
         }
-        None if !table.header.is_empty() => return Ok(()),
+        None if !table.header.is_empty() => return Ok(None),
         None => match Headless::of(table) {
             Headless::Certain(names, sentence) => {
                 notes.push(format!("there is no header line, and {sentence}"));
+                names
+            }
+            Headless::PerhapsFirst(names, sentence, question) => {
+                notes.push(format!("there is no header line, and {sentence}"));
+                asked = Some(question);
                 names
             }
             Headless::QuaternionFirstOrLast => {
@@ -214,5 +240,5 @@ fn name_columns<'a>(
         false => table.header.iter().map(|field| field.start).collect(),
     };
     table.header = names.into_iter().zip(places).map(|(text, start)| Field { text, start }).collect();
-    Ok(())
+    Ok(asked)
 }

@@ -28,6 +28,36 @@ pub(super) struct Preamble<'a> {
     pub(super) start: usize,
 }
 
+/// The message for a file of another format, by how it begins.
+fn other_format(text: &str) -> Option<&'static str> {
+    let first = text.lines().map(str::trim).find(|line| !line.is_empty())?;
+    if ["<?xml", "<!DOCTYPE", "<LandXML", "<gpx", "<kml"].iter().any(|start| first.starts_with(start)) {
+        return Some(
+            "this is an XML file (LandXML, JobXML, GPX, KML, …), which is not read as points: export the points as a table (CSV)",
+        );
+    }
+    if first.starts_with("JB,") || first.starts_with("00NM") {
+        return Some(
+            "this is a file of a survey controller (RW5, SDR), which is not read: export the coordinates of the points as a table (CSV)",
+        );
+    }
+    is_gsi(first).then_some("this is a Leica GSI file, which is not read: export the points as a table (CSV)")
+}
+
+/// True for a line of Leica instruments: words of a number, what it is, a sign, and 8 or 16 figures.
+fn is_gsi(line: &str) -> bool {
+    let is_word = |word: &str| {
+        word.split_once(['+', '-']).is_some_and(|(what, data)| {
+            what.starts_with(|c: char| c.is_ascii_digit())
+                && what.len() == 6
+                && matches!(data.len(), 8 | 16)
+                && data.chars().all(|c| c.is_ascii_alphanumeric())
+        })
+    };
+    let mut words = line.trim_start_matches('*').split_whitespace();
+    words.next().is_some_and(is_word) && words.next().is_some_and(is_word)
+}
+
 /// A line of text above the data.
 struct Line<'a> {
     start: usize,
@@ -42,6 +72,9 @@ impl<'a> Preamble<'a> {
         wanted: &[String],
         known: fn(&Field<'_>) -> bool,
     ) -> Result<Self, Box<Diagnostic>> {
+        if let Some(message) = other_format(source.text) {
+            return Err(source.diagnostic(0..0, "", message));
+        }
         let empty = || source.diagnostic(0..0, "", "the file holds no points");
         let delimiter = delimiter(source)?.ok_or_else(empty)?;
         // The last remark before the data that could be a header.
@@ -260,6 +293,23 @@ mod tests {
         };
         let units = preamble.units.iter().map(Option::is_some).collect();
         (texts(&preamble.header), units, preamble.titles.len(), texts(&preamble.first))
+    }
+
+    #[test]
+    fn files_of_other_formats_are_called_by_their_names() {
+        for (text, name) in [
+            ("*110001+0000000000000001 81..40+0000003456000000 82..40+0000005432000000\n", "Leica GSI"),
+            (
+                "110001+00000001 81..10+00456000 82..10+05432000\n110002+00000002 81..10+00456000 82..10+05432000\n",
+                "Leica GSI",
+            ),
+            ("<?xml version=\"1.0\"?>\n<LandXML>\n", "XML"),
+            ("JB,NMSITE,DT01-02-2024,TM10:11:12\nMO,AD0,UN1,SF1.0\n", "survey controller"),
+            ("nothing but words\n", "the file holds no points"),
+        ] {
+            let refused = Preamble::read(Source { name: "t", text }, &[], |_| false).err().unwrap();
+            assert!(refused.message.contains(name), "{text}: {}", refused.message);
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@ use cyclide::Aabb;
 use super::PointList;
 use super::columns::Chosen;
 use super::decimals::Decimals;
+use super::find::on_the_globe;
 use super::names::{Role, axis_kind};
 use super::table::{Field, Table};
 use crate::text::place::{Diagnostic, Source, quoted};
@@ -98,6 +99,9 @@ pub(super) fn notes(
     columns.extend(chosen.label.map(|i| format!("the points are called as {} says", name(i))));
     if !columns.is_empty() {
         notes.push(columns.join(", "));
+    }
+    if let Some(globe) = on_the_globe(table).filter(|globe| globe.iter().all(|i| !chosen.coordinates.contains(i))) {
+        notes.push(format!("{} are angles on the globe, and not read", globe.map(name).join(" and ")));
     }
     if let Some(start) = table.titles.first() {
         let lines = match table.titles.len() {

@@ -2,9 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::decimals::has_decimal_comma;
+use super::decimals::{has_decimal_comma, is_number};
 use super::remarks::{GRID, PART_OF_GRID};
-use super::table::Table;
+use super::table::{Field, Table};
 
 /// Lines that are looked at.
 const LOOKED_AT: usize = 500;
@@ -31,12 +31,18 @@ struct Column {
     even: bool,
     rises: bool,
     range: Option<[f64; 2]>,
+    /// The range with numbers in any form.
+    all_numbers: Option<[f64; 2]>,
     /// Whole numbers that were met, and whether one came twice.
     seen: HashSet<u64>,
     repeats: bool,
     /// Fields, how often one differs from the one before, and that.
     fields: usize,
     changes: usize,
+    /// Those that are empty, those that are numbers in any form, and whether one is not 0.
+    empty: usize,
+    numbers: usize,
+    nonzero: bool,
     text: String,
 }
 
@@ -89,6 +95,45 @@ impl Sampled {
             .is_some_and(|column| column.changes > 0 && (column.changes + 1) * SHORTEST_RUN <= column.fields)
     }
 
+    /// True if what stands in a column are numbers, and not all of them 0.
+    pub(super) fn is_of_numbers(&self, column: usize) -> bool {
+        let fits = |column: &Column| column.nonzero && column.numbers + column.empty == column.fields;
+        self.columns.get(column).is_some_and(fits)
+    }
+
+    /// True if what stands in a column are numbers.
+    pub(super) fn are_numbers(&self, column: usize) -> bool {
+        let fits = |column: &Column| column.numbers > 0 && column.numbers + column.empty == column.fields;
+        self.columns.get(column).is_some_and(fits)
+    }
+
+    /// True if each value of a column may stand in two lines next to each other.
+    pub(super) fn may_come_in_pairs(&self, column: usize) -> bool {
+        self.columns.get(column).is_some_and(|column| (column.changes + 1) * 2 <= column.fields)
+    }
+
+    /// True if nothing stands in a column.
+    pub(super) fn is_empty(&self, column: usize) -> bool {
+        self.columns.get(column).is_none_or(|column| column.empty == column.fields)
+    }
+
+    /// True if a column has more than one value.
+    pub(super) fn changes(&self, column: usize) -> bool {
+        self.columns.get(column).is_some_and(|column| column.changes > 0)
+    }
+
+    /// True if a column counts its lines: whole numbers in equal steps.
+    pub(super) fn counts(&self, column: usize) -> bool {
+        let counts = |column: &Column| !column.fractions && column.lines >= FEWEST && column.even && column.rises;
+        self.columns.get(column).is_some_and(counts)
+    }
+
+    /// The least and the most of a column, if all of it are numbers.
+    pub(super) fn range(&self, column: usize) -> Option<[f64; 2]> {
+        let column = self.columns.get(column).filter(|column| column.numbers == column.fields)?;
+        column.all_numbers
+    }
+
     /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
     pub(super) fn are_on_a_grid(&self, columns: [usize; 2]) -> bool {
         let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.range));
@@ -117,6 +162,13 @@ impl Column {
         self.fields += 1;
         self.text.clear();
         self.text.push_str(text);
+        self.empty += usize::from(text.is_empty());
+        if let Some(number) = number_of(text) {
+            self.numbers += 1;
+            self.nonzero |= number != 0.0;
+            let [low, high] = self.all_numbers.unwrap_or([number; 2]);
+            self.all_numbers = Some([low.min(number), high.max(number)]);
+        }
         let comma = has_decimal_comma(text);
         let number = if comma { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
         let Ok(number) = number else {
@@ -136,6 +188,29 @@ impl Column {
         let [low, high] = self.range.unwrap_or([number; 2]);
         self.range = Some([low.min(number), high.max(number)]);
     }
+}
+
+/// A finite number in any form that tables have, roughly: what separates its thousands is left out.
+fn number_of(text: &str) -> Option<f64> {
+    if !is_number(&Field { text, start: 0 }) {
+        return None;
+    }
+    let plain: String = text
+        .replace('\u{2212}', "-")
+        .chars()
+        .filter(|c| !c.is_whitespace() && !matches!(c, '\'' | '\u{2019}'))
+        .collect();
+    let marks = |mark: char| plain.matches(mark).count();
+    // The last of two marks is that of the fraction, and one that comes twice is not.
+    let fraction = match (plain.rfind('.'), plain.rfind(',')) {
+        (Some(point), Some(comma)) if point < comma => ',',
+        (None, Some(_)) if marks(',') == 1 => ',',
+        _ => '.',
+    };
+    let twice = marks(fraction) > 1;
+    let digits = plain.chars().filter(|c| !matches!(c, '.' | ',') || *c == fraction && !twice);
+    let value: f64 = digits.map(|c| if c == fraction { '.' } else { c }).collect::<String>().parse().ok()?;
+    value.is_finite().then_some(value)
 }
 
 #[cfg(test)]

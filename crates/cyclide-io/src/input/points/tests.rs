@@ -285,7 +285,7 @@ fn columns_that_could_only_be_guessed_are_refused() {
         ),
         (
             "Hz;V;SD\n8,5;47,1;1\n",
-            "p.csv:1:1: no column is named x or y; there are Hz, V, SD: name two or three of them, x first (`--columns A,B`",
+            "p.csv:1:1: no column is named x or y; there are Hz, V, SD: name two or three of them, by their names or numbers (`--columns`",
         ),
         ("southing,westing\n1,2\n", "p.csv:1:1: no column is named x or y"),
         ("0 mm,0 mm\n10,5\n", "p.csv:1:1: no names of columns and no numbers"),

@@ -39,9 +39,8 @@ impl UnitWord {
         let unit = match word {
             "millimetre" | "millimetres" | "millimeter" | "millimeters" => Units::Millimetre,
             "centimetre" | "centimetres" | "centimeter" | "centimeters" => Units::Centimetre,
-            "metre" | "metres" | "meter" | "meters" | "m\u{e8}tre" | "m\u{e8}tres" | "metro" | "metri" | "metros" => {
-                Units::Metre
-            }
+            "metre" | "metres" | "meter" | "meters" | "m\u{e8}tre" | "m\u{e8}tres" | "metro" | "metri" | "metros"
+            | "\u{43c}" => Units::Metre,
             "inch" | "inches" | "zoll" | "pouce" | "pouces" | "pulgada" | "pulgadas" | "pollice" | "pollici" | "\""
             | "''" => Units::Inch,
             "foot" | "feet" | "fuss" | "fu\u{df}" | "pied" | "pieds" | "pie" | "pies" | "piede" | "piedi" => {
