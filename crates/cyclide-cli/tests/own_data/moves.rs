@@ -227,8 +227,9 @@ fn noisy_motions_close_and_name_lost_poses() {
     for (fields, dropped) in
         [("", false), (r#""outliers": "keep","#, false), (r#""outliers": "drop", "closed": true,"#, true)]
     {
-        let (found, text) = report(&document(fields, true));
+        let (found, _) = report(&document(fields, true));
         assert_eq!(reasons(&found), ["outlier"], "{found}");
+        let text = found["warnings"][0]["message"].as_str().unwrap();
         assert!(text.contains("pose 40 is an outlier in place (1 in all)"), "{text}");
         assert_eq!(text.contains("left out"), dropped, "{text}");
         assert_eq!(found["length"].as_f64().unwrap() < 520.0, dropped, "{found}");
@@ -238,14 +239,21 @@ fn noisy_motions_close_and_name_lost_poses() {
 /// Tolerances far above the noise say that they take bends of the path, or all of it.
 #[test]
 fn wide_tolerances_of_motions_are_said() {
-    let document = |place: f64| {
-        let poses = noisy_ring(false);
+    let line = (0..60).map(|k| format!(r#"{{"position": [{}, 0, 0]}}"#, 2 * k)).collect::<Vec<_>>().join(", ");
+    let ring = noisy_ring(false);
+    let document = |poses: &str, place: f64| {
         format!(
             r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": {place}}}, "poses": [{poses}]}}}}}}"#
         )
     };
-    for (place, expected) in [(2.5, None), (40.0, Some("wide-tolerance")), (400.0, Some("shape-smoothed-away"))] {
-        let (found, _) = report(&document(place));
+    for (poses, place, expected) in [
+        (&ring, 2.5, None),
+        (&ring, 40.0, Some("shape-smoothed-away")),
+        (&ring, 400.0, Some("shape-smoothed-away")),
+        (&line, 2.5, None),
+        (&line, 40.0, Some("wide-tolerance")),
+    ] {
+        let (found, _) = report(&document(poses, place));
         assert_eq!(reasons(&found), expected.into_iter().collect::<Vec<_>>(), "{place} {found}");
     }
 }
