@@ -157,6 +157,8 @@ fn fields_that_do_not_fit_are_refused() {
         r#""kind": "linear", "blend_radius": 2"#,
         r#""tolerance": {"place": 1}"#,
         r#""tolerance": {"place": 1, "angle": {"degrees": 2}}"#,
+        r#""tolerance": {"place": 1, "angle": {"degrees": 2}}, "closed": true"#,
+        r#""tolerance": {"place": 1}, "outliers": "drop""#,
     ] {
         let (found, _) = report(&document(fields));
         assert!(found["off_chords"]["distance"].is_number(), "{fields} {found}");
@@ -171,10 +173,106 @@ fn fields_that_do_not_fit_are_refused() {
         (r#""blend_radius": 2"#, "`blend_radius`"),
         (r#""kind": "linear", "blend_radius": -2"#, "blend_radius"),
         (r#""tolerance": {"place": 0}"#, "tolerance"),
-        (r#""tolerance": {"place": 1}, "closed": true"#, "`closed`"),
+        (r#""outliers": "drop""#, "`outliers`"),
     ] {
         let folder = Folder::with(&[("m.json", &document(fields))]);
         let run = folder.run("report m.json");
         assert!(run.code != 0 && run.stderr.contains(words), "{fields}\n{}", run.stderr);
+    }
+}
+
+/// Poses on a ring, noisy, with the times of a motion that comes back, one of them lost.
+fn noisy_ring(lost: bool) -> String {
+    let mut state = 7_u64;
+    let mut noise = || {
+        (0..12).fold(-6.0, |sum, _| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            sum + (state >> 11) as f64 / 9_007_199_254_740_992.0
+        })
+    };
+    let pose = |k: u32| {
+        let angle = std::f64::consts::TAU * f64::from(k) / 120.0;
+        let [x, y, z] = [100.0 * angle.cos(), 60.0 * angle.sin(), 5.0 * (2.0 * angle).sin()].map(|v| v + 0.5 * noise());
+        let place = if lost && k == 40 { "0, 0, 0".to_owned() } else { format!("{x}, {y}, {z}") };
+        format!(
+            r#"{{"time": {}, "position": [{place}], "rpy": [0, 0, {}]}}"#,
+            0.1 * f64::from(k),
+            angle + 0.002 * noise()
+        )
+    };
+    (0..=120).map(pose).collect::<Vec<_>>().join(", ")
+}
+
+/// A motion within a tolerance comes back as it began, and says which pose is lost.
+#[test]
+fn noisy_motions_close_and_name_lost_poses() {
+    let document = |fields: &str, lost: bool| {
+        let poses = noisy_ring(lost);
+        format!(
+            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 2.5, "angle": {{"degrees": 0.6}}}},
+                {fields} "poses": [{poses}]}}}}}}"#
+        )
+    };
+    let gap = |found: &Value| {
+        let each =
+            ["gap", "velocity_jump", "angular_velocity_jump"].map(|key| found["closing"][key].as_f64().unwrap_or(0.0));
+        each.into_iter().fold(0.0, f64::max)
+    };
+    let (found, text) = report(&document(r#""closed": true,"#, false));
+    assert!(gap(&found) < 1e-9 && found["acceleration_jump"].as_f64().unwrap_or(0.0) < 1e-6, "{found}");
+    assert!(text.contains("as it began\n") && reasons(&found).is_empty(), "{text}");
+    assert!((found["length"].as_f64().unwrap() - 510.5).abs() < 6.0, "{found}");
+    assert!(found["deviation"]["place"].as_f64().unwrap() <= 2.5);
+    // Kept, it pulls the motion; left out, it does not.
+    for (fields, dropped) in
+        [("", false), (r#""outliers": "keep","#, false), (r#""outliers": "drop", "closed": true,"#, true)]
+    {
+        let (found, _) = report(&document(fields, true));
+        assert_eq!(reasons(&found), ["outlier"], "{found}");
+        let text = found["warnings"][0]["message"].as_str().unwrap();
+        assert!(text.contains("pose 40 is an outlier in place (1 in all)"), "{text}");
+        assert_eq!(text.contains("left out"), dropped, "{text}");
+        assert_eq!(found["length"].as_f64().unwrap() < 520.0, dropped, "{found}");
+    }
+}
+
+/// Tolerances far above the noise say that they take bends of the path, or all of it.
+#[test]
+fn wide_tolerances_of_motions_are_said() {
+    let line = (0..60).map(|k| format!(r#"{{"position": [{}, 0, 0]}}"#, 2 * k)).collect::<Vec<_>>().join(", ");
+    let ring = noisy_ring(false);
+    let document = |poses: &str, place: f64| {
+        format!(
+            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": {place}}}, "poses": [{poses}]}}}}}}"#
+        )
+    };
+    for (poses, place, expected) in [
+        (&ring, 2.5, None),
+        (&ring, 40.0, Some("shape-smoothed-away")),
+        (&ring, 400.0, Some("shape-smoothed-away")),
+        (&line, 2.5, None),
+        (&line, 40.0, Some("wide-tolerance")),
+    ] {
+        let (found, _) = report(&document(poses, place));
+        assert_eq!(reasons(&found), expected.into_iter().collect::<Vec<_>>(), "{place} {found}");
+    }
+}
+
+/// Which pose of a closed motion comes first is of no matter for how far it is off its chords.
+#[test]
+fn off_chords_of_closed_motions_do_not_know_the_first_pose() {
+    let poses = ["40, -25, 44", "-54, 46, -1", "-62, -16, 3", "14, -49, -55", "10, -23, 12"];
+    for fields in [r#""kind": "linear", "blend_radius": 1000"#, r#""kind": "spline""#] {
+        let found: Vec<f64> = (0..poses.len())
+            .map(|first| {
+                let poses =
+                    (0..poses.len()).map(|k| format!(r#"{{"position": [{}]}}"#, poses[(first + k) % poses.len()]));
+                let poses = poses.collect::<Vec<_>>().join(", ");
+                let fields = format!(r#"{fields}, "closed": true, "poses": [{poses}]"#);
+                let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", {fields}}}}}}}"#);
+                off_chords(&report(&text).0)[0]
+            })
+            .collect();
+        assert!(found.iter().all(|off| (off - found[0]).abs() < 1e-6 * found[0]), "{fields} {found:?}");
     }
 }

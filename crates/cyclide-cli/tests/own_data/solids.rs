@@ -141,6 +141,95 @@ fn the_corner_where_a_rail_should_start_is_named_and_makes_the_surface() {
     assert!((built["objects"]["loft"]["total_area"].as_f64().unwrap() / area - 1.0).abs() < 1e-12);
 }
 
+/// A closed curve that runs the other way makes no surface that crosses itself, from wherever it starts, and the remedy makes the right one.
+#[test]
+fn a_rail_that_runs_the_other_way_is_refused_with_what_mends_it() {
+    let ring = |radius: f64, height: f64, count: usize, first: usize, sense: f64| {
+        let corner = |k: usize| {
+            let angle = sense * std::f64::consts::TAU * ((k + first) % count) as f64 / count as f64;
+            format!("[{}, {}, {height}]", radius * angle.cos(), radius * angle.sin())
+        };
+        (0..count).map(corner).collect::<Vec<_>>().join(", ")
+    };
+    let folder = Folder::with(&[]);
+    for count in [4, 5, 6, 9] {
+        // Frusta between regular polygons: the slant height is that of the sides.
+        let apothem = (std::f64::consts::PI / count as f64).cos();
+        let side = (std::f64::consts::PI / count as f64).sin();
+        let area = count as f64 * (20.0 + 12.0) * side * 30.0_f64.hypot(8.0 * apothem);
+        for first in 0..count {
+            let curve = |points: &str| {
+                format!(r#"{{"type": "polyline", "points": [{points}], "closed": true, "construction": true}}"#)
+            };
+            let document = |fields: &str| {
+                format!(
+                    r#"{{"cyclide": 1, "units": "mm", "objects": {{"low": {}, "top": {},
+                    "turned": {{"type": "transform", "of": "top", "steps": ["reverse"], "construction": true}}, "loft": {{"type": "ruled", {fields}}}}}}}"#,
+                    curve(&ring(20.0, 0.0, count, 0, 1.0)),
+                    curve(&ring(12.0, 30.0, count, first, -1.0))
+                )
+            };
+            for given in [0, 2] {
+                folder.write("r.json", &document(&format!(r#""rails": ["low", "top"], "shift": {given}"#)));
+                let run = folder.run("report r.json");
+                assert!(run.code == 1 && run.stderr.contains("[rulings-cross]"), "{count} {first}: {}", run.stderr);
+                assert!(run.stderr.contains(r#"`["reverse"]`"#), "{}", run.stderr);
+                let shift =
+                    run.stderr.split(r#"`"shift": "#).nth(1).map_or("0", |rest| rest.split('`').next().unwrap());
+                folder.write("m.json", &document(&format!(r#""rails": ["low", "turned"], "shift": {shift}"#)));
+                let made = folder.json("report m.json --json");
+                let found = made["objects"]["loft"]["total_area"].as_f64().unwrap();
+                assert!((found / area - 1.0).abs() < 1e-9, "{count} {first} {given} {shift}: {found} {area}");
+            }
+        }
+    }
+}
+
+/// Twisted on purpose: rulings of a hyperboloid and of a saddle make their surfaces, the saddle the long way round with a remark.
+#[test]
+fn twisted_ruled_surfaces_are_made() {
+    let circle = |height: f64, turn: f64| {
+        format!(
+            r#"{{"type": "transform", "of": "c", "steps": [{{"rotation": {{"axis": [0, 0, 1], "angle": {turn}}}}}, {{"translation": [0, 0, {height}]}}], "construction": true}}"#
+        )
+    };
+    let line =
+        |from: &str, to: &str| format!(r#"{{"type": "polyline", "points": [[{from}], [{to}]], "construction": true}}"#);
+    for (objects, warned) in [
+        (
+            format!(
+                r#""c": {{"type": "circle", "center": [0, 0, 0], "radius": 5, "construction": true}}, "a": {}, "b": {}"#,
+                circle(0.0, 0.0),
+                circle(8.0, 2.0)
+            ),
+            false,
+        ),
+        (format!(r#""a": {}, "b": {}"#, line("0, 0, 0", "10, 0, 4"), line("0, 10, 4", "10, 10, 0")), false),
+        (format!(r#""a": {}, "b": {}"#, line("0, 0, 0", "10, 0, 4"), line("10, 3, 0", "0, 3, 4")), true),
+    ] {
+        let text =
+            format!(r#"{{"cyclide": 1, "objects": {{{objects}, "s": {{"type": "ruled", "rails": ["a", "b"]}}}}}}"#);
+        let folder = Folder::with(&[("s.json", &text)]);
+        let run = folder.run("report s.json");
+        assert!(run.code == 0, "{}", run.stderr);
+        assert_eq!((run.stdout + &run.stderr).contains("rails-opposite"), warned, "{text}");
+    }
+}
+
+/// A helix far from the origin says by how much its coordinates are rounded.
+#[test]
+fn helices_say_how_they_are_rounded() {
+    let helix = |center: &str| {
+        let fields = format!(
+            r#""type": "helix", "radius": 15, "pitch": 8, "turns": 5, "tolerance": 1e-12, "center": [{center}]"#
+        );
+        let folder = Folder::with(&[("h.json", &format!(r#"{{"cyclide": 1, "objects": {{"h": {{{fields}}}}}}}"#))]);
+        folder.json("report h.json --json")["objects"]["h"]["within"].as_f64().unwrap()
+    };
+    assert!((helix("0, 0, 0") - 1e-12).abs() < 1e-13);
+    assert!((1e-9..1e-8).contains(&helix("5334000, 5334000, 100")));
+}
+
 #[test]
 fn remedies_that_are_named_work() {
     // A noisy run: the fit and both tolerances that are named build.

@@ -49,7 +49,8 @@ impl LeavesChords {
                 places.map(|p| distance_to_segment(p, [a, b])).fold(0.0, f64::max)
             };
             let distance = farthest(&|s| place(span, ground.unit, s));
-            let longest = chord(i.saturating_sub(1)).max(chord(i)).max(chord((i + 1).min(last)));
+            let beside = if closed { [(i + last - 1) % last, (i + 1) % last] } else { [i.saturating_sub(1), i + 1] };
+            let longest = beside.into_iter().map(chord).fold(chord(i), f64::max);
             // Beside a short chord places swing, which is looked at elsewhere.
             if chord(i) < LEAVES * longest || !(distance > (LEAVES * longest).max(LEAST * extent)) {
                 continue;

@@ -37,7 +37,7 @@ pub struct OffChords {
 
 impl Motion {
     /// How far, and when, the origin of the body is farthest from the straight lines between its poses: from the nearest one of that between the pose
-    /// before and the pose after, and those beside it. `None` of a motion along a curve, which has no poses.
+    /// before and the pose after, and those beside it, which are the last and the first one too where the motion comes back. `None` of a motion along a curve, which has no poses.
     #[must_use]
     pub fn off_chords(&self) -> Option<OffChords> {
         let times = self.pose_times();
@@ -45,10 +45,16 @@ impl Motion {
         if times.len() < 2 || points.len() != times.len() {
             return None;
         }
+        let size = points.iter().map(|point| point.max_abs()).fold(0.0, f64::max);
+        let spans = points.len() - 1;
+        // The first chord comes after the last one where the motion comes back: which pose it starts with is of no matter.
+        let is_back = spans > 1 && (points[spans] - points[0]).length() <= NO_DISTANCE * size;
         let distance = |span: usize, time: f64| {
             let place = self.pose(time).translation();
-            let chords = points[span.saturating_sub(1)..points.len().min(span + 3)].windows(2);
-            chords.map(|ends| distance_to_segment(place, [ends[0], ends[1]])).fold(f64::INFINITY, f64::min)
+            let beside = [span.checked_sub(1), Some(span), (span + 1 < spans).then_some(span + 1)];
+            let around = is_back.then(|| [(span + spans - 1) % spans, (span + 1) % spans]);
+            let chords = beside.into_iter().flatten().chain(around.into_iter().flatten());
+            chords.map(|k| distance_to_segment(place, [points[k], points[k + 1]])).fold(f64::INFINITY, f64::min)
         };
         let mut found = OffChords { distance: 0.0, time: times[0] };
         let mut brackets: Vec<(f64, usize, [f64; 2])> = Vec::new();
@@ -75,7 +81,6 @@ impl Motion {
                 found.raise(distance(span, time), time);
             }
         }
-        let size = points.iter().map(|point| point.max_abs()).fold(0.0, f64::max);
         if found.distance <= NO_DISTANCE * size {
             return Some(OffChords { distance: 0.0, time: times[0] });
         }

@@ -22,6 +22,8 @@ const FIRST: f64 = 1e-3;
 /// distance this many times after least squares: what is of second order changes them by less.
 const GIVEN_UP_AT_START: f64 = 2.0;
 const GIVEN_UP: f64 = 1.05;
+/// A step is good enough where it is so with something to spare for what is of second order.
+const CLEARLY: f64 = 0.995;
 
 /// Distances at points, with their derivatives by the free parameters.
 struct Linear {
@@ -75,8 +77,8 @@ impl Linear {
 
     /// The step of the least largest distance, to first order, and a lower bound of that: weights are multiplied by the
     /// distances, again and again (C. L. Lawson's rule), and the weighted mean of distances that are least in the mean is no larger than
-    /// the largest of any other ones.
-    fn level(&self, weights: &mut Vec<f64>, damping: f64) -> Option<([f64; MOST], f64)> {
+    /// the largest of any other ones. Done as soon as the largest is at most `enough`, or the bound above `most`.
+    fn level(&self, weights: &mut Vec<f64>, damping: f64, [enough, most]: [f64; 2]) -> Option<([f64; MOST], f64)> {
         let mut best = None;
         let (mut least, mut bound) = (f64::INFINITY, 0.0_f64);
         for _ in 0..WEIGHINGS {
@@ -90,7 +92,7 @@ impl Linear {
             if largest < least {
                 (least, best) = (largest, Some(step));
             }
-            if least <= LEVEL * bound || least <= ROUNDING {
+            if least <= LEVEL * bound || least <= ROUNDING.max(CLEARLY * enough) || bound > most {
                 break;
             }
             let weighed: Vec<f64> = self.after(&step).zip(weights.iter()).map(|(d, w)| d.abs() * w).collect();
@@ -126,12 +128,12 @@ fn cholesky(a: &mut [[f64; MOST]; MOST], b: &mut [f64; MOST], n: usize) -> bool 
 
 impl BentPlane {
     /// The surface near this one whose largest distance from the points is least, to about half a percent, with that distance: by least squares,
-    /// then by linearised problems of the least maximum. What is above `limit` by the mean alone is left there, and nothing is done any
-    /// more once the largest distance is at most `enough`.
+    /// then by linearised problems of the least maximum. What no surface near this one brings within `limit` is left wherever that is seen, and nothing
+    /// is done any more once the largest distance is at most `enough`.
     pub(super) fn least_maximum(self, points: &[Vec3], free: &[usize], [enough, limit]: [f64; 2]) -> (Self, f64) {
         let (shape, mean) = self.least_squares(points, free, f64::INFINITY);
         let best = (shape, shape.largest(points));
-        if mean > limit { best } else { best.0.levelled(points, free, [enough, f64::INFINITY]) }
+        if mean > limit { best } else { best.0.levelled(points, free, [enough, GIVEN_UP * limit]) }
     }
 
     /// As [`least_maximum`](Self::least_maximum) for a surface that is only placed: one that no placing near this one brings within
@@ -152,7 +154,9 @@ impl BentPlane {
                 break;
             }
             let linear = Linear::new(&best.0, points, free);
-            let Some((step, bound)) = linear.level(&mut weights, damping) else { break };
+            // What is damped says nothing of what can be reached.
+            let given_up = if damping <= DAMPING[0] { most } else { f64::INFINITY };
+            let Some((step, bound)) = linear.level(&mut weights, damping, [enough, given_up]) else { break };
             if damping <= DAMPING[0] && (best.1 <= LEVEL * bound || bound > most) {
                 break;
             }

@@ -13,8 +13,12 @@ use crate::surface::CyclidePatch;
 const TRIALS: usize = 10;
 /// Steps of the ladder of tolerances for kinds.
 const RUNGS: usize = 4;
+/// So many moulds are allowed first, free panels apart.
+const FIRST_ALLOWED: usize = 4;
 /// Differences of bulges, in tolerances, beyond which no placing helps, times eight.
 const FAR: f64 = 64.0;
+/// Of the bulges of cones, which are off at the ends of the rulings only, this part counts.
+const CONE: f64 = 0.25;
 /// What is within this part of the tolerance at the points of a fit is within all of it between them too, as a rule.
 const INSIDE: f64 = 0.98;
 
@@ -95,26 +99,7 @@ impl Moulds {
     /// `tolerance-not-positive`.
     pub fn new(panels: &[CyclidePatch], tolerance: f64) -> Result<Self> {
         check_tolerance(tolerance)?;
-        let workshop = Workshop::new(panels, tolerance);
-        let mut rungs: Vec<Vec<Option<Bend>>> = Vec::new();
-        for strict in ladder(panels, tolerance) {
-            let kinds = workshop.kinds(strict);
-            if !rungs.contains(&kinds) {
-                rungs.push(kinds);
-            }
-        }
-        // Those of the fewest kinds first: what they need is the limit for the others.
-        let mut order: Vec<usize> = (0..rungs.len()).collect();
-        order.sort_by_key(|rung| (fewest(&rungs[*rung]), *rung));
-        let mut best: Option<(Self, usize)> = None;
-        for rung in order {
-            // Of as many moulds the earlier rung has the simpler ones.
-            let limit = best.as_ref().map_or(usize::MAX, |(best, at)| best.count() + usize::from(rung < *at));
-            if let Some(made) = workshop.moulds(&rungs[rung], limit) {
-                best = Some((made, rung));
-            }
-        }
-        let best = best.map(|best| best.0);
+        let best = Workshop::new(panels, tolerance).fewest_moulds();
         Ok(best.unwrap_or(Self { moulds: Vec::new(), free: Vec::new() }))
     }
 
@@ -169,6 +154,13 @@ struct Job<'a> {
     own: MouldShape,
 }
 
+/// How a panel of a mould that leads is bent, and what a difference of that does over its width: times eight, a bulge.
+#[derive(Clone, Copy)]
+struct Bulge {
+    bend: f64,
+    width: f64,
+}
+
 /// The curvatures that are good for a panel.
 struct Range<'a> {
     job: Job<'a>,
@@ -203,6 +195,40 @@ impl<'a> Workshop<'a> {
         Self { panels, fits, tolerance, members: RefCell::default(), ranges: RefCell::default() }
     }
 
+    /// The fewest moulds that the kinds of some rung of the ladder need.
+    fn fewest_moulds(&self) -> Option<Moulds> {
+        let mut rungs: Vec<Vec<Option<Bend>>> = Vec::new();
+        for strict in ladder(self.panels, self.tolerance) {
+            let kinds = self.kinds(strict);
+            if !rungs.contains(&kinds) {
+                rungs.push(kinds);
+            }
+        }
+        // Those of the fewest kinds first: what they need is the limit for the others.
+        let mut order: Vec<usize> = (0..rungs.len()).collect();
+        order.sort_by_key(|rung| (fewest(&rungs[*rung]), *rung));
+        // All have the same free panels. Of the others a rung may need a mould for each, where another needs one for all: each is led
+        // to few moulds first, and to twice as many as long as none is enough, so that none makes many more than the best needs.
+        let free = rungs.first().map_or(0, |kinds| kinds.iter().filter(|kind| kind.is_none()).count());
+        let mut allowed = FIRST_ALLOWED;
+        let mut best: Option<(Moulds, usize)> = None;
+        while best.is_none() && !rungs.is_empty() {
+            let most = if allowed > self.panels.len() { usize::MAX } else { free + allowed };
+            for &rung in &order {
+                // Of as many moulds the earlier rung has the simpler ones.
+                let limit = best.as_ref().map_or(most, |(best, at)| best.count() + usize::from(rung < *at));
+                if let Some(made) = self.moulds(&rungs[rung], limit) {
+                    best = Some((made, rung));
+                }
+            }
+            if most == usize::MAX {
+                break;
+            }
+            allowed *= 2;
+        }
+        best.map(|best| best.0)
+    }
+
     /// The kind of each panel: the simplest within `strict`, or where there is none, the nearest.
     fn kinds(&self, strict: f64) -> Vec<Option<Bend>> {
         let kind = |fits: &[Option<PanelFit>; KINDS.len()]| {
@@ -230,7 +256,11 @@ impl<'a> Workshop<'a> {
             match bend {
                 Bend::Plane | Bend::Cone | Bend::Torus => self.led(jobs.collect(), &mut moulds, limit),
                 Bend::Cylinder | Bend::Sphere => {
-                    self.met(jobs.map(|job| self.range(job)).collect(), &mut moulds, limit);
+                    let jobs: Vec<Job<'_>> = jobs.collect();
+                    if moulds.len() + self.apart(&jobs, limit - moulds.len()) >= limit {
+                        return None;
+                    }
+                    self.met(jobs.into_iter().map(|job| self.range(job)).collect(), &mut moulds, limit);
                 }
             }
             if moulds.len() >= limit {
@@ -270,35 +300,83 @@ impl<'a> Workshop<'a> {
 
     /// Groups whose first panel in the order of radii leads, up to a number of moulds.
     fn led(&self, jobs: Vec<Job<'_>>, moulds: &mut Vec<Mould>, limit: usize) {
-        let mut waiting = jobs;
-        waiting.sort_by(|a, b| compare(&a.own.order(), &b.own.order()).then(a.panel.cmp(&b.panel)));
-        while let Some(leader) = waiting.first().copied().filter(|_| moulds.len() < limit) {
+        let mut jobs: Vec<(Job<'_>, Bulge)> = jobs.into_iter().map(|job| (job, self.bulge(&job))).collect();
+        jobs.sort_by(|(a, _), (b, _)| compare(&a.own.order(), &b.own.order()).then(a.panel.cmp(&b.panel)));
+        let least = jobs.iter().map(|(_, bulge)| bulge.width).fold(f64::INFINITY, f64::min);
+        let mut taken = vec![false; jobs.len()];
+        for first in 0..jobs.len() {
+            // The leader is gone in any case, so that there is an end.
+            if std::mem::replace(&mut taken[first], true) {
+                continue;
+            }
+            if moulds.len() >= limit {
+                return;
+            }
+            let (leader, bulge) = jobs[first];
             let mut mould = Mould { shape: leader.own, members: Vec::new() };
-            let mut left = Vec::new();
-            for (place, job) in waiting.into_iter().enumerate() {
-                let member = if self.may_be(&job, &leader.own) { self.member(&job, &leader.own) } else { None };
-                match member {
-                    Some(member) => mould.members.push(member),
-                    // The leader is gone in any case, so that there is an end.
-                    None if place > 0 => left.push(job),
-                    None => {}
+            mould.members.extend(self.member(&leader, &leader.own));
+            for (place, (job, own)) in jobs.iter().enumerate().skip(first + 1) {
+                let apart = (own.bend - bulge.bend).abs();
+                // They are in the order of what is compared: no later one is nearer.
+                if apart * least > FAR * self.tolerance {
+                    break;
+                }
+                if taken[place] || apart * own.width > FAR * self.tolerance {
+                    continue;
+                }
+                if let Some(member) = self.member(job, &leader.own) {
+                    mould.members.push(member);
+                    taken[place] = true;
                 }
             }
             moulds.push(mould);
-            waiting = left;
         }
     }
 
-    /// False of a panel on a torus whose tube is bent otherwise by far more than the tolerance allows over the panel: it need not be tried.
-    fn may_be(&self, job: &Job<'_>, shape: &MouldShape) -> bool {
-        let (MouldShape::Torus { minor_radius: a, .. }, MouldShape::Torus { minor_radius: b, .. }) = (job.own, *shape)
-        else {
-            return true;
-        };
+    /// What a panel that leads, or is led, is compared by first.
+    fn bulge(&self, job: &Job<'_>) -> Bulge {
         let [p, q, r, _] = self.panels[job.panel].corners();
         let width = p.distance(q).min(p.distance(r));
-        // Bulges of an eighth of the curvature times the square of the width, off by a tolerance at both ends and in the middle.
-        (1.0 / a - 1.0 / b).abs() * width * width <= FAR * self.tolerance
+        match job.own {
+            // Bulges of an eighth of the curvature times the square of the width, off by a tolerance at both ends and in the middle.
+            MouldShape::Torus { minor_radius, .. } => Bulge { bend: 1.0 / minor_radius, width: width * width },
+            // The curvature k across the rulings changes along them by k² tan α, hence the bulge by that times the width.
+            MouldShape::Cone { half_angle } => {
+                let shape = &job.fit.shape;
+                let bend = shape.along * shape.tilt.cos() / self.panels[job.panel].size();
+                Bulge { bend: half_angle.tan(), width: CONE * bend * bend * width.powi(3) }
+            }
+            _ => Bulge { bend: 0.0, width: 0.0 },
+        }
+    }
+
+    /// How many of the ranges of curvature of panels are apart, at least, up to a number: so many moulds they need. The ranges of few panels are
+    /// found for that, while all take long.
+    fn apart(&self, jobs: &[Job<'_>], most: usize) -> usize {
+        let curvature = |job: &Job<'_>| job.fit.shape.across.abs() / self.panels[job.panel].size();
+        let mut order: Vec<(f64, &Job<'_>)> = jobs.iter().map(|job| (curvature(job), job)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.panel.cmp(&b.1.panel)));
+        let Some(first) = order.first() else { return 0 };
+        // Where every panel may need a mould all ranges are asked for anyway.
+        if most > jobs.len() {
+            return 1;
+        }
+        let (mut count, mut high) = (1, self.range(*first.1).high);
+        while count < most {
+            // Ranges begin below the curvatures of the panels, in about their order.
+            let mut from = order.partition_point(|(own, _)| *own <= high);
+            let mut to = order.len() - 1;
+            if from > to || self.range(*order[to].1).low <= high {
+                break;
+            }
+            while from < to {
+                let middle = (from + to) / 2;
+                if self.range(*order[middle].1).low > high { to = middle } else { from = middle + 1 }
+            }
+            high = self.range(*order[to].1).high;
+            count += 1;
+        }
+        count
     }
 
     /// Groups of panels whose ranges of curvature have one in common, as few as can be, up to a number of moulds.
@@ -352,7 +430,7 @@ impl<'a> Workshop<'a> {
         let enough = INSIDE * self.tolerance;
         let is_good = |curvature: f64| {
             let shape = with_radius(&job.own, 1.0 / curvature);
-            curvature > 0.0 && points.place(job.fit, &shape, [enough, self.tolerance]).1 <= enough
+            curvature > 0.0 && points.place(job.fit, &shape, [enough, enough]).1 <= enough
         };
         let reach = |sign: f64| {
             // The bulge of the panel is an eighth of the curvature times the square of its size.
@@ -376,5 +454,44 @@ fn with_radius(shape: &MouldShape, radius: f64) -> MouldShape {
     match shape {
         MouldShape::Sphere { .. } => MouldShape::Sphere { radius },
         _ => MouldShape::Cylinder { radius },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::vector::{Point3, Vec3};
+    use crate::surface::DupinCyclide;
+
+    /// One torus makes all panels, each of which is near a sphere too: what spheres are good for them takes long, and is not asked for of all.
+    #[test]
+    fn a_kind_that_needs_more_moulds_is_left_before_all_its_panels_are_looked_at() {
+        let nets = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([24, 24]).unwrap();
+        let panels: Vec<CyclidePatch> = nets[0].patches().collect();
+        let workshop = Workshop::new(&panels, 0.008);
+        assert!(workshop.fits.iter().all(|fits| fits[3].is_some()), "spheres");
+        let moulds = workshop.fewest_moulds().unwrap();
+        assert_eq!((moulds.count(), moulds.moulds[0].members.len()), (1, panels.len()));
+        let asked = workshop.ranges.borrow().len();
+        assert!(asked * 4 < panels.len(), "{asked} of {}", panels.len());
+    }
+
+    /// Radii of spheres that no sphere is between are counted, up to what is asked for.
+    #[test]
+    fn ranges_that_are_apart_count() {
+        let sphere = |r: f64| {
+            let corners = [Point3::new(r, 0.0, 0.0), Point3::new(0.0, r, 0.0)];
+            let top = Point3::new(0.0, 0.0, r);
+            CyclidePatch::from_corners_and_frame([corners[0], corners[1], top, top], Vec3::Y, Vec3::Z).unwrap()
+        };
+        let panels: Vec<CyclidePatch> = [1.0, 1.001, 2.0, 2.001, 3.0, 5.0].map(sphere).to_vec();
+        let workshop = Workshop::new(&panels, 1e-2);
+        let job = |panel: usize| {
+            let fit = workshop.fits[panel][3].as_ref().unwrap();
+            Job { panel, fit, own: MouldShape::of(fit, panels[panel].size()) }
+        };
+        let jobs: Vec<Job<'_>> = (0..panels.len()).map(job).collect();
+        assert_eq!(workshop.apart(&jobs, 6), 4);
+        assert_eq!(workshop.apart(&jobs, 3), 3);
     }
 }

@@ -183,12 +183,45 @@ pub enum Warning {
     PosesNoisier {
         /// True of the turns, in radians; else of the places.
         turning: bool,
-        /// Standard deviation of the noise along one axis.
+        /// Standard deviation of the noise in one direction.
         sigma: f64,
         /// The tolerance.
         tolerance: f64,
         /// Tolerances from this on are not reported.
         needed: f64,
+    },
+    /// A pose of a smoothed motion does not belong to the others: it is far from where these go on.
+    PoseOutlier {
+        /// The pose, from 0.
+        pose: usize,
+        /// True if it is so in its turn, in radians; else in its place.
+        turning: bool,
+        /// How far it is off.
+        distance: f64,
+        /// Standard deviation of the noise of the others in one direction.
+        noise: f64,
+        /// It was left out, as asked for; else it counts.
+        dropped: bool,
+        /// How many there are.
+        count: usize,
+    },
+    /// A tolerance of a smoothed motion so large that its path is gone: it is less than 0.8 times as long as the poses say.
+    MotionSmoothedAway {
+        /// True of the turns, in radians; else of the places.
+        turning: bool,
+        /// Length of the path.
+        path: f64,
+        /// Length of that through the poses without their noise.
+        poses: f64,
+    },
+    /// A tolerance of a smoothed motion that is wide against the path, and not for its noise.
+    WideForMotion {
+        /// True of the turns, in radians; else of the places.
+        turning: bool,
+        /// The tolerance.
+        tolerance: f64,
+        /// How far poses without their noise are from the first.
+        extent: f64,
     },
     /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the way to the next pose at most.
     BlendsShortened {

@@ -140,12 +140,44 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*chord)
             ),
             Self::PosesNoisier { turning, sigma, tolerance, needed } => {
-                let (of, unit) = if *turning { ("angle", " rad") } else { ("place", "") };
+                let (of, unit) = in_place_or_angle(*turning);
                 let [sigma, tolerance, needed] = [sigma, tolerance, needed].map(|value| ShortNumber(*value));
                 write!(
                     f,
-                    "the tolerance in {of} of {tolerance}{unit} is below four standard deviations of the noise of the poses, which is about {sigma}{unit} along each axis: single poses \
-                     pull the motion to and fro; give {needed}{unit} or more"
+                    "the tolerance in {of} of {tolerance}{unit} is below what the noise of the poses makes of the farthest one: its standard deviation is about {sigma}{unit} in one \
+                     direction, and single poses pull the motion to and fro; give {needed}{unit} or more"
+                )
+            }
+            Self::PoseOutlier { pose, turning, distance, noise, dropped, count } => {
+                let (of, unit) = in_place_or_angle(*turning);
+                write!(
+                    f,
+                    "pose {pose} is an outlier in {of} ({count} in all): it is {}{unit} from where the poses around it go on, whose noise has a standard deviation of {}{unit}; {}",
+                    ShortNumber(*distance),
+                    ShortNumber(*noise),
+                    if *dropped {
+                        "left out"
+                    } else {
+                        "kept, and the motion follows it within the tolerance; `\"outliers\": \"drop\"` in the document leaves it out"
+                    }
+                )
+            }
+            Self::MotionSmoothedAway { turning, path, poses } => {
+                let (of, unit) = in_place_or_angle(*turning);
+                write!(
+                    f,
+                    "the path of the motion in {of} is {}{unit} long, its poses say {}{unit}: what is smaller than the tolerance is gone; give a smaller one",
+                    ShortNumber(*path),
+                    ShortNumber(*poses)
+                )
+            }
+            Self::WideForMotion { turning, tolerance, extent } => {
+                let (of, unit) = in_place_or_angle(*turning);
+                write!(
+                    f,
+                    "the tolerance in {of} of {}{unit} is wide against the path, which gets {}{unit} away from its start: bends smaller than it may be gone",
+                    ShortNumber(*tolerance),
+                    ShortNumber(*extent)
                 )
             }
             Self::BlendsShortened { pose, count, radius, asked } => write!(
@@ -596,4 +628,9 @@ impl std::fmt::Display for Warning {
             ),
         }
     }
+}
+
+/// What a tolerance of a motion is of, and the unit of an angle.
+fn in_place_or_angle(turning: bool) -> (&'static str, &'static str) {
+    if turning { ("angle", " rad") } else { ("place", "") }
 }

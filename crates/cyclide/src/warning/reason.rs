@@ -25,6 +25,9 @@ impl Warning {
             Self::MotionSwings { .. } => "motion-swings",
             Self::LeavesChords { .. } => "leaves-chords",
             Self::PosesNoisier { .. } => "tolerance-below-noise",
+            Self::PoseOutlier { .. } => "outlier",
+            Self::MotionSmoothedAway { .. } => "shape-smoothed-away",
+            Self::WideForMotion { .. } => "wide-tolerance",
             Self::BlendsShortened { .. } => "blends-shortened",
             Self::HalfTurn { .. } => "half-turn",
             Self::PosesRounded { .. } => "poses-rounded",
@@ -107,7 +110,9 @@ impl Warning {
                 Some(segment)
             }
             Self::SpikeNearPoint { point, .. } => Some(point),
-            Self::HalfTurn { pose, .. } | Self::BlendsShortened { pose, .. } => Some(pose),
+            Self::HalfTurn { pose, .. } | Self::BlendsShortened { pose, .. } | Self::PoseOutlier { pose, .. } => {
+                Some(pose)
+            }
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } | Self::Outlier { point, .. } => Some(point),
@@ -130,6 +135,8 @@ impl Warning {
             | Self::MotionReverses { span, .. } => Some(span),
             Self::LargeExcursion { .. }
             | Self::PosesNoisier { .. }
+            | Self::MotionSmoothedAway { .. }
+            | Self::WideForMotion { .. }
             | Self::TurnsBack { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }

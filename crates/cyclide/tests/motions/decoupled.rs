@@ -268,3 +268,59 @@ fn noise_is_smoothed_within_tolerances() {
         assert_eq!(DecoupledMotion::smoothed(&poses, tolerance).unwrap_err().reason(), "parameter-out-of-range");
     }
 }
+
+/// Turned by a third of a turn, a pose is an outlier in angle; the others keep their noise, in one direction too.
+#[test]
+fn poses_turned_wrong_are_named_in_angle() {
+    let wave = |k: u32| (0.11 * f64::from(k)).sin() + 0.5 * (1.7 * f64::from(k) * f64::from(k)).sin();
+    let pose = |k: u32| {
+        at(0.05 * f64::from(k), [3.0 * f64::from(k), 0.0, 0.3 * wave(k)], 0.01 * f64::from(k) + 0.004 * wave(k))
+    };
+    let mut poses: Vec<TimedPose> = (0..200).map(pose).collect();
+    poses[77] = at(poses[77].time, poses[77].pose.translation().to_array(), 0.77 + 2.0);
+    let tolerance = MotionTolerance { place: Some(2.0), angle: Some(0.05) };
+    for drop in [false, true] {
+        let motion = DecoupledMotion::smoothed_with(&poses, None, tolerance, drop).unwrap();
+        let [Warning::PoseOutlier { pose: 77, turning: true, distance, dropped, count: 1, .. }] = motion.warnings()[..]
+        else {
+            panic!("{:?}", motion.warnings())
+        };
+        assert!((distance - 2.0).abs() < 0.1 && dropped == drop, "{distance}");
+        let turn = motion.pose(poses[77].time).angle_to(poses[77].pose);
+        assert!(if drop { (turn - 2.0).abs() < 0.1 } else { turn <= 0.05 }, "{turn}");
+        assert_eq!(motion.pose_times().len(), if drop { 199 } else { 200 });
+    }
+}
+
+/// A closed smoothed motion is C2 where it comes back, also round a whole turn, where quaternions change their sign.
+#[test]
+fn closed_smoothing_is_smooth_where_it_comes_back() {
+    let rough = |k: u32| 0.4 * (1.7 * f64::from(k) * f64::from(k)).sin();
+    for turns in [0.0, 1.0, 2.0] {
+        let pose = |k: u32| {
+            let angle = std::f64::consts::TAU * f64::from(k) / 90.0;
+            let place = [50.0 * angle.cos() + rough(k), 30.0 * angle.sin() - rough(k + 7), rough(k + 3)];
+            at(f64::from(k) * 0.1 + 0.01 * rough(k), place, turns * angle + 0.01 * rough(k + 5))
+        };
+        let poses: Vec<TimedPose> = (0..90).map(pose).collect();
+        let tolerance = MotionTolerance { place: Some(2.0), angle: Some(0.03) };
+        let motion = DecoupledMotion::smoothed_with(&poses, Some(9.0), tolerance, false).unwrap();
+        let point = Point3::new(3.0, 1.0, 2.0);
+        let [first, last] = [motion.jet(poses[0].time, point), motion.jet(9.0, point)];
+        assert!(first.pose.angle_to(last.pose) < 1e-9 && first.point.point.distance(last.point.point) < 1e-9);
+        assert!((first.point.d1 - last.point.d1).length() < 1e-8 && (first.point.d2 - last.point.d2).length() < 1e-6);
+        let off = motion.deviation().unwrap();
+        assert!(off.place <= 2.0 && off.angle <= 0.03 && off.place > 0.2, "{off:?}");
+        // Begun at another pose it is the same one, as far as it does not matter.
+        let mut other: Vec<TimedPose> = (30..90).map(|k| poses[k]).collect();
+        other.extend((0..30).map(|k| TimedPose { time: poses[k].time + 9.0 - poses[0].time, ..poses[k] }));
+        let closing = other[0].time + 9.0 - poses[0].time;
+        let again = DecoupledMotion::smoothed_with(&other, Some(closing), tolerance, false).unwrap();
+        for k in 0..60 {
+            let time = 3.2 + 0.1 * f64::from(k) - 0.3;
+            let time = time.max(other[0].time);
+            let apart = (motion.pose(time.min(9.0)).translation() - again.pose(time.min(9.0)).translation()).length();
+            assert!(apart < 0.3, "{apart}");
+        }
+    }
+}

@@ -44,8 +44,9 @@ impl Builder<'_> {
         let helix = Helix::new(center, axis, x, spec.radius, pitch, turns);
         let helix = helix.map_err(|e| self.refused_conic("radius", "axis", &e))?;
         let tolerance = spec.tolerance.unwrap_or(TOLERANCE * spec.radius);
-        let (curve, _) = helix.to_nurbs(tolerance).map_err(|e| self.refused_at(["tolerance".into()], &e))?;
-        self.bound = Some(tolerance);
+        let (curve, bound) = helix.to_nurbs(tolerance).map_err(|e| self.refused_at(["tolerance".into()], &e))?;
+        // Far from the origin coordinates are rounded by more.
+        self.bound = Some(tolerance.max(bound));
         Ok(CurveObject::Nurbs(curve))
     }
 

@@ -30,6 +30,7 @@ mod polyhedra;
 mod poses;
 #[cfg(feature = "circular-mesh")]
 mod principal;
+mod rail_sense;
 mod references;
 mod refuse;
 mod remark;

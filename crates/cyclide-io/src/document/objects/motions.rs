@@ -2,8 +2,8 @@
 
 use cyclide::{
     BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, CurveObject, DecoupledMotion, ErrorItem,
-    FairSplineOptions, Motion, MotionTolerance, MovingBody, Point3, Pose, PoseTimes, Quat, RationalMotion, ScrewMotion,
-    ShortNumber, SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
+    FairSplineOptions, Motion, MotionTolerance, MovingBody, Outliers, Point3, Pose, PoseTimes, Quat, RationalMotion,
+    ScrewMotion, ShortNumber, SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
 };
 
 use super::{Builder, NO_EFFECT};
@@ -84,7 +84,8 @@ impl Builder<'_> {
             (Some(curve), _) => return self.on_positions(spec, curve, &poses, closing),
             (None, Some(PoseTolerance { place, angle })) => {
                 let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
-                DecoupledMotion::smoothed(&poses, tolerance).map(Motion::from)
+                let drop = spec.outliers == Some(Outliers::Drop);
+                DecoupledMotion::smoothed_with(&poses, closing, tolerance, drop).map(Motion::from)
             }
             (None, None) => match (kind, closing) {
                 (MotionKind::Spline, Some(closing)) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
@@ -129,15 +130,15 @@ impl Builder<'_> {
                 self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
             );
         }
-        if spec.closed && (spec.tolerance.is_some() || !matches!(kind, MotionKind::Spline | MotionKind::Linear)) {
-            let remedy = if spec.tolerance.is_some() {
-                "; one within a `tolerance` is open: give the first poses again at the end of the list"
-            } else {
-                ""
-            };
+        if spec.closed && spec.tolerance.is_none() && !matches!(kind, MotionKind::Spline | MotionKind::Linear) {
             return Err(
-                self.unfit(&format!("a `closed` motion is a `spline`, `linear`, or one with `positions`{remedy}"))
+                self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`")
             );
+        }
+        if spec.outliers.is_some() && spec.tolerance.is_none() {
+            return Err(self.unfit(
+                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose",
+            ));
         }
         if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
             return Err(
@@ -186,9 +187,10 @@ impl Builder<'_> {
         if spec.kind.is_some() {
             return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
         }
-        if spec.closed || spec.blend_radius.is_some() || spec.positions.is_some() || spec.tolerance.is_some() {
+        let through = spec.closed || spec.blend_radius.is_some() || spec.positions.is_some();
+        if through || spec.tolerance.is_some() || spec.outliers.is_some() {
             return Err(self.unfit(
-                "`closed`, `blend_radius`, `positions` and `tolerance` are of motions through poses: `along` a curve there are none",
+                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` are of motions through poses: `along` a curve there are none",
             ));
         }
         if spec.times.is_some() {

@@ -6,7 +6,7 @@ use super::Builder;
 use super::motions::AT_REST;
 use crate::document::angle::Angle;
 use crate::document::locate::Step;
-use crate::document::spec::{MotionKind, MotionSpec, PoseSource, PoseSpec};
+use crate::document::spec::{MotionKind, MotionSpec, PoseSource, PoseSpec, PoseTolerance};
 use crate::error::{Error, Result};
 use crate::input::points::{SIX_DECIMALS, UNITS_ASSUMED, read_poses, whole_turns};
 use std::f64::consts::TAU;
@@ -80,7 +80,7 @@ impl Builder<'_> {
         }
         let (mut times, mut only): (Vec<Option<f64>>, Vec<Pose>) = made.into_iter().unzip();
         if spec.closed {
-            self.close(&mut times, &mut only)?;
+            self.close(spec, &mut times, &mut only)?;
         }
         let mut poses = match (spec.tool.unwrap_or_default().point(), spec.arm.unwrap_or(0.0)) {
             // Without times by the way the tool and the arm are looked at where they matter.
@@ -92,19 +92,30 @@ impl Builder<'_> {
         Ok((poses, given > 0))
     }
 
-    /// Makes the first pose the last one again, where it is not, or is but for the digits it is written with.
-    fn close(&self, times: &mut Vec<Option<f64>>, poses: &mut Vec<Pose>) -> Result<()> {
+    /// Makes the first pose the last one again, where it is not, or is but for the digits it is written with, or with a time for its noise.
+    fn close(&self, spec: &MotionSpec, times: &mut Vec<Option<f64>>, poses: &mut Vec<Pose>) -> Result<()> {
         let [Some(first), Some(last)] = [poses.first().copied(), poses.last().copied()] else { return Ok(()) };
         let extent = poses.iter().map(|pose| (pose.translation() - first.translation()).length()).fold(0.0, f64::max);
         let size = poses.iter().map(|pose| pose.translation().max_abs()).fold(0.0, f64::max);
         let apart = (last.translation() - first.translation()).length();
         let is_first = apart <= (SAME_POSE * extent).max(AT_REST * size) && last.angle_to(first) <= SAME_POSE;
-        if is_first && poses.len() > 2 {
+        let timed = times.iter().any(Option::is_some);
+        let is_near = timed
+            && spec.tolerance.is_some_and(|PoseTolerance { place, angle }| {
+                // Both are off by the noise.
+                let turned = last.angle_to(first);
+                apart <= 2.0 * place.unwrap_or(0.0).max(SAME_POSE * extent)
+                    && turned <= 2.0 * angle.map_or(0.0, Angle::radians).max(SAME_POSE)
+            });
+        if (is_first || is_near) && poses.len() > 2 {
             poses.pop();
-        } else if times.iter().any(Option::is_some) {
-            let message =
-                "with times a `closed` motion repeats its first pose at the end: the time of that says when it is back";
-            return Err(Error::Input(self.diagnostic(["poses".into()], message)));
+        } else if timed {
+            let message = format!(
+                "with times a `closed` motion repeats its first pose at the end: the time of that says when it is back; the last pose is {} and {} rad from the first",
+                ShortNumber(apart),
+                ShortNumber(last.angle_to(first))
+            );
+            return Err(Error::Input(self.diagnostic(["poses".into()], &message)));
         } else {
             times.push(None);
         }

@@ -5,6 +5,7 @@ use cyclide::{
 };
 
 use super::Builder;
+use super::rail_sense::Rulings;
 use super::swept::rotated;
 
 /// Points of a run, and pieces of a rail, that are tried at most.
@@ -55,9 +56,13 @@ impl Builder<'_> {
             let mut all: Vec<(usize, Vec<EdgeCurve>)> = (0..n).map(|by| (by, rotated(curves, by))).collect();
             all.sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
             // The nearest ones only: each is made.
-            all.into_iter().take(8).find(|(_, other)| RailSurface::ruled([first, other], true).is_ok())
+            let is_good = |other: &[EdgeCurve]| {
+                RailSurface::ruled([first, other], true).is_ok() && !Rulings::of([first, other], true).cross()
+            };
+            all.into_iter().take(8).find(|(_, other)| is_good(other))
         };
-        if let Some((by, other)) = best(second) {
+        let as_drawn = if Rulings::of(rails, true).opposite() { None } else { best(second) };
+        if let Some((by, other)) = as_drawn {
             let [x, y, z] = other[0].start().to_array().map(ShortNumber);
             let total = (by + shift) % n;
             return Some(format!(
@@ -66,8 +71,22 @@ impl Builder<'_> {
         }
         let (by, other) = best(&reversed)?;
         let [x, y, z] = other[0].start().to_array().map(ShortNumber);
-        let _ = by;
-        Some(format!("the second curve runs the other way: reverse its points, and begin at ({x}, {y}, {z})"))
+        // Reversed, it starts at the corner it was drawn from, before its pieces are shifted.
+        let total = (by + n - shift % n) % n;
+        let start = match total {
+            0 if shift > 0 => ", and leave out `shift`".to_owned(),
+            0 => String::new(),
+            total => format!(", and write `\"shift\": {total}`"),
+        };
+        Some(format!(
+            "the second curve runs the other way: take a `transform` of it with the steps `[\"reverse\"]`{start}, so that it begins at ({x}, {y}, {z})"
+        ))
+    }
+
+    /// What is to be done with a rail that runs against the other one, if the surface between them goes through itself and does not the other way round.
+    pub(super) fn rail_to_reverse(&self, rails: [&[EdgeCurve]; 2], shift: usize) -> Option<String> {
+        let rulings = Rulings::of(rails, true);
+        if !rulings.opposite() || !rulings.cross() { None } else { self.start_of_rail(rails, shift) }
     }
 
     /// An order of the corners of a block of which the first coincides with another, in which it is made.

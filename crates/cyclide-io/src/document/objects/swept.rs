@@ -4,6 +4,7 @@ use cyclide::{
     CurveObject, EdgeCurve, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, RailSurface, SurfaceObject, Vec3,
 };
 
+use super::rail_sense::Rulings;
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
@@ -11,6 +12,9 @@ use crate::document::spec::{
     BridgeArcs, CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec,
 };
 use crate::error::{Error, Result};
+
+/// Starts of a closed rail that are tried to see whether it runs the other way.
+const MOST_SHIFTS: usize = 64;
 
 impl Builder<'_> {
     /// A pipe on a plate, or with a floor.
@@ -84,7 +88,26 @@ impl Builder<'_> {
             }
             e => self.refused(&e, None),
         })?;
+        self.check_sense([&first, &second], closed, spec.shift)?;
         Ok(self.between(made))
+    }
+
+    /// Refuses a ruled surface that goes through itself because one curve runs the other way, and remarks curves that seem to.
+    fn check_sense(&mut self, [first, second]: [&[EdgeCurve]; 2], closed: bool, shift: usize) -> Result<()> {
+        if closed && let Some(remedy) = self.rail_to_reverse([first, second], shift) {
+            let words = format!("the surface of straight lines goes through itself: {remedy}");
+            return Err(self.refused_in_words(["rails".into()], "rulings-cross", words));
+        }
+        let given = Rulings::of([first, second], closed);
+        let reversed: Vec<EdgeCurve> = second.iter().rev().map(EdgeCurve::reversed).collect();
+        let shifts = if closed && given.opposite() { reversed.len().min(MOST_SHIFTS) } else { usize::from(!closed) };
+        let other_way = |by: usize| Rulings::of([first, &rotated(&reversed, by)], closed);
+        if (0..shifts).any(|by| given.are_longer_than(&other_way(by))) {
+            let message = "the straight lines between both curves are much shorter where the second one is taken the other way: if no twist is meant, take its points in reverse order, \
+                           or a `transform` of it with the steps `[\"reverse\"]`";
+            self.remark("rails-opposite", None, None, self.place_of(["rails".into()]), message.to_owned());
+        }
+        Ok(())
     }
 
     /// A surface between the pieces of two curves, closed round if both are.

@@ -1,6 +1,6 @@
 //! Motions of bodies, and what is made of them, field by field.
 
-use cyclide::{PoseTimes, TimeLaw};
+use cyclide::{Outliers, PoseTimes, TimeLaw};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -37,12 +37,13 @@ pub struct MotionSpec {
     pub kind: Option<MotionKind>,
     /// The poses, or a file of them; or `along` instead.
     pub poses: Option<PoseSource>,
-    /// The motion comes back to its first pose and goes on as it began, joined as smoothly as within: of a `spline`, of `linear`, and with `positions`. The last
-    /// pose may repeat the first; with times it does, since its time says when the motion is back. Default false.
+    /// The motion comes back to its first pose and goes on as it began, joined as smoothly as within: of a `spline`, of `linear`, and with `positions` or a
+    /// `tolerance`. The last pose may repeat the first; with times it does (with a `tolerance`, within twice that), since its time says when the motion is back. Default false.
     #[serde(default)]
     pub closed: bool,
-    /// Of `linear`: how near to a pose the body leaves the straight line, and how far behind it takes the next one, on a parabola between. It then does not
-    /// stop at the poses, and passes beside them. Default 0, at the poses.
+    /// Of `linear`: how far from a pose the body may be where it leaves the straight line to it, and where it takes the next one, on a parabola between. Both are
+    /// equally long in time, before the pose and after it: on the line where it is faster it is so far, on the other one nearer. It then does not stop at the
+    /// poses, and passes beside them. Default 0, at the poses.
     #[schemars(extend("minimum" = 0))]
     pub blend_radius: Option<f64>,
     /// Instead of `kind`: the curve through the positions of the poses on which the origin of the body runs, C1 in time, while it turns on a C1 spline
@@ -50,6 +51,9 @@ pub struct MotionSpec {
     pub positions: Option<PositionCurve>,
     /// Instead of `kind`, for noisy poses: the smoothest motion within these tolerances of them, C2 in time.
     pub tolerance: Option<PoseTolerance>,
+    /// With a `tolerance`: what becomes of poses that do not belong to the others. They are named in any case. Default `keep`: the motion keeps within the
+    /// tolerance of them too.
+    pub outliers: Option<Outliers>,
     /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
     /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational `circle-spline` of order 1. On arcs the body keeps its direction to the curve,
     /// on others it turns in its own way. It may be construction geometry.

@@ -11,6 +11,8 @@ use std::f64::consts::TAU;
 const PIECES: [f64; 2] = [4.0, 256.0];
 /// Pieces in all.
 const MOST_PIECES: f64 = 16384.0;
+/// Coordinates are rounded by so many units in the last place: sums of the places of circle, height and center.
+const ROUNDINGS: f64 = 4.0;
 /// Places of a piece whose height is compared.
 const PLACES: usize = 64;
 
@@ -108,7 +110,8 @@ impl Helix {
     }
 
     /// A rational curve of degree 5 with the bound of its distance from the helix, proved: it lies on the cylinder exactly, and at each angle its height differs from that
-    /// of the helix by no more than the bound. Joints are tangent-continuous, and have the tangents of the helix.
+    /// of the helix by no more than the bound, the rounding of
+    /// coordinates of this size included, which may be above the tolerance. Joints are tangent-continuous, and have the tangents of the helix.
     ///
     /// # Errors
     /// `tolerance-not-positive`; `too-many-pieces`.
@@ -130,12 +133,14 @@ impl Helix {
                 });
             }
             let (height, off) = self.rise(TAU * self.turns / count, count);
-            let rounding = 4.0 * f64::EPSILON * (self.center.to_vec().max_abs() + self.height().abs());
+            let size = self.center.to_vec().max_abs() + self.radius + self.height().abs();
+            let rounding = ROUNDINGS * f64::EPSILON * size;
             if off <= tolerance.max(rounding) || per_turn >= PIECES[1] {
                 if !(off <= tolerance.max(rounding)) {
                     return Err(Error::NotWithinTolerance { piece: 0, bound: off, tolerance });
                 }
-                return Ok((self.pieces(count as usize, &height)?, off));
+                // Far from the origin rounding is more than what is left out.
+                return Ok((self.pieces(count as usize, &height)?, off + rounding));
             }
             per_turn *= 2.0;
         }
@@ -186,5 +191,33 @@ impl Helix {
         };
         let pieces: Vec<RationalBezier> = (0..count).map(piece).collect::<Result<_>>()?;
         NurbsCurve::from_beziers(&pieces, &vec![1.0; count])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::ParamCurve as _;
+
+    /// Far from the origin the bound says what rounding does, also where it is above the tolerance; near it, it is below.
+    #[test]
+    fn the_bound_includes_rounding() {
+        for (place, tolerance) in [(0.0, 1e-6), (5.334e6, 1e-12), (1e9, 1e-3), (5.334e6, 1e-3)] {
+            let helix = Helix::new(Point3::new(place, place, 100.0), Vec3::Z, None, 15.0, 8.0, 5.0).unwrap();
+            let (curve, bound) = helix.to_nurbs(tolerance).unwrap();
+            let mut most = 0.0_f64;
+            for piece in 0..curve.piece_count() {
+                for k in 0..=8 {
+                    let point = curve.piece_jet(piece, f64::from(k) / 8.0).point;
+                    // Differences of such coordinates are exact.
+                    let [x, y, z] = [point.x - place, point.y - place, point.z - 100.0];
+                    let angle = y.atan2(x);
+                    let angle = angle + TAU * ((z / 8.0 * TAU - angle) / TAU).round();
+                    most = most.max((x.hypot(y) - 15.0).abs()).max((z - 8.0 * angle / TAU).abs());
+                }
+            }
+            assert!(most <= bound, "{place} {tolerance}: {most} {bound}");
+            assert!(bound <= tolerance + 16.0 * f64::EPSILON * (place + 200.0), "{bound}");
+        }
     }
 }

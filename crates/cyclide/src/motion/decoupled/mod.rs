@@ -2,6 +2,7 @@
 
 mod curve;
 mod linear;
+mod pose_noise;
 mod rational_form;
 mod smoothed;
 mod smoothing_spline;
@@ -55,8 +56,8 @@ pub struct DecoupledMotion {
     half_turns: Option<HalfTurns>,
     short_blends: Option<ShortBlends>,
     deviation: Option<MotionDeviation>,
-    /// Of tolerances that are below the noise of the poses.
-    below_noise: Vec<Warning>,
+    /// Of noisy poses and their tolerances.
+    smoothing: Vec<Warning>,
 }
 
 /// Poses of a motion, checked; the first one again at the end of a closed one.
@@ -117,7 +118,7 @@ impl Given {
             half_turns: self.half_turns,
             short_blends: None,
             deviation: None,
-            below_noise: Vec::new(),
+            smoothing: Vec::new(),
         }
     }
 }
@@ -192,11 +193,12 @@ impl DecoupledMotion {
     }
 
     /// What should be known of it: that a pose is half a turn away from the one before, and the sign of its rotation decides (`half-turn`), of
-    /// blends that are shorter than asked for (`blends-shortened`), and of tolerances that are below the noise of the poses (`tolerance-below-noise`).
+    /// blends that are shorter than asked for (`blends-shortened`), of poses that do not belong to the others (`outlier`), and of tolerances that are below the noise of the
+    /// poses (`tolerance-below-noise`) or far above it (`shape-smoothed-away`, `wide-tolerance`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let short = self.short_blends.map(ShortBlends::warning);
         let half_turns = self.half_turns.map(HalfTurns::warning);
-        half_turns.into_iter().chain(short).chain(self.below_noise.iter().cloned()).collect()
+        half_turns.into_iter().chain(short).chain(self.smoothing.iter().cloned()).collect()
     }
 }

@@ -3,9 +3,9 @@
 //! Places and quaternions are smoothed apart, by natural cubic splines over the times: of those that are within the tolerance at every pose the search
 //! keeps the one with the most smoothing. A few poses that are far off by chance do not decide for all: they get larger weights first.
 
+use super::pose_noise::{Noise, Stray, Track};
 use super::smoothing_spline::{natural_derivatives, smoothed};
-use super::span::{PlaceSpan, TurnSpan, unit};
-use super::turns::smooth_turns;
+use super::span::{PlaceSpan, TurnSpan, rotation_vector, unit};
 use super::{DecoupledMotion, Given};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
@@ -24,10 +24,16 @@ const NEARLY: f64 = 0.9;
 
 /// A tolerance should be this many times the distance of the farthest of all poses from what was measured, as noise makes it.
 const ROOM: f64 = 1.15;
-/// So many poses tell their noise.
-const TELLING: usize = 20;
-/// The median of the length of a vector of three Gaussian numbers of variance 1.
-const MEDIAN_LENGTH: f64 = 1.538;
+/// Outliers that are named one by one, of places and of turns.
+const NAMED: usize = 20;
+/// A path shorter than this part of that of the poses without their noise has lost shape,
+const LENGTH_KEPT: f64 = 0.8;
+/// where it is shorter by more than so many times what noise does.
+const BY_NOISE: f64 = 4.0;
+/// Tolerances above this part of the extent of the path are wide.
+const WIDE: f64 = 0.12;
+/// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended.
+const BEYOND: usize = 64;
 
 /// How far a smoothed motion may be from its poses. What has no tolerance is interpolated.
 ///
@@ -79,6 +85,33 @@ impl DecoupledMotion {
     /// # Errors
     /// `wrong-pose-count`, `not-finite`, `parameters-not-increasing`, `parameter-out-of-range` (a tolerance that is not positive, or an angle above a right one).
     pub fn smoothed(poses: &[TimedPose], tolerance: MotionTolerance) -> Result<Self> {
+        Self::smoothed_with(poses, None, tolerance, false)
+    }
+
+    /// As [`smoothed`](Self::smoothed); with `closing` the time at which it is back at its first pose, C2 there too; and with `drop_outliers` without the poses that
+    /// do not belong to the others. These are named in any case, by [`warnings`](Self::warnings).
+    ///
+    /// ```
+    /// use cyclide::{DecoupledMotion, MotionTolerance, Pose, Quat, TimedPose, Vec3};
+    /// let at = |k: u32| Vec3::new((0.1 * f64::from(k)).cos(), (0.1 * f64::from(k)).sin(), 0.0) * 100.0;
+    /// let mut poses: Vec<TimedPose> =
+    ///     (0..60).map(|k| TimedPose { time: f64::from(k), pose: Pose::new(Quat::ONE, at(k)).unwrap() }).collect();
+    /// poses[20].pose = Pose::IDENTITY;
+    /// let tolerance = MotionTolerance { place: Some(1.0), angle: None };
+    /// let motion = DecoupledMotion::smoothed_with(&poses, None, tolerance, true)?;
+    /// assert!((motion.pose(20.0).translation() - at(20)).length() < 1.5);
+    /// assert_eq!(motion.warnings()[0].reason(), "outlier");
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`smoothed`](Self::smoothed).
+    pub fn smoothed_with(
+        poses: &[TimedPose],
+        closing: Option<f64>,
+        tolerance: MotionTolerance,
+        drop_outliers: bool,
+    ) -> Result<Self> {
         let positive = |name, given: Option<f64>, max: f64| match given {
             Some(value) if !(value > 0.0 && value <= max) => {
                 Err(Error::ParameterOutOfRange { name, value, min: 0.0, max })
@@ -87,65 +120,201 @@ impl DecoupledMotion {
         };
         let place = positive(ErrorItem::Tolerance, tolerance.place, f64::MAX)?;
         let angle = positive(ErrorItem::Angle, tolerance.angle, std::f64::consts::FRAC_PI_2)?;
-        let given = Given::new(poses, None)?;
-        let average = (given.times[given.spans()] - given.times[0]) / given.spans() as f64;
-        let steps: Vec<f64> = given.steps().into_iter().map(|step| step / average).collect();
-        let centre = given.places.iter().fold(Vec3::ZERO, |sum, place| sum + *place / given.places.len() as f64);
-        let places: Vec<[f64; 3]> = given.places.iter().map(|place| (*place - centre).to_array()).collect();
-        let distance = |i: usize, x: &[f64; 3]| (Vec3::from(*x) - Vec3::from(places[i])).length();
-        let smooth_places = match place {
-            Some(limit) => strongest(&places, &steps, &|i, x| distance(i, x) / limit),
-            None => places.clone(),
+        let given = Given::new(poses, closing)?;
+        let mut read = [Reading::of(&given, false, place), Reading::of(&given, true, angle)];
+        let mut warnings: Vec<Warning> = read.iter().flat_map(|reading| reading.outliers(drop_outliers)).collect();
+        let mut left = vec![true; poses.len()];
+        read.iter().flat_map(|reading| &reading.strays).for_each(|stray| left[stray.pose] = false);
+        let given = if drop_outliers && left.contains(&false) {
+            let kept: Vec<TimedPose> =
+                poses.iter().zip(&left).filter(|(_, left)| **left).map(|(pose, _)| *pose).collect();
+            // A closed one is back at the first of them, as long behind it as before.
+            let closing = closing.map(|closing| closing + kept[0].time - poses[0].time);
+            read.iter_mut().for_each(|reading| reading.strays.clear());
+            Given::new(&kept, closing)?
+        } else {
+            given
         };
-        let place_spans = cubics(&smooth_places, &steps)
-            .into_iter()
-            .map(|points| PlaceSpan::Polynomial(points.map(|p| (Vec3::from(p) + centre).to_array()).to_vec()));
-        let rotations: Vec<[f64; 4]> = given.rotations.iter().map(|q| q.to_array()).collect();
-        let off = |i: usize, x: &[f64; 4]| angle_between(Quat::from(*x), given.rotations[i]);
-        let (smooth_rotations, turns) = match angle {
-            Some(limit) => {
-                let smooth = strongest(&rotations, &steps, &|i, x| off(i, x) / limit);
-                let turns = cubics(&smooth, &steps).into_iter().map(TurnSpan::Cubic).collect();
-                (smooth, turns)
-            }
-            None => (rotations.clone(), smooth_turns(&given)),
-        };
-        let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-        let deviation = MotionDeviation {
-            place: most(&mut smooth_places.iter().enumerate().map(|(i, x)| distance(i, x))),
-            angle: most(&mut smooth_rotations.iter().enumerate().map(|(i, x)| off(i, x))),
-        };
-        // An angle is twice that of quaternions.
-        let noises = [(false, place, noise(&places)), (true, angle, noise(&rotations).map(|sigma| 2.0 * sigma))];
-        let below_noise = noises.into_iter().filter_map(|(turning, tolerance, sigma)| {
-            let (tolerance, sigma) = (tolerance?, sigma?);
-            let needed = ROOM * farthest(given.rotations.len()) * sigma;
-            (tolerance < needed).then_some(Warning::PosesNoisier { turning, sigma, tolerance, needed })
+        let (places, turns) = (Values::places(&given), Values::turns(&given));
+        let smooth_places = places.within(place);
+        let smooth_turns = turns.within(angle);
+        warnings.extend(read[0].doubts(&places, &smooth_places));
+        warnings.extend(read[1].doubts(&turns, &smooth_turns));
+        let place_spans = places.cubics(&smooth_places).into_iter();
+        let centre = places.centre;
+        let place_spans = place_spans.map(|points| {
+            PlaceSpan::Polynomial(points.map(|[x, y, z]| [x + centre.x, y + centre.y, z + centre.z]).to_vec())
         });
-        let below_noise = below_noise.collect();
-        let places = place_spans.collect();
-        let motion = given.into_motion(places, turns);
-        Ok(Self { deviation: Some(deviation), below_noise, ..motion })
+        let place_spans = place_spans.collect();
+        let turn_spans = match angle {
+            Some(_) => turns.cubics(&smooth_turns).into_iter().map(TurnSpan::Cubic).collect(),
+            None => super::turns::smooth_turns(&given),
+        };
+        let deviation =
+            MotionDeviation { place: places.farthest(&smooth_places), angle: turns.farthest(&smooth_turns) };
+        let motion = given.into_motion(place_spans, turn_spans);
+        Ok(Self { deviation: Some(deviation), smoothing: warnings, ..motion })
     }
 }
 
-/// The length, in standard deviations along one axis, that one of so many vectors of Gaussian noise in space exceeds on average:
-/// `n sqrt(2/π) x e^(-x²/2) = 1`, solved by substitution.
-fn farthest(count: usize) -> f64 {
-    let part = (2.0 / std::f64::consts::PI).sqrt() * count.max(TELLING) as f64;
-    (0..8).fold(3.0, |x: f64, _| (2.0 * (part * x).ln()).sqrt())
+/// What the poses say of themselves, in place or in angle.
+struct Reading {
+    turning: bool,
+    tolerance: Option<f64>,
+    noise: Option<Noise>,
+    strays: Vec<Stray>,
+    count: usize,
 }
 
-/// The standard deviation along one axis of the noise of values, by the median of their third differences, which know nothing of what is smooth.
-fn noise<const D: usize>(values: &[[f64; D]]) -> Option<f64> {
-    if values.len() < TELLING {
-        return None;
+impl Reading {
+    /// Of poses without the first one again; outliers matter where there is a tolerance.
+    fn of(given: &Given, turning: bool, tolerance: Option<f64>) -> Self {
+        let count = given.places.len() - usize::from(given.closed);
+        let places = |a: usize, b: usize| given.places[b] - given.places[a];
+        let turns = |a: usize, b: usize| {
+            let [a, b] = [given.rotations[a], given.rotations[b]];
+            rotation_vector([a, if a.dot(b) < 0.0 { b * -1.0 } else { b }])
+        };
+        let period = given.closed.then(|| given.times[count] - given.times[0]);
+        let between: &dyn Fn(usize, usize) -> Vec3 = if turning { &turns } else { &places };
+        let track = Track { times: &given.times[..count], period, between };
+        let strays = tolerance.map_or_else(Vec::new, |limit| track.strays(limit));
+        let mut list = track.all();
+        list.retain(|pose| strays.binary_search_by_key(pose, |stray| stray.pose).is_err());
+        Self { turning, tolerance, noise: track.noise(&list), strays, count }
     }
-    let third = |w: &[[f64; D]]| (0..D).map(|k| (w[3][k] - 3.0 * (w[2][k] - w[1][k]) - w[0][k]).powi(2)).sum::<f64>();
-    let mut squares: Vec<f64> = values.windows(4).map(third).collect();
-    squares.sort_by(f64::total_cmp);
-    // Of weights 1, 3, 3, 1.
-    Some((squares[squares.len() / 2] / 20.0).sqrt() / MEDIAN_LENGTH)
+
+    /// The outliers by name.
+    fn outliers(&self, dropped: bool) -> Vec<Warning> {
+        let (turning, count) = (self.turning, self.strays.len());
+        let noise = self.noise.map_or(0.0, |noise| noise.sigma);
+        let named = self.strays.iter().take(NAMED);
+        let named = named.map(|Stray { pose, distance }| Warning::PoseOutlier {
+            pose: *pose,
+            turning,
+            distance: *distance,
+            noise,
+            dropped,
+            count,
+        });
+        named.collect()
+    }
+
+    /// What a tolerance does that is below the noise, or far above.
+    fn doubts<const D: usize>(&self, values: &Values<'_, D>, smooth: &[[f64; D]]) -> Option<Warning> {
+        let (turning, tolerance, noise) = (self.turning, self.tolerance?, self.noise?);
+        let needed = ROOM * noise.farthest(self.count);
+        if tolerance < needed {
+            return Some(Warning::PosesNoisier { turning, sigma: noise.sigma, tolerance, needed });
+        }
+        // The poses without their noise; those that are off by more have no part in it.
+        let denoised = if needed > 0.0 { values.within(Some(needed)) } else { values.values.clone() };
+        let denoised: Vec<[f64; D]> = denoised
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| self.strays.binary_search_by_key(i, |stray| stray.pose).is_err())
+            .map(|(_, value)| value)
+            .collect();
+        let length = |path: &[[f64; D]]| path.windows(2).map(|w| (values.apart)(&w[0], &w[1])).sum::<f64>();
+        let [poses, path] = [length(&denoised), length(smooth)];
+        if path < LENGTH_KEPT * poses && poses - path > BY_NOISE * needed {
+            return Some(Warning::MotionSmoothedAway { turning, path, poses });
+        }
+        let extent = denoised.iter().map(|value| (values.apart)(&denoised[0], value)).fold(0.0, f64::max);
+        let is_wide = tolerance > WIDE * extent && tolerance > BY_NOISE * needed && extent > BY_NOISE * needed;
+        is_wide.then_some(Warning::WideForMotion { turning, tolerance, extent })
+    }
+}
+
+/// What is smoothed: places or quaternions, the first of a closed motion again at the end, there perhaps with the other sign.
+struct Values<'a, const D: usize> {
+    values: Vec<[f64; D]>,
+    steps: Vec<f64>,
+    closed: bool,
+    /// By which the first one is multiplied where it comes again.
+    sign: f64,
+    apart: &'a dyn Fn(&[f64; D], &[f64; D]) -> f64,
+    /// What was subtracted.
+    centre: Vec3,
+}
+
+/// Steps of time whose average is 1.
+fn even_steps(given: &Given) -> Vec<f64> {
+    let average = (given.times[given.spans()] - given.times[0]) / given.spans() as f64;
+    given.steps().into_iter().map(|step| step / average).collect()
+}
+
+impl Values<'_, 3> {
+    fn places(given: &Given) -> Self {
+        let centre = given.places.iter().fold(Vec3::ZERO, |sum, place| sum + *place / given.places.len() as f64);
+        let values = given.places.iter().map(|place| (*place - centre).to_array()).collect();
+        let apart = &|a: &[f64; 3], b: &[f64; 3]| (Vec3::from(*a) - Vec3::from(*b)).length();
+        Self { values, steps: even_steps(given), closed: given.closed, sign: 1.0, apart, centre }
+    }
+}
+
+impl Values<'_, 4> {
+    fn turns(given: &Given) -> Self {
+        let [first, last] = [given.rotations[0], given.rotations[given.spans()]];
+        let sign = if given.closed && first.dot(last) < 0.0 { -1.0 } else { 1.0 };
+        let values = given.rotations.iter().map(|q| q.to_array()).collect();
+        let apart = &|a: &[f64; 4], b: &[f64; 4]| angle_between(Quat::from(*a), unit(Quat::from(*b)));
+        Self { values, steps: even_steps(given), closed: given.closed, sign, apart, centre: Vec3::ZERO }
+    }
+}
+
+impl<const D: usize> Values<'_, D> {
+    /// The values smoothed as much as a tolerance allows; without one, as they are.
+    fn within(&self, tolerance: Option<f64>) -> Vec<[f64; D]> {
+        let Some(limit) = tolerance else { return self.values.clone() };
+        let off = |i: usize, x: &[f64; D]| (self.apart)(x, &self.values[i]) / limit;
+        if !self.closed {
+            return strongest(&self.values, &self.steps, &off, 0..self.values.len());
+        }
+        // Three times round: the middle one does not know where it begins, up to what is smoothed over more than a whole round. The spline through
+        // its values is closed however that is.
+        let count = self.steps.len();
+        let (values, steps) = self.rounds(&self.values, count);
+        let smooth = strongest(&values, &steps, &|i, x| off(i % count, x), count..2 * count);
+        let mut middle: Vec<[f64; D]> = smooth[count..2 * count].iter().map(|x| x.map(|x| x * self.sign)).collect();
+        middle.push(middle[0].map(|x| x * self.sign));
+        middle
+    }
+
+    /// Closed values with so many of them, at most a round, before and behind, and the steps between.
+    fn rounds(&self, values: &[[f64; D]], beyond: usize) -> (Vec<[f64; D]>, Vec<f64>) {
+        let count = self.steps.len();
+        let around = |k: usize| {
+            let (round, i) = (k / count, k % count);
+            values[i].map(|x| if round == 1 { x } else { x * self.sign })
+        };
+        // The numbers of values and steps from a round before on: that one and that behind have the other sign.
+        let numbers = count - beyond..2 * count + beyond;
+        let steps = numbers.clone().map(|k| self.steps[k % count]).take(count + 2 * beyond - 1).collect();
+        (numbers.map(around).collect(), steps)
+    }
+
+    /// The Bézier points of the cubic spline through smooth values, span by span: natural, or closed.
+    fn cubics(&self, values: &[[f64; D]]) -> Vec<[[f64; D]; 4]> {
+        let steps = &self.steps;
+        let slopes = if self.closed {
+            let beyond = BEYOND.min(steps.len());
+            let (around, between) = self.rounds(values, beyond);
+            let mut slopes = natural_derivatives(&around, &between)[beyond..beyond + steps.len()].to_vec();
+            slopes.push(slopes[0].map(|d| d * self.sign));
+            slopes
+        } else {
+            natural_derivatives(values, steps)
+        };
+        let towards =
+            |i: usize, by: f64| -> [f64; D] { std::array::from_fn(|k| values[i][k] + slopes[i][k] * by / 3.0) };
+        (0..steps.len()).map(|i| [values[i], towards(i, steps[i]), towards(i + 1, -steps[i]), values[i + 1]]).collect()
+    }
+
+    /// How far the farthest is off.
+    fn farthest(&self, smooth: &[[f64; D]]) -> f64 {
+        smooth.iter().zip(&self.values).map(|(x, value)| (self.apart)(x, value)).fold(0.0, f64::max)
+    }
 }
 
 /// The angle between two rotations, the first of any length.
@@ -154,18 +323,12 @@ fn angle_between(a: Quat, b: Quat) -> f64 {
     2.0 * between.vector().length().atan2(between.w.abs())
 }
 
-/// The Bézier points of the natural cubic spline through values, span by span.
-fn cubics<const D: usize>(values: &[[f64; D]], steps: &[f64]) -> Vec<[[f64; D]; 4]> {
-    let slopes = natural_derivatives(values, steps);
-    let towards = |i: usize, by: f64| -> [f64; D] { std::array::from_fn(|k| values[i][k] + slopes[i][k] * by / 3.0) };
-    (0..steps.len()).map(|i| [values[i], towards(i, steps[i]), towards(i + 1, -steps[i]), values[i + 1]]).collect()
-}
-
-/// The values smoothed as much as leaves all of them off by 1 at most; `off` says how far one is.
+/// The values smoothed as much as leaves all that count off by 1 at most; `off` says how far one is.
 fn strongest<const D: usize>(
     values: &[[f64; D]],
     steps: &[f64],
     off: &dyn Fn(usize, &[f64; D]) -> f64,
+    counted: std::ops::Range<usize>,
 ) -> Vec<[f64; D]> {
     if values.len() < 3 {
         return values.to_vec();
@@ -175,7 +338,7 @@ fn strongest<const D: usize>(
         for _ in 0..ROUNDS {
             let smooth = smoothed(values, steps, &weights, 10.0_f64.powf(power));
             let offs: Vec<f64> = smooth.iter().enumerate().map(|(i, x)| off(i, x)).collect();
-            if offs.iter().all(|off| *off <= 1.0) {
+            if offs[counted.clone()].iter().all(|off| *off <= 1.0) {
                 return Some(smooth);
             }
             for (weight, off) in weights.iter_mut().zip(offs).filter(|(_, off)| *off > NEARLY) {
