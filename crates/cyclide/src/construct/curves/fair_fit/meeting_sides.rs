@@ -9,15 +9,17 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::Distinct;
 use crate::construct::curves::outline::CORNER_ANGLE;
 
+/// The corner is off what lies beyond their ends by this many times that: the direction is uncertain too.
+const BEYOND: f64 = 1.5;
 /// Points on either side of a corner that must lie in a straight line, at least and at most,
 const SIDE: [usize; 2] = [5, 60];
 /// and over at least so many deviations of the noise, of which one edge is this part at most: a wrong point is far off.
 const LENGTH: f64 = 12.0;
 const EDGE: f64 = 0.5;
-/// Points of a straight run, and the corner at its end, are off its line by less than this many deviations of the noise.
+/// Points of a straight run are off its line by less than this many deviations of the noise.
 const STRAIGHT: f64 = 3.0;
 /// The smooth curve is off the corner by more than this many deviations of the noise with it,
-const OFF: f64 = 3.5;
+const OFF: f64 = 3.0;
 /// and by more than this many of the noise without.
 const OFF_BEFORE: f64 = 2.5;
 /// Rounds in which corners that the others explain are given up.
@@ -52,7 +54,9 @@ pub(super) fn with_meeting_sides(
         let count = added.len();
         added.retain(|i| offs[*i] > OFF * sharp.deviation);
         if added.len() == count {
-            return if sharp.deviation < found.deviation { (sharper, sharp) } else { (edged, found) };
+            // A corner may have been an outlier of the smooth curve.
+            let explains = sharp.deviation < found.deviation || sharp.outliers.len() < found.outliers.len();
+            return if explains { (sharper, sharp) } else { (edged, found) };
         }
     }
     (edged, found)
@@ -94,9 +98,9 @@ fn meet(points: &[Point3], at: usize, options: &FairFitOptions, noise: f64) -> b
                     let v = *p - middle;
                     (v - direction * v.dot(direction)).length()
                 };
-                let straight =
-                    longest < EDGE * length && own.iter().chain([&points[at]]).all(|p| off(p) < STRAIGHT * noise);
-                return straight.then_some(direction);
+                let meets = off(&points[at]) < BEYOND * STRAIGHT * noise;
+                let straight = longest < EDGE * length && own.iter().all(|p| off(p) < STRAIGHT * noise);
+                return (meets && straight).then_some(direction);
             }
         }
         None
