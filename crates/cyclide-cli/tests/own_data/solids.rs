@@ -154,8 +154,8 @@ fn a_rail_that_runs_the_other_way_is_refused_with_what_mends_it() {
     let folder = Folder::with(&[]);
     for count in [4, 5, 6, 9] {
         // Frusta between regular polygons: the slant height is that of the sides.
-        let apothem = (std::f64::consts::PI / count as f64).cos();
-        let side = (std::f64::consts::PI / count as f64).sin();
+        let apothem = (PI / count as f64).cos();
+        let side = (PI / count as f64).sin();
         let area = count as f64 * (20.0 + 12.0) * side * 30.0_f64.hypot(8.0 * apothem);
         for first in 0..count {
             let curve = |points: &str| {

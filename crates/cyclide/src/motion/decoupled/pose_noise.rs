@@ -314,7 +314,7 @@ mod tests {
                     .collect();
                 track(&times, &places, |track| assert_eq!(track.strays(1e-6 + 4.0 * noise), [], "{kind} {noise}"));
                 let wrong = [60, 250, 251, 330, 399];
-                wrong.iter().for_each(|k| places[*k] = places[*k] + Vec3::new(3.0, -12.0, 9.0));
+                wrong.iter().for_each(|k| places[*k] += Vec3::new(3.0, -12.0, 9.0));
                 track(&times, &places, |track| {
                     let found = track.strays(1e-6 + 4.0 * noise);
                     let named: Vec<usize> = found.iter().map(|stray| stray.pose).collect();
