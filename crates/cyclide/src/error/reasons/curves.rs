@@ -160,7 +160,10 @@
 //!     [1.3390979039628366, 1.1004304063586954],
 //!     [1.5141648363581874, 1.2656619716334785],
 //! ];
-//! let points = points.map(|[x, y]| Point3::new(x, y, 0.0));
+//! // From there on the same backwards, turned about the middle: no way from that end either.
+//! let half = points.map(|[x, y]| Point3::new(x, y, 0.0));
+//! let middle = half[8] + (half[8] - half[7]) * 0.5;
+//! let points: Vec<_> = half.into_iter().chain(half.iter().rev().map(|p| middle + (middle - *p))).collect();
 //! let error = ArcFit::new(&points, &ArcFitOptions { target: FitTarget::Polyline, ..ArcFitOptions::new(1e-4) }).unwrap_err();
 //! assert_eq!(error.reason(), "no-g1-spline-in-tube");
 //! ```
