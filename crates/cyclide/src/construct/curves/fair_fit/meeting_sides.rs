@@ -1,5 +1,5 @@
 //! Corners that the noise of measured points hides: where two straight runs of points meet in one of them, a smooth curve through
-//! them all cuts the corner by more than the noise (`docs/math/fair-fits.md#corners`).
+//! them all cuts the corner by more than the noise (`docs/math/fair-fits.md#noise`).
 
 use super::FairFitOptions;
 use super::edged::Edged;
