@@ -42,6 +42,13 @@ fn the_smooth_curve_that_nobody_asked_for_is_said() {
 }
 
 #[test]
+fn an_outline_read_without_noise_claims_none() {
+    let folder = Folder::with(&[("rect.csv", &case("rect.csv"))]);
+    let said = folder.run("curve rect.csv --closed --smooth auto -o c.json");
+    assert!(said.code == 0 && said.stdout.contains("deviation 0 mm, 0 mm"), "{}{}", said.stdout, said.stderr);
+}
+
+#[test]
 fn marked_corners_are_kept_or_it_is_said() {
     let table = "x,y,corner\n0,0,1\n30,0,0\n60,0,1\n60,40,1\n30,50,0\n0,40,1\n";
     let folder = Folder::with(&[("c.csv", table)]);

@@ -240,7 +240,7 @@ fn what_is_proposed_for_poses_keeps_their_rotations() {
         assert_eq!(run.code, code, "{}", run.stderr);
         assert!(code == 0 || run.stderr.contains(r#"["t", "x", "y", "z", "qw", "qx", "qy", "qz"]"#), "{}", run.stderr);
     }
-    // Who leaves the rotations aside is told.
+    // Leaving the rotations out is allowed, with a warning.
     let aside = r#""columns": ["t", "x", "y", "z", "-", "-", "-", "-"]"#;
     let folder = Folder::with(&[("p.txt", &table("", " ", last)), ("m.json", &motion(aside))]);
     assert!(folder.run("report m.json").stderr.contains("[taken-as-zero]"));

@@ -180,11 +180,11 @@ impl CurvesReport {
                 known.extend(of("noise in z", noise_z));
                 known.extend(of("in z at most", deviation_z));
             }
-            let known = known.join(", ");
+            let known = if known.is_empty() { String::new() } else { format!(" ({})", known.join(", ")) };
             let polyline = short(fit.polyline_deviation);
             // One way only where points and curve do not advance together.
             let from = if fit.monotone { "from the polyline" } else { "at most from the curve to the polyline" };
-            line("fit", format!("{made}: deviation {deviation} {units} ({known}), {polyline} {units} {from}"))?;
+            line("fit", format!("{made}: deviation {deviation} {units}{known}, {polyline} {units} {from}"))?;
         }
         Ok(())
     }

@@ -92,7 +92,7 @@ impl Builder<'_> {
         Ok((poses, given > 0))
     }
 
-    /// Makes the first pose the last one again, where it is not, or is but for the digits it is written with, or with a time for its noise.
+    /// Repeats the first pose at the end if it is missing there; an end that differs from it by rounding, or by noise, becomes equal to it.
     fn close(&self, spec: &MotionSpec, times: &mut Vec<Option<f64>>, poses: &mut Vec<Pose>) -> Result<()> {
         let [Some(first), Some(last)] = [poses.first().copied(), poses.last().copied()] else { return Ok(()) };
         let extent = poses.iter().map(|pose| (pose.translation() - first.translation()).length()).fold(0.0, f64::max);

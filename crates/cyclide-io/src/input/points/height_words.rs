@@ -49,7 +49,7 @@ fn beginning(word: &str) -> Option<&str> {
     ENDINGS.split_whitespace().find_map(|ending| word.strip_suffix(ending)).filter(|start| start.len() > 1)
 }
 
-/// Whether the words of a name, but for those of its unit, are a height, and whether that is certain: `Geländehöhe` is, what `Deckenhöhe` is the height of may
+/// Whether the words of a name, apart from its unit, mean a height, and whether that is certain: `Geländehöhe` is, what `Deckenhöhe` is the height of may
 /// be no point. `beside` tells the words that say nothing.
 pub(super) fn height_in(words: &[&str], beside: impl Fn(&str) -> bool) -> Option<bool> {
     let begins = |word: &str| beginning(word).is_some_and(|start| is_among(NO_PLACE, start));

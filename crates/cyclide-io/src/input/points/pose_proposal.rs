@@ -5,7 +5,7 @@ use super::pose_names::{Meaning, POSITION, QUATERNION};
 use super::table::{Field, Table};
 use crate::text::place::quoted;
 
-/// What is left aside, and what cannot be told.
+/// A column that is left out, and one whose meaning is unknown.
 const ASIDE: &str = "-";
 const UNTOLD: &str = "?";
 

@@ -9,8 +9,6 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::Distinct;
 use crate::construct::curves::outline::CORNER_ANGLE;
 
-/// The corner is off what lies beyond their ends by this many times that: the direction is uncertain too.
-const BEYOND: f64 = 1.5;
 /// Points on either side of a corner that must lie in a straight line, at least and at most,
 const SIDE: [usize; 2] = [5, 60];
 /// and over at least so many deviations of the noise, of which one edge is this part at most: a wrong point is far off.
@@ -18,6 +16,8 @@ const LENGTH: f64 = 12.0;
 const EDGE: f64 = 0.5;
 /// Points of a straight run are off its line by less than this many deviations of the noise.
 const STRAIGHT: f64 = 3.0;
+/// The corner itself may be this many times as far off both lines: it lies beyond their ends, where their direction counts too.
+const BEYOND: f64 = 1.5;
 /// The smooth curve is off the corner by more than this many deviations of the noise with it,
 const OFF: f64 = 3.0;
 /// and by more than this many of the noise without.
