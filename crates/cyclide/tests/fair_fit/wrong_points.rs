@@ -70,6 +70,37 @@ fn clean_walks_have_no_runs_of_outliers() {
     }
 }
 
+/// Samples of a walk at so many places, as far apart as chance has them, and the directions across there.
+fn uneven_walk(seed: u64, count: usize) -> (Vec<Point3>, Vec<Vec3>) {
+    let dense = walk(seed, 16 * count, 1.0 / 16.0);
+    let mut at: Vec<usize> = deviates(900 + seed, 2 * count)
+        .chunks(2)
+        .map(|g| (16.0 * count as f64 * (-0.5 * (g[0] * g[0] + g[1] * g[1])).exp()) as usize)
+        .collect();
+    at.sort_unstable();
+    at.dedup();
+    let n = dense.len();
+    let across = |i: &usize| (dense[(i + 1) % n] - dense[(i + n - 1) % n]).cross(Vec3::Z).unit().unwrap();
+    (at.iter().map(|i| dense[*i]).collect(), at.iter().map(across).collect())
+}
+
+#[test]
+fn points_that_are_unevenly_far_apart_are_no_outliers() {
+    let (mut innocent, mut missed) = (0, 0);
+    for seed in 0..40 {
+        let (truth, across) = uneven_walk(seed, [80, 150, 300, 600][seed as usize % 4]);
+        let noise = [0.01, 0.1, 0.3, 1.0][seed as usize / 4 % 4];
+        let clean = noisy(&truth, 300 + seed, noise, 2);
+        innocent += named(&of(&clean, &by_noise(true))).len();
+        // One that is one.
+        let mut points = clean;
+        let wrong = truth.len() / 2;
+        points[wrong] = points[wrong] + across[wrong] * (12.0 * noise + 3.0);
+        missed += usize::from(!named(&of(&points, &by_noise(true))).contains(&wrong));
+    }
+    assert!(innocent <= 3 && missed <= 4, "{innocent} innocent, {missed} missed");
+}
+
 #[test]
 fn a_tooth_of_an_exact_outline_is_no_run_of_outliers() {
     // A circle of 100 points with a tooth of two.

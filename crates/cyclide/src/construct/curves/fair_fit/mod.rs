@@ -176,12 +176,12 @@ impl FairFit {
         let mut warnings = warnings;
         if options.outliers == Outliers::Drop {
             let edged = Edged::within(&distinct, options, options.tolerance);
-            // Points of straight runs are sides to a tolerance, and to noise they are not.
+            // Points of straight runs are sides to a tolerance, and outliers corners; to noise they are not.
             let by_noise = || {
                 let options = FairFitOptions { noise: Some(Noise::Estimated), ..options.clone() };
                 Edged::in_noise(&distinct, &options, diameter(&distinct.points)).1
             };
-            let found = read(&distinct, options, &edged).or_else(by_noise);
+            let found = read(&distinct, options, &edged).filter(|found| !found.outliers.is_empty()).or_else(by_noise);
             if let Some(found) = found.filter(|found| !found.outliers.is_empty()) {
                 warnings.extend(outliers_named(&found, &distinct.source, true));
                 distinct = without_outliers(&distinct, &found);
