@@ -419,6 +419,15 @@ pub enum Error {
         /// The tolerance.
         tolerance: f64,
     },
+    /// No curve follows the points without their noise.
+    NoiseNotSmoothed {
+        /// The points it leaves by too much, in the user's numbering.
+        points: Vec<usize>,
+        /// Largest distance of one of them, without its noise, from the curve.
+        deviation: f64,
+        /// Standard deviation of the noise.
+        noise: f64,
+    },
 
     // Patches, nets, their offsets and shells; quads made circular.
     /// The four corners of a quad are not on one circle (or line).

@@ -629,6 +629,14 @@ impl std::fmt::Display for Error {
                 points_in_words(points),
                 ShortNumber(*deviation)
             ),
+            Self::NoiseNotSmoothed { points, deviation, noise } => write!(
+                f,
+                "no curve follows the points without their noise, whose standard deviation is about {}: it is up to {} from {}; take fewer points, \
+                 farther apart than their noise, or give a tolerance",
+                ShortNumber(*noise),
+                ShortNumber(*deviation),
+                points_in_words(points)
+            ),
             Self::OutliersOutside { points, noise, tolerance } => {
                 write!(
                     f,

@@ -109,6 +109,7 @@ impl Error {
             Self::ArcLimitNotKept { .. } => "arc-limit-not-kept",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
             Self::OutliersOutside { .. } => "outliers",
+            Self::NoiseNotSmoothed { .. } => "noise-not-smoothed",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
@@ -260,9 +261,9 @@ impl Error {
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
-            Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
-                points.first().copied()
-            }
+            Self::ToleranceNotReached { ref points, .. }
+            | Self::NoiseNotSmoothed { ref points, .. }
+            | Self::UnattainablePoint { ref points, .. } => points.first().copied(),
             Self::OutliersOutside { ref points, .. } => points.first().map(|p| p.0),
             _ => None,
         }

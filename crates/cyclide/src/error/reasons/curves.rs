@@ -190,6 +190,18 @@
 //! assert_eq!(error.reason(), "tolerance-not-reached");
 //! ```
 //!
+//! # `noise-not-smoothed`
+//! No curve follows the points without their noise: here waves that are hardly longer than their noise is wide.
+//! ```
+//! use cyclide::{FairFit, FairFitOptions, Noise, Point3};
+//! let noise = |k: f64, f: f64| 2.0 * (f * k * k).sin();
+//! let wave = |k: f64| 15.0 * (120.0 * (k / 500.0).powi(2)).sin();
+//! let at = |k: f64| Point3::new(0.2 * k + noise(k, 9.1), wave(k) + noise(k, 5.3), 0.0);
+//! let points: Vec<Point3> = (0..500).map(|k| at(f64::from(k))).collect();
+//! let error = FairFit::new(&points, &FairFitOptions::by_noise(Noise::Estimated)).unwrap_err();
+//! assert_eq!(error.reason(), "noise-not-smoothed");
+//! ```
+//!
 //! # `outliers`
 //! Points far from all others keep a fair curve from its tolerance.
 //! ```

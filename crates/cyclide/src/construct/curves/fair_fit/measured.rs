@@ -14,9 +14,12 @@ use crate::warning::Warning;
 const NEARNESS: f64 = 0.4;
 /// and not nearer than this part of the size of the data.
 pub(super) const NEAREST: f64 = 1e-7;
-/// Where it cannot, this many times as near will do, so often.
+/// Where it cannot, this many times as near will do, so often, as long as that is at most so many deviations of the noise, or of
+/// the nearest.
 const RELAXED: f64 = 2.0;
-const RELAXATIONS: usize = 5;
+const RELAXATIONS: usize = 8;
+const OF_DEVIATION: f64 = 2.0;
+const OF_NEAREST: f64 = 32.0;
 /// Noise moves points by this many deviations.
 pub(super) const OF_NOISE: f64 = 3.0;
 /// Few points may be corners where their noise is above this part of what they are apart.
@@ -203,13 +206,20 @@ impl FairFit {
             centre: 0.0,
             ..options.clone()
         };
+        let widest = (OF_DEVIATION * found.deviation).max(OF_NEAREST * NEAREST * size);
         let mut tries = 0;
         let mut fit = loop {
             match Self::near(&places, &task, Some(measured)) {
-                Err(Error::ToleranceNotReached { .. }) if tries < RELAXATIONS => tries += 1,
+                Err(Error::ToleranceNotReached { points, deviation, .. }) => {
+                    let next = task.tolerance * RELAXED;
+                    if tries == RELAXATIONS || next > widest {
+                        return Err(Error::NoiseNotSmoothed { points, deviation, noise: found.deviation });
+                    }
+                    tries += 1;
+                    task.tolerance = next;
+                }
                 other => break other?,
             }
-            task.tolerance *= RELAXED;
         };
         if fit.certificate.deviation > options.tolerance {
             let points = vec![fit.certificate.worst];

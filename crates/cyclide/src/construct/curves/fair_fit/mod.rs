@@ -163,7 +163,8 @@ impl FairFit {
     ///
     /// # Errors
     /// `tolerance-not-positive`, `parameter-out-of-range` (an option, a corner index, a coordinate), `too-few-points`,
-    /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside.
+    /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside, and
+    /// `noise-not-smoothed` where the strength follows the noise.
     pub fn new(points: &[Point3], options: &FairFitOptions) -> Result<Self> {
         options.check(points.len())?;
         for (index, p) in points.iter().enumerate() {
