@@ -11,6 +11,7 @@ mod angle;
 mod construct;
 mod coordinates;
 mod interpolate;
+mod kinds;
 mod limits;
 mod locate;
 mod matrix;

@@ -19,12 +19,12 @@ impl Builder<'_> {
     }
 
     /// The ways of the centres.
-    pub(super) fn ball_centers(&self) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn ball_centers(&self) -> Result<Vec<CurveObject>> {
         Ok(self.centers_of_source()?.paths().iter().cloned().map(CurveObject::Nurbs).collect())
     }
 
     /// The surface of all centres.
-    pub(super) fn center_surface(&self, spec: &CenterSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn center_surface(&self, spec: &CenterSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let surface = self.centers_of_source()?.surface(spec.margin).map_err(|e| {
             let field = if matches!(e, cyclide::Error::NoCenterSurface) { "of" } else { "margin" };
             self.refused_at([Step::from(field)], &e)

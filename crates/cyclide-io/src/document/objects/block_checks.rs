@@ -5,7 +5,7 @@ use cyclide::SurfaceObject;
 use super::Builder;
 use super::nets::SEGMENTS;
 use crate::document::locate::Step;
-use crate::document::spec::{CoordinateSurfacesSpec, CyclideGridSpec, LayersSpec, ObjectSpec};
+use crate::document::spec::{CoordinateSurfacesSpec, CyclideGridSpec, LayersSpec};
 use crate::error::Result;
 
 /// Most blocks of one object: with their faces they take ten kilobytes each, a gigabyte together.
@@ -14,17 +14,8 @@ const MOST_BLOCKS: usize = 100_000;
 const MOST_LAYERS: u32 = 4096;
 
 impl Builder<'_> {
-    /// Refuses objects of more blocks than are made, and layers of which there are none.
-    pub(super) fn check_block_count(&self) -> Result<()> {
-        let (count, field) = match self.spec {
-            ObjectSpec::Layers(spec) => {
-                (self.blocks_of_layers(spec)?, if spec.count.is_some() { "count" } else { "distances" })
-            }
-            ObjectSpec::CyclideGrid(spec) => {
-                (blocks_of_grid(spec), if spec.whole.is_some() { "whole" } else { "planes" })
-            }
-            _ => return Ok(()),
-        };
+    /// Refuses objects of more blocks than are made, at the field that says how many.
+    pub(in crate::document) fn check_block_count(&self, count: f64, field: &str) -> Result<()> {
         if count <= MOST_BLOCKS as f64 {
             return Ok(());
         }
@@ -38,7 +29,8 @@ impl Builder<'_> {
         Err(self.refused_at([Step::from(field)], &error))
     }
 
-    fn blocks_of_layers(&self, spec: &LayersSpec) -> Result<f64> {
+    /// The blocks of layers over the surfaces of the source. Layers of which there are none are refused.
+    pub(in crate::document) fn blocks_of_layers(&self, spec: &LayersSpec) -> Result<f64> {
         let layers = match (&spec.distances, spec.count) {
             (Some(distances), _) => distances.len().saturating_sub(1),
             (None, Some(count)) if !(1..=MOST_LAYERS).contains(&count) => {
@@ -58,7 +50,7 @@ impl Builder<'_> {
     }
 
     /// Refuses values of a parameter that are given twice: two surfaces would be one.
-    pub(super) fn check_surfaces_differ(&self, spec: &CoordinateSurfacesSpec) -> Result<()> {
+    pub(in crate::document) fn check_surfaces_differ(&self, spec: &CoordinateSurfacesSpec) -> Result<()> {
         for (field, values) in [("s", &spec.s), ("t", &spec.t), ("u", &spec.u)] {
             let again = |k: usize| values[..k].iter().position(|x| x.total_cmp(&values[k]).is_eq());
             if let Some((k, before)) = (0..values.len()).find_map(|k| Some((k, again(k)?))) {
@@ -75,7 +67,7 @@ impl Builder<'_> {
 }
 
 /// The blocks of a grid, as far as its numbers say; segments are rounded up to even numbers.
-fn blocks_of_grid(spec: &CyclideGridSpec) -> f64 {
+pub(in crate::document) fn blocks_of_grid(spec: &CyclideGridSpec) -> f64 {
     if let Some(whole) = &spec.whole {
         let segments = whole.segments.unwrap_or(SEGMENTS).map(|n| f64::from(n) + f64::from(n % 2));
         return segments[0] * segments[1] * whole.mu.len().saturating_sub(1) as f64;

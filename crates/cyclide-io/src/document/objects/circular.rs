@@ -13,7 +13,7 @@ use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 
 impl<'a> Builder<'a> {
     /// Moves the vertices so that every quad has a circle.
-    pub(super) fn circular(
+    pub(in crate::document) fn circular(
         &mut self,
         spec: &CyclidicNetSpec,
         given: &MakeCircularOptions,
@@ -33,7 +33,11 @@ impl<'a> Builder<'a> {
     }
 
     /// The same for all grids of a mesh, round its extraordinary vertices.
-    pub(super) fn circular_layout(&mut self, given: &MakeCircularOptions, layout: &QuadLayout) -> Result<QuadLayout> {
+    pub(in crate::document) fn circular_layout(
+        &mut self,
+        given: &MakeCircularOptions,
+        layout: &QuadLayout,
+    ) -> Result<QuadLayout> {
         let ObjectSpec::CyclidicNet(spec) = self.spec else { return Ok(layout.clone()) };
         let options = options(given, [None; 4]);
         let progress = &mut *self.progress;

@@ -13,7 +13,7 @@ const TOLERANCE: f64 = 1e-6;
 
 impl Builder<'_> {
     /// The ellipse, or an arc of it.
-    pub(super) fn ellipse(&self, spec: &EllipseSpec) -> Result<CurveObject> {
+    pub(in crate::document) fn ellipse(&self, spec: &EllipseSpec) -> Result<CurveObject> {
         let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
         let x = spec.x_direction.map(Coordinates::vector);
         let ellipse = Ellipse::new(spec.center.point(), normal, x, spec.semi_axes);
@@ -24,7 +24,7 @@ impl Builder<'_> {
     }
 
     /// The rational curve that stands for a helix.
-    pub(super) fn helix(&mut self, spec: &HelixSpec) -> Result<CurveObject> {
+    pub(in crate::document) fn helix(&mut self, spec: &HelixSpec) -> Result<CurveObject> {
         let (pitch, turns) = match (spec.pitch, spec.height, spec.turns) {
             (Some(pitch), None, Some(turns)) => (pitch, turns),
             (None, Some(height), Some(turns)) => (height / turns, turns),

@@ -12,7 +12,7 @@ use crate::error::Result;
 
 impl Builder<'_> {
     /// A tube or a ring with its blend.
-    pub(super) fn contact_blend(&mut self, spec: &ContactBlendSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn contact_blend(&mut self, spec: &ContactBlendSpec) -> Result<Vec<SurfaceObject>> {
         self.check_contact_blend(spec)?;
         let made = match (spec.tube, spec.ring) {
             (Some(tube), None) => tube_blend(spec, tube).and_then(|blend| blend.made()),

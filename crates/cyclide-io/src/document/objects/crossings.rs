@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Builder<'_> {
     /// Two pipes that pass each other.
-    pub(super) fn pipe_crossing(&mut self, spec: &PipeCrossingSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn pipe_crossing(&mut self, spec: &PipeCrossingSpec) -> Result<Vec<SurfaceObject>> {
         if spec.wall.is_some() && spec.ends == TeeEnds::Open {
             return Err(
                 self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bores, or `closed`")

@@ -3,7 +3,6 @@
 use cyclide::{Arc, BlendSegment, CurveObject, ErrorItem, Vec3, bounds};
 
 use super::Builder;
-use crate::document::spec::ObjectSpec;
 use crate::error::Result;
 
 /// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
@@ -53,7 +52,7 @@ fn check_in_place(curve: &CurveObject, roundings: f64) -> cyclide::Result<()> {
 
 impl Builder<'_> {
     /// Refuses a curve that has no shape where it is.
-    pub(super) fn check_place_of(&self, curve: &CurveObject, contour: usize) -> Result<()> {
+    pub(in crate::document) fn check_place_of(&self, curve: &CurveObject, contour: usize) -> Result<()> {
         match self.roundings_of_place(curve, contour) {
             Some(roundings) => check_in_place(curve, roundings).map_err(|e| self.refused(&e, None)),
             None => Ok(()),
@@ -66,7 +65,7 @@ impl Builder<'_> {
         if !is_its_vertices(curve) {
             return Some(SMALLEST_IN_PLACE);
         }
-        if !matches!(self.spec, ObjectSpec::Transform(_)) || matches!(curve, CurveObject::Circle(_)) {
+        if !self.spec.kind().is_image() || matches!(curve, CurveObject::Circle(_)) {
             return None;
         }
         let original = self.sources.first().and_then(|source| source.item.curves().get(contour));

@@ -1,19 +1,13 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Units, Vec3, Warning};
+use cyclide::{Arc, Circle, CurveObject, FitTarget, Quat, ShortNumber, Units, Vec3, Warning};
 
-use super::idle::{Idle, NO_EFFECT, idle_fields};
-use super::wavers::wavers;
+use super::idle::{Idle, NO_EFFECT};
 use super::{Builder, Remark};
-use crate::document::angle::Angle;
-use crate::document::construct::{
-    Contour, ContourFacts, MOST_VERTICES, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit,
-    fair_spline, polyline,
-};
+use crate::document::construct::{Contour, ContourFacts, MOST_VERTICES, Made, arc_fit, arc_fit_of_curve};
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
-use crate::document::interpolate::{moebius_spline, qb_interpolation};
 use crate::document::locate::{Step, path_text};
-use crate::document::spec::{ArcFitSpec, ArcSpec, CircleSpec, ObjectSpec};
+use crate::document::spec::{ArcFitSpec, ArcSpec, CircleSpec};
 use crate::error::{Error, Result};
 use crate::formats::InputKind;
 use crate::input::points::{Merged, PointColumns, PointList, UNITS_ASSUMED, merge_repeated, read_points};
@@ -22,63 +16,18 @@ use crate::text::lines::LineStarts;
 use crate::text::place::quoted;
 
 /// The points of an object and the text they stand in.
-pub(super) struct Points {
-    pub(super) lists: Vec<PointList>,
+pub(in crate::document) struct Points {
+    pub(in crate::document) lists: Vec<PointList>,
     /// The original index of each point, per contour.
-    pub(super) kept: Vec<Vec<usize>>,
-    pub(super) origin: Origin,
+    pub(in crate::document) kept: Vec<Vec<usize>>,
+    pub(in crate::document) origin: Origin,
 }
 
-pub(super) enum Origin {
+pub(in crate::document) enum Origin {
     /// In the document, as a list or (nested) a list of lists, in a field.
     Document { nested: bool, field: &'static [&'static str] },
     /// In a file of its own: its name, its text, and where the lines of it start.
     File { name: String, text: String, lines: LineStarts },
-}
-
-impl ObjectSpec {
-    /// Where the points of the object come from, if it is made from points.
-    pub(super) fn points(&self) -> Option<&PointSource> {
-        match self {
-            Self::Polyline(s) => Some(&s.points),
-            Self::ArcSpline(s) => Some(&s.points),
-            Self::ArcFit(s) => s.points.as_ref(),
-            Self::FairSpline(s) => Some(&s.points),
-            Self::FairFit(s) => Some(&s.points),
-            Self::CircleSpline(s) => Some(&s.points),
-            Self::MoebiusSpline(s) => Some(&s.points),
-            Self::QbInterpolation(s) => Some(&s.points),
-            Self::TorusSpline(s) => s.points.as_ref(),
-            Self::SmoothPolyhedron(s) => s.points.as_ref(),
-            _ => None,
-        }
-    }
-
-    /// True where equal neighbouring points are meant as they are.
-    fn keeps_repeated_points(&self) -> bool {
-        match self {
-            Self::TorusSpline(s) => s.loops,
-            Self::QbInterpolation(_) => true,
-            _ => false,
-        }
-    }
-
-    /// True where points that are marked as corners are points as all others.
-    fn has_no_corners(&self) -> bool {
-        matches!(self, Self::ArcSpline(_) | Self::QbInterpolation(_) | Self::TorusSpline(_))
-    }
-
-    /// The angle above which turns of the points are corners, if one is given.
-    pub(super) fn corner_angle(&self) -> Option<Angle> {
-        match self {
-            Self::ArcFit(s) => s.corner_angle,
-            Self::FairSpline(s) => s.corner_angle,
-            Self::FairFit(s) => s.corner_angle,
-            Self::CircleSpline(s) => s.corner_angle,
-            Self::MoebiusSpline(s) => s.corner_angle,
-            _ => None,
-        }
-    }
 }
 
 /// What an arc of a document must leave of a full turn at least, radians: a bulge of a million. The kernel makes arcs up to
@@ -90,82 +39,8 @@ const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
 const EVEN_RATIO: f64 = 1e3;
 
 impl Builder<'_> {
-    /// The curves of an object that has some.
-    pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
-        let made = self.made_curves()?;
-        for (contour, (curve, _)) in made.iter().enumerate() {
-            self.check_place_of(curve, contour)?;
-        }
-        if let ObjectSpec::Nurbs(_) | ObjectSpec::TorusSpline(_) = self.spec {
-            let field = if matches!(self.spec, ObjectSpec::Nurbs(_)) { "control_points" } else { "type" };
-            for (contour, (curve, _)) in made.iter().enumerate() {
-                for warning in wavers(self.spec, curve, &[]) {
-                    self.warn_at(field, (made.len() > 1).then_some(contour), warning);
-                }
-            }
-        }
-        // What comes to a stand by its data; blends and arcs do not.
-        let field = match self.spec {
-            ObjectSpec::Nurbs(_) => "control_points",
-            ObjectSpec::QbInterpolation(_) => "points",
-            ObjectSpec::Trajectory(_) => "of",
-            _ => return Ok(made),
-        };
-        for (contour, (curve, _)) in made.iter().enumerate() {
-            self.warn_of_cusps(field, (made.len() > 1).then_some(contour), curve.as_curve());
-        }
-        Ok(made)
-    }
-
-    fn made_curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
-        let single = |curve: CurveObject| Ok(vec![(curve, ContourFacts::default())]);
-        match self.spec {
-            ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
-            ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
-            ObjectSpec::Ellipse(s) => single(self.ellipse(s)?),
-            ObjectSpec::Helix(s) => single(self.helix(s)?),
-            ObjectSpec::Biarc(s) => {
-                let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
-                let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule);
-                single(CurveObject::ArcPath(biarc.map_err(|e| self.refused(&e, None))?.to_path()))
-            }
-            ObjectSpec::Polyline(s) => self.each_contour(&s.points, s.closed, |at| polyline(s, at)),
-            ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
-            ObjectSpec::ArcFit(s) => self.arc_fit(s),
-            ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
-            ObjectSpec::FairFit(s) => {
-                let auto = s.tolerance.within().is_none();
-                let heights_auto = s.tolerance_z.is_some_and(|z| z.within().is_none());
-                if s.noise.is_some() && !auto {
-                    return Err(self.unfit(
-                        "`noise` goes with `\"tolerance\": \"auto\"`: with a number as tolerance that decides",
-                    ));
-                }
-                if s.tolerance_z.is_some() && heights_auto != auto {
-                    return Err(self.unfit("`tolerance` and `tolerance_z` are two numbers, or both `\"auto\"`"));
-                }
-                self.each_contour(&s.points, s.closed, |at| fair_fit(s, at))
-            }
-            ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
-            ObjectSpec::Nurbs(s) => single(self.nurbs(s)?),
-            ObjectSpec::MoebiusSpline(s) => self.each_contour(&s.points, s.closed, |at| moebius_spline(s, at)),
-            ObjectSpec::QbInterpolation(s) => self.each_contour(&s.points, false, |at| qb_interpolation(s, at)),
-            ObjectSpec::TorusSpline(s) => self.torus_spline(s),
-            ObjectSpec::Trajectory(s) => single(self.trajectory(s)?),
-            ObjectSpec::BallCenters(_) => Ok(without_facts(self.ball_centers()?)),
-            ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
-            ObjectSpec::Offset(s) if self.is_of_curves() => self.parallel_curves(s),
-            ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
-            ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
-            ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
-            ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
-            ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
-            ObjectSpec::PrincipalGrid(s) => Ok(without_facts(self.principal_grid(s)?)),
-            _ => Ok(Vec::new()),
-        }
-    }
-
-    fn arc_fit(&mut self, spec: &ArcFitSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+    /// Arcs near points, or near the curves of another object.
+    pub(in crate::document) fn arc_fit(&mut self, spec: &ArcFitSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
         match (&spec.points, &spec.of) {
             (Some(points), None) => self.each_contour(points, spec.closed, |at| arc_fit(spec, at)),
             (None, Some(of)) => self.arc_fit_of(spec, of),
@@ -230,7 +105,8 @@ impl Builder<'_> {
         Ok(made)
     }
 
-    fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
+    /// The arc.
+    pub(in crate::document) fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
         let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
         let given = data.into_iter().filter(|d| *d).count();
         if spec.normal.is_some() && spec.bulge.is_none() {
@@ -277,7 +153,8 @@ impl Builder<'_> {
         arc.map_err(|e| self.refused(&e, None))
     }
 
-    fn circle(&self, spec: &CircleSpec) -> Result<Circle> {
+    /// The circle.
+    pub(in crate::document) fn circle(&self, spec: &CircleSpec) -> Result<Circle> {
         let circle = match (spec.through, spec.center, spec.radius) {
             (Some(points), None, None) if spec.normal.is_none() => {
                 Circle::through_points(points.map(Coordinates::point))
@@ -296,7 +173,7 @@ impl Builder<'_> {
     }
 
     /// Reads the points, merges repeated ones and runs a construction on every contour.
-    pub(super) fn each_contour(
+    pub(in crate::document) fn each_contour(
         &mut self,
         source: &PointSource,
         closed: bool,
@@ -310,7 +187,7 @@ impl Builder<'_> {
     }
 
     /// The same of points that have been read.
-    pub(super) fn each_contour_of(
+    pub(in crate::document) fn each_contour_of(
         &mut self,
         mut points: Points,
         closed: bool,
@@ -320,7 +197,7 @@ impl Builder<'_> {
         let mut idle: Option<Vec<Idle>> = None;
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
-            if !closed && !self.spec.keeps_repeated_points() && list.ends_meet() {
+            if !closed && !self.spec.kind().keeps_repeated_points() && list.ends_meet() {
                 let message =
                     "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
                 let last = list.points.len() - 1;
@@ -330,7 +207,7 @@ impl Builder<'_> {
             // Places are looked up in the list as given, so before the merge drops entries.
             let given_offsets = points.lists[contour].offsets.clone();
             let given_labels = points.lists[contour].labels.clone();
-            let merged = if self.spec.keeps_repeated_points() {
+            let merged = if self.spec.kind().keeps_repeated_points() {
                 Merged::nothing(&points.lists[contour])
             } else {
                 merge_repeated(&mut points.lists[contour], closed)
@@ -347,12 +224,14 @@ impl Builder<'_> {
             let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
             let (curve, facts, mut warnings) = made_of_points;
             // A field that one contour needs has an effect.
-            let here = idle_fields(self.spec, &at, &curve);
+            let here = self.spec.kind().idle_fields(&at, &curve);
             idle =
                 Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
-            warnings.extend(wavers(self.spec, &curve, &at.list.points));
+            if let Some(rule) = self.spec.kind().wavers() {
+                warnings.extend(rule.warnings(&curve, &at.list.points));
+            }
             let marked = at.list.corners.len();
-            if let Some(first) = at.list.corners.first().filter(|_| self.spec.has_no_corners()) {
+            if let Some(first) = at.list.corners.first().filter(|_| !self.spec.kind().keeps_corners()) {
                 let given = points.kept[contour].get(*first).copied();
                 let place = given.map(|i| self.place(&points, contour, i));
                 let message = format!(
@@ -391,7 +270,7 @@ impl Builder<'_> {
         self.point_names.extend(named);
     }
 
-    pub(super) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
+    pub(in crate::document) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
         let (name, bytes) = self.file(&file.csv, ["points", "csv"])?;
         if file.columns.is_none()
             && let Some(found) = InputKind::of_bytes(&bytes).filter(|found| *found != InputKind::Points)
@@ -443,7 +322,7 @@ impl Builder<'_> {
 
 impl Points {
     /// The path below the object of a list, or of a point of it.
-    pub(super) fn steps(&self, contour: usize, index: Option<usize>) -> Vec<Step> {
+    pub(in crate::document) fn steps(&self, contour: usize, index: Option<usize>) -> Vec<Step> {
         let (nested, field) = match &self.origin {
             Origin::Document { nested, field } => (*nested, *field),
             Origin::File { .. } => (false, POINTS),
@@ -456,7 +335,7 @@ impl Points {
 /// The field that most points stand in.
 const POINTS: &[&str] = &["points"];
 
-pub(super) fn inline_points(source: &Lists) -> Points {
+pub(in crate::document) fn inline_points(source: &Lists) -> Points {
     let list = |points: &Vec<Coordinates>| PointList {
         points: points.iter().map(|p| p.point()).collect(),
         ..PointList::default()
@@ -466,9 +345,4 @@ pub(super) fn inline_points(source: &Lists) -> Points {
         if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
     let origin = Origin::Document { nested: source.nested, field: POINTS };
     Points { kept: vec![Vec::new(); lists.len()], lists, origin }
-}
-
-/// Curves that were not made from points.
-fn without_facts(curves: Vec<CurveObject>) -> Vec<(CurveObject, ContourFacts)> {
-    curves.into_iter().map(|curve| (curve, ContourFacts::default())).collect()
 }

@@ -10,7 +10,7 @@ use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{ObjectSpec, OffsetSpec, PipeSpec, RevolutionSpec};
+use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec};
 use crate::error::{Error, Result};
 
 /// An angle in radians that leaves less of a whole turn than this may be one, typed with three digits or more.
@@ -20,7 +20,7 @@ const PLACES: u32 = 256;
 
 impl Builder<'_> {
     /// The parallel surfaces, or the solids between.
-    pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
         let source = self.surface_source("only surfaces have an offset")?;
         let other = "only these have an exact offset: `cyclide`, `cyclide-patch`, `cyclidic-net`, and an `offset` or `transform` of one that is not `thick`; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
         let made = source.item.surfaces().iter().map(|surface| {
@@ -30,26 +30,8 @@ impl Builder<'_> {
         made.collect()
     }
 
-    /// What it is the solid over, as an offset that is thick or the image of one.
-    pub(super) fn skin(&self) -> Vec<SurfaceObject> {
-        match (self.spec, self.sources.first()) {
-            (ObjectSpec::Offset(spec), Some(source)) if spec.thick => source.item.surfaces().to_vec(),
-            (ObjectSpec::Transform(_), Some(source)) => source.provenance.skin.clone(),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Whether its patches are panels, as those of nets, and of their offsets and images.
-    pub(super) fn has_panels(&self) -> bool {
-        match (self.spec, self.sources.first()) {
-            (ObjectSpec::CyclidePatch(_) | ObjectSpec::CyclidicNet(_) | ObjectSpec::PrincipalGrid(_), _) => true,
-            (ObjectSpec::Offset(_) | ObjectSpec::Transform(_), Some(source)) => source.provenance.panels,
-            _ => false,
-        }
-    }
-
     /// What the curves of another object sweep.
-    pub(super) fn revolution(&mut self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn revolution(&mut self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves sweep a surface of revolution"));
@@ -94,7 +76,7 @@ impl Builder<'_> {
     }
 
     /// The tubes about the curves of another object.
-    pub(super) fn pipe(&mut self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn pipe(&mut self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves have a pipe about them"));
@@ -132,7 +114,7 @@ impl Builder<'_> {
     }
 
     /// The edges of a surface that are arcs, each once; says how many are not.
-    pub(super) fn support_structure(&mut self) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn support_structure(&mut self) -> Result<Vec<CurveObject>> {
         let source = self.surface_source("only surfaces have a support structure")?;
         let (mut arcs, mut rational) = (Vec::new(), 0);
         for surface in source.item.surfaces() {
@@ -155,7 +137,7 @@ impl Builder<'_> {
     /// Warns of an offset that goes past centres of curvature: of patches with `k d >= 1` for a principal curvature `k`
     /// and the distance `d`, both signed by the normal along which offsets are made, where the image shows it too (a
     /// surface that was beyond its focal set may come back).
-    pub(super) fn warn_beyond_focal_set(&mut self, spec: &OffsetSpec, bodies: &[Body]) {
+    pub(in crate::document) fn warn_beyond_focal_set(&mut self, spec: &OffsetSpec, bodies: &[Body]) {
         let source = self.sources.first().map_or(&[][..], |source| &source.bodies);
         let is_whole =
             |face: &ShellFace| face.surface.patch().is_none_or(|patch| patch.is_regular() && !patch.is_flipped());
@@ -178,7 +160,7 @@ impl Builder<'_> {
     }
 
     /// The source, which must have surfaces.
-    pub(super) fn surface_source(&self, needed: &str) -> Result<&BuiltObject> {
+    pub(in crate::document) fn surface_source(&self, needed: &str) -> Result<&BuiltObject> {
         match self.sources.first() {
             Some(source) if !source.item.surfaces().is_empty() => Ok(source),
             _ => Err(self.wrong_source(needed)),
@@ -186,17 +168,17 @@ impl Builder<'_> {
     }
 
     /// Whether what it is made from is curves.
-    pub(super) fn is_of_curves(&self) -> bool {
+    pub(in crate::document) fn is_of_curves(&self) -> bool {
         self.sources.first().is_some_and(|source| !source.item.curves().is_empty())
     }
 
     /// The message that the source is of the wrong kind.
-    pub(super) fn wrong_source(&self, needed: &str) -> Error {
+    pub(in crate::document) fn wrong_source(&self, needed: &str) -> Error {
         self.wrong_source_at([Step::from("of")], needed)
     }
 
     /// The same, at what asks for another kind.
-    pub(super) fn wrong_source_at(&self, place: impl IntoIterator<Item = Step>, needed: &str) -> Error {
+    pub(in crate::document) fn wrong_source_at(&self, place: impl IntoIterator<Item = Step>, needed: &str) -> Error {
         let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.provenance.kind));
         let message = format!("{}: {needed}", source.unwrap_or_default());
         Error::Input(self.diagnostic(place, &message))

@@ -8,7 +8,7 @@ use super::volumes::volume_frame;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CellLaw, CellsAlongSpec, CellsSpec, CoordinatePlanesSpec, CyclideGridSpec, FrameSpec, GradedCellsSpec, ObjectSpec,
+    CellLaw, CellsAlongSpec, CellsSpec, CoordinatePlanesSpec, CyclideGridSpec, FrameSpec, GradedCellsSpec,
     WholeCyclideSpec,
 };
 use crate::error::{Error, Result};
@@ -20,7 +20,7 @@ const ONE_POINT: f64 = 1e-9;
 
 impl Builder<'_> {
     /// The blocks of a grid.
-    pub(super) fn cyclide_grid(&self, spec: &CyclideGridSpec) -> Result<Vec<CyclideVolume>> {
+    pub(in crate::document) fn cyclide_grid(&self, spec: &CyclideGridSpec) -> Result<Vec<CyclideVolume>> {
         let grid = match (&spec.planes, &spec.whole) {
             (Some(planes), None) => self.grid_of_planes(planes, spec.frame.unwrap_or_default())?,
             (None, Some(whole)) if spec.frame.is_none() => self.grid_of_cyclide(whole)?,
@@ -106,22 +106,22 @@ impl Builder<'_> {
         made.map_err(|e| self.refused_frame(frame, &e).unwrap_or_else(|| self.refused_at([Step::from("planes")], &e)))
     }
 
-    /// The parameters of the cells of blocks, of an object that divides them, or whose source did.
-    pub(super) fn places(&mut self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
-        let cells = match self.spec {
-            ObjectSpec::CyclideVolume(spec) => &spec.cells,
-            ObjectSpec::Layers(spec) => &spec.cells,
-            ObjectSpec::CyclideGrid(spec) => &spec.cells,
-            ObjectSpec::Transform(_) => {
-                self.gradings = self.sources.first().and_then(|source| source.gradings);
-                let places = self.sources.first().and_then(|source| source.provenance.places.clone());
-                if let Some(places) = &places {
-                    self.check_cells(volumes, places, |_| vec![Step::from("of")])?;
-                }
-                return Ok(places);
-            }
-            _ => return Ok(None),
-        };
+    /// The parameters of the cells of blocks whose source divided them.
+    pub(in crate::document) fn places_of_source(&mut self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
+        self.gradings = self.sources.first().and_then(|source| source.gradings);
+        let places = self.sources.first().and_then(|source| source.provenance.places.clone());
+        if let Some(places) = &places {
+            self.check_cells(volumes, places, |_| vec![Step::from("of")])?;
+        }
+        Ok(places)
+    }
+
+    /// The parameters of the cells of blocks, of an object that divides them.
+    pub(in crate::document) fn places(
+        &mut self,
+        volumes: &[CyclideVolume],
+        cells: Option<&CellsSpec>,
+    ) -> Result<Option<[Vec<f64>; 3]>> {
         let along = match cells {
             None => return Ok(None),
             Some(CellsSpec::Count(count)) => [CellsAlongSpec::Count(*count); 3],
@@ -163,7 +163,7 @@ impl Builder<'_> {
             return Err(self.refused_in_words(field(0).into_iter().take(1), "cells-unfit", words));
         }
         let quality = grid.quality();
-        let at = if matches!(self.spec, ObjectSpec::Transform(_)) { "of" } else { "cells" };
+        let at = if self.spec.kind().is_image() { "of" } else { "cells" };
         for warning in grid.warnings(&quality) {
             self.warn_at(at, None, warning);
         }

@@ -12,7 +12,7 @@ use crate::input::polygon_mesh::PolygonMesh;
 
 impl Builder<'_> {
     /// The mesh over a grid of heights.
-    pub(super) fn mesh_of_heights(&mut self, spec: &HeightsSpec) -> Result<Given> {
+    pub(in crate::document) fn mesh_of_heights(&mut self, spec: &HeightsSpec) -> Result<Given> {
         let within = |field: &str| [Step::from("heights"), Step::from(field)];
         if let Some(k) = spec.spacing.iter().position(|step| *step == 0.0) {
             let place = within("spacing").into_iter().chain([k.into()]);

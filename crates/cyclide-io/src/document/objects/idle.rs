@@ -14,7 +14,7 @@ use crate::document::locate::Step;
 use crate::document::spec::PrincipalGridSpec;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, MoebiusContinuity,
-    MoebiusSplineSpec, ObjectSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
+    MoebiusSplineSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
 };
 use crate::input::points::merge_repeated;
 #[cfg(feature = "circular-mesh")]
@@ -32,25 +32,12 @@ use cyclide::GridBorder;
 pub const NO_EFFECT: &str = "no-effect";
 
 /// A field, and why it has no effect.
-pub(super) type Idle = (&'static str, &'static str);
+pub(in crate::document) type Idle = (&'static str, &'static str);
 
 const NO_ENDS: &str = "a closed curve has no ends";
 const NO_CORNER: &str = "no point turns by more";
 
-/// The fields of an object that make no difference to one of its contours.
-pub(super) fn idle_fields(spec: &ObjectSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
-    match spec {
-        ObjectSpec::FairSpline(spec) => in_fair_spline(spec, at, made),
-        ObjectSpec::CircleSpline(spec) => in_circle_spline(spec, at),
-        ObjectSpec::ArcSpline(spec) => in_arc_spline(spec, at, made),
-        ObjectSpec::FairFit(spec) => in_fair_fit(spec, at),
-        ObjectSpec::TorusSpline(spec) => in_torus_spline(spec, at),
-        ObjectSpec::MoebiusSpline(spec) => in_moebius_spline(spec, at),
-        _ => Vec::new(),
-    }
-}
-
-fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
+pub(in crate::document) fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
     let same = |change: &dyn Fn(&mut FairSplineSpec)| {
         // The points are in the contour.
         let mut other = FairSplineSpec {
@@ -83,14 +70,14 @@ fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_>, made: &CurveObject) -
     found(&tests)
 }
 
-fn in_circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+pub(in crate::document) fn in_circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     found(&[
         ("ends", spec.closed && spec.ends != EndsSpec::Natural, NO_ENDS),
         ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
     ])
 }
 
-fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
+pub(in crate::document) fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
     let same = || {
         let other = ArcSplineSpec { rule: BiarcRule::EqualD, ..spec.clone() };
         arc_spline(&other, at).is_ok_and(|(curve, ..)| is_same(&curve, made))
@@ -98,7 +85,7 @@ fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> 
     found(&[("rule", spec.rule == BiarcRule::EqualChord && same(), "with `equal-d` the arcs are the same")])
 }
 
-fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
+pub(in crate::document) fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     let no_fits = spec.max_fits == Some(0);
     let none_taken_out = "with `max_fits` 0 no nodes are taken out";
     let auto = spec.tolerance.within().is_none();
@@ -111,12 +98,12 @@ fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     ])
 }
 
-fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+pub(in crate::document) fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     let none_repeated = || merge_repeated(&mut at.list.clone(), spec.closed).kept.len() == at.kept.len();
     found(&[("loops", spec.loops && none_repeated(), "no point repeats its neighbour")])
 }
 
-fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+pub(in crate::document) fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     let by_directions = spec.continuity == MoebiusContinuity::G1;
     let no_knots = "with `g1` the curve has no knots";
     found(&[
@@ -131,7 +118,7 @@ fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
 }
 
 /// The fields of a pipe that make no difference; `closed` if all curves are.
-pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool) -> Vec<Idle> {
+pub(in crate::document) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool) -> Vec<Idle> {
     let of_arcs = curves.iter().all(CurveObject::is_of_arcs);
     found(&[
         ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
@@ -145,7 +132,7 @@ pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool
 }
 
 /// What a tube does not look at; `closed` if all are.
-pub(super) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Idle> {
+pub(in crate::document) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Idle> {
     let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
     let constant = values.windows(2).all(|pair| pair[0][1].total_cmp(&pair[1][1]).is_eq());
     found(&[
@@ -161,7 +148,7 @@ pub(super) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Idle> {
 
 /// What the grids of a surface do not look at; `closed` if one of them is.
 #[cfg(feature = "circular-mesh")]
-pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joined: bool) -> Vec<Idle> {
+pub(in crate::document) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joined: bool) -> Vec<Idle> {
     let several = spec.most_pieces.is_some_and(|most| most > 1);
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
@@ -173,7 +160,7 @@ pub(super) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joi
 
 impl Builder<'_> {
     /// Says which fields have no effect.
-    pub(super) fn remark_on_idle(&mut self, idle: Vec<Idle>) {
+    pub(in crate::document) fn remark_on_idle(&mut self, idle: Vec<Idle>) {
         for (field, why) in idle {
             let place = self.place_of([Step::from(field)]);
             self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));

@@ -1,7 +1,7 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
 mod ball_centers;
-mod block_checks;
+pub(in crate::document) mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
 mod conics;
@@ -13,7 +13,7 @@ mod derived;
 mod grids;
 #[cfg(feature = "circular-mesh")]
 mod heights;
-mod idle;
+pub(in crate::document) mod idle;
 mod motions;
 mod net_hints;
 mod net_layouts;
@@ -22,7 +22,7 @@ mod nets;
 mod no_principal;
 #[cfg(not(feature = "circular-mesh"))]
 mod not_circular;
-mod nurbs;
+pub(in crate::document) mod nurbs;
 #[cfg(feature = "circular-mesh")]
 mod nurbs_surface;
 mod polygon_mesh;
@@ -32,7 +32,7 @@ mod poses;
 mod principal;
 mod rail_sense;
 mod references;
-mod refuse;
+pub(in crate::document) mod refuse;
 mod remark;
 mod remedies;
 mod smooth;
@@ -40,11 +40,11 @@ mod surfaces;
 mod sweeps;
 mod swept;
 mod tees;
-mod torus;
+pub(in crate::document) mod torus;
 mod transform;
 mod tubes;
 mod volumes;
-mod wavers;
+pub(in crate::document) mod wavers;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -58,10 +58,10 @@ use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 use super::Document;
 use super::construct::ContourFacts;
-use super::coordinates::PointSource;
 use super::interpolate::InterpolationFacts;
+use super::kinds::Shape;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
+use super::spec::ObjectSpec;
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
@@ -266,20 +266,7 @@ impl Document {
 
     /// The files the document refers to, as it writes them.
     pub fn input_files(&self) -> impl Iterator<Item = &str> {
-        self.objects.iter().flat_map(|(_, spec)| -> Vec<&str> {
-            let one = match (spec, spec.points()) {
-                (_, Some(PointSource::File(file))) => Some(file.csv.as_str()),
-                (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
-                    Some(file.obj.as_str())
-                }
-                (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
-                (ObjectSpec::PrincipalGrid(spec), _) => spec.file(),
-                (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
-                (ObjectSpec::Motion(spec), _) => return spec.files().collect(),
-                _ => None,
-            };
-            one.into_iter().collect()
-        })
+        self.objects.iter().flat_map(|(_, spec)| spec.kind().files())
     }
 }
 
@@ -293,108 +280,105 @@ fn nodes_within(curves: &[CurveObject], contours: &[ContourFacts]) -> Vec<Point3
 }
 
 /// One construction.
-struct Builder<'a> {
-    document: &'a Document,
-    name: &'a str,
-    spec: &'a ObjectSpec,
+pub(in crate::document) struct Builder<'a> {
+    pub(in crate::document) document: &'a Document,
+    pub(in crate::document) name: &'a str,
+    pub(in crate::document) spec: &'a ObjectSpec,
     /// The objects it is made from, in the order of [`ObjectSpec::references`].
-    sources: Vec<&'a BuiltObject>,
-    folder: &'a Path,
-    read: Read<'a>,
+    pub(in crate::document) sources: Vec<&'a BuiltObject>,
+    pub(in crate::document) folder: &'a Path,
+    pub(in crate::document) read: Read<'a>,
     /// Hears what takes long.
     #[cfg(feature = "circular-mesh")]
-    progress: &'a mut dyn FnMut(String),
+    pub(in crate::document) progress: &'a mut dyn FnMut(String),
     /// The file that the grid of a net was read from.
-    mesh: Option<MeshNames>,
+    pub(in crate::document) mesh: Option<MeshNames>,
     /// The name of the file of a mesh of quads.
-    mesh_name: Option<String>,
+    pub(in crate::document) mesh_name: Option<String>,
     /// The object that laid a mesh of quads.
-    laid_of: Option<String>,
+    pub(in crate::document) laid_of: Option<String>,
     /// What it took to make the net of the object circular.
     #[cfg(feature = "circular-mesh")]
-    circular: Option<CircularMeshReport>,
+    pub(in crate::document) circular: Option<CircularMeshReport>,
     /// The grids that it lays along lines of curvature.
-    grids: Vec<QuadGrid>,
+    pub(in crate::document) grids: Vec<QuadGrid>,
     /// The mesh that these are of.
-    joined: Option<QuadLayout>,
+    pub(in crate::document) joined: Option<QuadLayout>,
     /// The surface that it follows.
-    given: Option<GivenSurface>,
+    pub(in crate::document) given: Option<GivenSurface>,
     /// The lines of curvature that were found.
-    field: Option<LaidField>,
+    pub(in crate::document) field: Option<LaidField>,
     /// What was found there.
     #[cfg(feature = "circular-mesh")]
-    principal: Option<Box<PrincipalGridReport>>,
+    pub(in crate::document) principal: Option<Box<PrincipalGridReport>>,
     /// The seams of its grid as given.
-    seams: Vec<Seam>,
+    pub(in crate::document) seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
-    polyhedron: Option<Box<RoundedPolyhedron>>,
+    pub(in crate::document) polyhedron: Option<Box<RoundedPolyhedron>>,
     /// The blends of the tee that it is.
-    tee_blends: Vec<TeeBlendFacts>,
-    ball_centers: Option<Box<BallCenters>>,
+    pub(in crate::document) tee_blends: Vec<TeeBlendFacts>,
+    pub(in crate::document) ball_centers: Option<Box<BallCenters>>,
     /// What is known of the tubes that it is.
-    tubes: Vec<TubeFacts>,
+    pub(in crate::document) tubes: Vec<TubeFacts>,
     /// What was chosen for the smooth mesh that it is.
-    smooth: Option<SmoothChoice>,
+    pub(in crate::document) smooth: Option<SmoothChoice>,
     /// What became of the curve when it was laid flat.
-    unrolled: Option<UnrolledPlane>,
-    remarks: Vec<Remark>,
-    notes: Vec<String>,
+    pub(in crate::document) unrolled: Option<UnrolledPlane>,
+    pub(in crate::document) remarks: Vec<Remark>,
+    pub(in crate::document) notes: Vec<String>,
     /// What its points are called in their table.
-    point_names: Vec<(Point3, String)>,
+    pub(in crate::document) point_names: Vec<(Point3, String)>,
     /// The points of a fit.
-    data: Vec<Point3>,
+    pub(in crate::document) data: Vec<Point3>,
     /// The names of its surfaces, if they have some.
-    names: Vec<String>,
+    pub(in crate::document) names: Vec<String>,
     /// The laws by which its blocks are divided along s, t and u.
-    gradings: Option<[Grading; 3]>,
+    pub(in crate::document) gradings: Option<[Grading; 3]>,
     /// What its curves are images of.
-    unmapped: Option<Unmapped>,
+    pub(in crate::document) unmapped: Option<Unmapped>,
     /// The quality of these cells.
-    quality: Option<GridQuality>,
+    pub(in crate::document) quality: Option<GridQuality>,
     /// How far what it makes may be from what is described, where it is not exact.
-    bound: Option<f64>,
+    pub(in crate::document) bound: Option<f64>,
 }
 
 impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
-        let (curves, contours): (Vec<_>, Vec<_>) = self.curves()?.into_iter().unzip();
-        let surfaces = self.surfaces()?;
-        if let (ObjectSpec::Transform(transform), Some(source)) = (self.spec, self.sources.first()) {
-            self.names.clone_from(&source.provenance.names);
-            self.tee_blends = self.mapped_blends(transform);
-        }
-        self.check_block_count()?;
-        let volumes = self.volumes()?;
-        let places = self.places(&volumes)?;
-        let moving = self.moving_body()?;
-        let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
-        let blocks = self.block_bodies(&volumes)?;
-        let mut bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
-        bodies.extend(blocks);
-        match self.spec {
-            ObjectSpec::CyclidicNet(net) => {
-                self.warn_of_folds(net, &surfaces, &bodies);
-                self.warn_of_seams(&surfaces);
+        let (spec, source) = (self.spec.kind(), self.sources.first().copied());
+        let shape = spec.build(&mut self)?;
+        let bodies = match &shape {
+            Shape::Curves(curves) => {
+                for (contour, (curve, _)) in curves.iter().enumerate() {
+                    self.check_place_of(curve, contour)?;
+                }
+                Vec::new()
             }
-            ObjectSpec::Offset(offset) => self.warn_beyond_focal_set(offset, &bodies),
-            ObjectSpec::Transform(transform) => self.warn_of_many_turns(transform),
-            _ => {}
-        }
-        let tolerance = match self.spec {
-            ObjectSpec::ArcFit(s) => Some(s.tolerance),
-            ObjectSpec::FairFit(s) => s.tolerance.within(),
-            _ => self.bound,
+            Shape::Surfaces(surfaces) => {
+                let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
+                bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect()
+            }
+            Shape::Blocks(volumes, _) => self.block_bodies(volumes)?,
+            Shape::Motion(_) => Vec::new(),
         };
-        // A type makes curves, surfaces, volumes or a motion, and an image is of the kind of its object.
-        let geometry = match moving {
-            Some(body) => body.into(),
-            None if !volumes.is_empty() => Geometry::Volumes(volumes),
-            None if surfaces.is_empty() => Geometry::Curves(curves),
-            None => Geometry::Surfaces(surfaces),
+        spec.remark_on(&mut self, &shape, &bodies);
+        let tolerance = spec.tolerance().or(self.bound);
+        let (mut contours, mut places) = (Vec::new(), None);
+        let geometry = match shape {
+            Shape::Curves(made) => {
+                let (curves, facts) = made.into_iter().unzip();
+                contours = facts;
+                Geometry::Curves(curves)
+            }
+            Shape::Surfaces(surfaces) => Geometry::Surfaces(surfaces),
+            Shape::Blocks(volumes, parameters) => {
+                places = parameters;
+                Geometry::Volumes(volumes)
+            }
+            Shape::Motion(body) => (*body).into(),
         };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let (skin, panels) = (self.skin(), self.has_panels());
+        let (skin, panels) = (spec.skin(source), spec.has_panels(source));
         let Self {
             data,
             grids,
@@ -459,12 +443,12 @@ impl Builder<'_> {
     }
 
     /// Path of this object, or of a value in it.
-    fn path(&self, steps: impl IntoIterator<Item = Step>) -> Vec<Step> {
+    pub(in crate::document) fn path(&self, steps: impl IntoIterator<Item = Step>) -> Vec<Step> {
         [Step::from("objects"), Step::from(self.name)].into_iter().chain(steps).collect()
     }
 
     /// The bytes of a file that a field names.
-    fn file<const N: usize>(&self, file: &str, steps: [&str; N]) -> Result<(String, Vec<u8>)> {
+    pub(in crate::document) fn file<const N: usize>(&self, file: &str, steps: [&str; N]) -> Result<(String, Vec<u8>)> {
         let standard = file == "-";
         let path = if standard { PathBuf::from(file) } else { self.folder.join(file) };
         let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
@@ -478,14 +462,18 @@ impl Builder<'_> {
     }
 
     /// A message about the value at a path below the object.
-    fn diagnostic(&self, steps: impl IntoIterator<Item = Step>, message: &str) -> Box<Diagnostic> {
+    pub(in crate::document) fn diagnostic(
+        &self,
+        steps: impl IntoIterator<Item = Step>,
+        message: &str,
+    ) -> Box<Diagnostic> {
         let path = self.path(steps);
         let span = span_of(&self.document.text, &path).unwrap_or(0..1);
         self.document.source().diagnostic(span, &path_text(&path), message)
     }
 
     /// The message that the object's fields do not fit together.
-    fn unfit(&self, message: &str) -> Error {
+    pub(in crate::document) fn unfit(&self, message: &str) -> Error {
         let path = self.path([]);
         let span = span_of(&self.document.text, &path).map_or(0..0, |s| s.start..s.start + 1);
         Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))

@@ -17,7 +17,7 @@ use crate::document::spec::{
 use crate::error::{Error, Result};
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
-pub(super) const AT_REST: f64 = 64.0 * f64::EPSILON;
+pub(in crate::document) const AT_REST: f64 = 64.0 * f64::EPSILON;
 
 /// Planes that are off that across the path of their middle by no more than this are across it, radians: two degrees.
 const ACROSS: f64 = 0.035;
@@ -52,15 +52,8 @@ fn lean_of_section(curve: &CurveObject, motion: &RationalMotion) -> Option<(f64,
 }
 
 impl Builder<'_> {
-    /// The moving body of an object that is one.
-    pub(super) fn moving_body(&mut self) -> Result<Option<MovingBody>> {
-        match self.spec {
-            ObjectSpec::Motion(spec) => self.motion(spec).map(Some),
-            _ => Ok(None),
-        }
-    }
-
-    fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
+    /// The moving body.
+    pub(in crate::document) fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
         let kind = spec.kind.unwrap_or_default();
         if spec.choice.is_some() && kind != MotionKind::Cubic {
             return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
@@ -287,7 +280,7 @@ impl Builder<'_> {
     }
 
     /// What the kernel refused of the poses, at the one it is about.
-    pub(super) fn pose_refused(&self, error: &cyclide::Error) -> Error {
+    pub(in crate::document) fn pose_refused(&self, error: &cyclide::Error) -> Error {
         let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
         let steps: Vec<Step> = match error.index().filter(|_| inline) {
             Some(index) => vec!["poses".into(), index.into()],
@@ -312,7 +305,7 @@ impl Builder<'_> {
     }
 
     /// The path of a point.
-    pub(super) fn trajectory(&mut self, spec: &TrajectorySpec) -> Result<CurveObject> {
+    pub(in crate::document) fn trajectory(&mut self, spec: &TrajectorySpec) -> Result<CurveObject> {
         let body = self.motion_source()?;
         let point = spec.point.map_or(body.tool(), Coordinates::point);
         let form = body.motion().to_rational().map_err(|e| self.refused_at(["of".into()], &e))?;
@@ -351,7 +344,7 @@ impl Builder<'_> {
     }
 
     /// What the contours of a curve run over.
-    pub(super) fn swept_surface(&mut self, spec: &SweptSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn swept_surface(&mut self, spec: &SweptSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let motion = self.motion_source()?.motion().clone();
         let contours = self.sources[1].item.curves().to_vec();
         if contours.is_empty() {

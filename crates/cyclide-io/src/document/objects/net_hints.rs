@@ -39,7 +39,7 @@ fn digits(x: f64) -> usize {
 }
 
 /// What leads on from an error of a net over a grid as given, whose vertices were moved or could have been.
-pub(super) fn hint(error: &KernelError, given: &QuadGrid, spec: &MakeCircularSpec) -> Option<String> {
+pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &MakeCircularSpec) -> Option<String> {
     match error {
         KernelError::InQuad { quad, cause } => {
             let KernelError::NotConcircular { measured, .. } = **cause else { return None };
@@ -103,7 +103,12 @@ fn closes(grid: &QuadGrid, seam: Seam) -> bool {
 }
 
 /// The warning about borders that nearly coincide; `None` where the surface goes on over them.
-pub(super) fn seam_words(seam: Seam, measure: SeamMeasure, grid: &QuadGrid, units: Units) -> Option<String> {
+pub(in crate::document) fn seam_words(
+    seam: Seam,
+    measure: SeamMeasure,
+    grid: &QuadGrid,
+    units: Units,
+) -> Option<String> {
     let border = ["column", "row"][seam.direction];
     let size = grid.points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     let lying = measure.gap <= LYING * size;

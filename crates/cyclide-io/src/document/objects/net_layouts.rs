@@ -20,7 +20,11 @@ const MOST_NAMED: usize = 6;
 
 impl Builder<'_> {
     /// The nets over the grids of a mesh.
-    pub(super) fn net_layout(&mut self, spec: &CyclidicNetSpec, given: QuadLayout) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn net_layout(
+        &mut self,
+        spec: &CyclidicNetSpec,
+        given: QuadLayout,
+    ) -> Result<Vec<SurfaceObject>> {
         if !spec.openings.is_empty() {
             return Err(self.unfit(
                 "`openings` are columns and rows of one grid: a mesh with extraordinary vertices has several, and no openings but those round these vertices",
@@ -92,7 +96,12 @@ impl Builder<'_> {
     }
 
     /// What the kernel said of a mesh, or of what became of it.
-    pub(super) fn refused_in_layout(&self, spec: &CyclidicNetSpec, given: &QuadLayout, error: &KernelError) -> Error {
+    pub(in crate::document) fn refused_in_layout(
+        &self,
+        spec: &CyclidicNetSpec,
+        given: &QuadLayout,
+        error: &KernelError,
+    ) -> Error {
         let moves = spec.make_circular.options().is_some();
         let points = |vertices: &[usize]| format!(" ({})", self.named_points(given, vertices));
         let words = match error {

@@ -24,13 +24,13 @@ use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
 
 /// Patches of a whole cyclide round the hole and round the tube.
-pub(super) const SEGMENTS: [u32; 2] = [4, 4];
+pub(in crate::document) const SEGMENTS: [u32; 2] = [4, 4];
 
 /// What crossing sides often come from.
-pub(super) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
+pub(in crate::document) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
 
 /// A grid of a file, and what the file calls its points.
-pub(super) struct MeshNames {
+pub(in crate::document) struct MeshNames {
     /// The file.
     name: String,
     grid: QuadGrid,
@@ -39,7 +39,7 @@ pub(super) struct MeshNames {
 }
 
 /// The frame of a cyclide or a torus; what is left out is at the origin, upright, and from x.
-pub(super) fn frame_of_axes(
+pub(in crate::document) fn frame_of_axes(
     center: Option<Coordinates>,
     axis: Option<Coordinates>,
     x_direction: Option<Coordinates>,
@@ -67,7 +67,7 @@ const CLOSED_OF_ITSELF: &str = "`closed` goes with a grid inline: a `principal-g
 
 impl<'a> Builder<'a> {
     /// A whole cyclide as one closed net, or as several that touch in the nodes.
-    pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
         let made = || {
             let frame = frame_of_axes(spec.center, spec.axis, spec.x_direction)?;
             let segments = spec.segments.unwrap_or(SEGMENTS).map(|n| n as usize);
@@ -78,7 +78,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The net over a grid.
-    pub(super) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
         if let GridSource::File(file) = &spec.grid {
             if spec.closed.is_some() {
                 return Err(self.unfit("`closed` goes with a grid inline: a mesh in a file says itself what is closed"));
@@ -168,7 +168,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The surface that the grid follows: one that was laid follows a mesh; one that stays as it is, nothing but itself.
-    pub(super) fn followed(&self, spec: &CyclidicNetSpec) -> Option<GivenSurface> {
+    pub(in crate::document) fn followed(&self, spec: &CyclidicNetSpec) -> Option<GivenSurface> {
         let GridSource::Laid(_) = &spec.grid else { return None };
         let field = self.sources.last()?.provenance.field.as_ref()?;
         Some(field.surface.clone())
@@ -237,7 +237,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Vertices of a mesh of quads: by their numbers in its file, or by the place of the first where it was laid.
-    pub(super) fn named_points(&self, layout: &QuadLayout, vertices: &[usize]) -> String {
+    pub(in crate::document) fn named_points(&self, layout: &QuadLayout, vertices: &[usize]) -> String {
         if let (Some(of), Some(first)) = (&self.laid_of, vertices.first()) {
             let [x, y, z] = layout.points()[*first].to_array().map(ShortNumber);
             return format!("the point of `{of}` at {x}, {y}, {z}");
@@ -248,12 +248,17 @@ impl<'a> Builder<'a> {
     }
 
     /// The file of the mesh.
-    pub(super) fn mesh_name(&self) -> &str {
+    pub(in crate::document) fn mesh_name(&self) -> &str {
         self.mesh_name.as_deref().unwrap_or("the mesh")
     }
 
     /// Warns of a net that its frame folded.
-    pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
+    pub(in crate::document) fn warn_of_folds(
+        &mut self,
+        spec: &CyclidicNetSpec,
+        surfaces: &[SurfaceObject],
+        bodies: &[Body],
+    ) {
         let nets = surfaces.iter().flat_map(SurfaceObject::nets);
         let singular: Vec<[usize; 2]> = nets.flat_map(|net| net.singular_patches()).map(|patch| patch.quad).collect();
         let joints = SurfaceJointReport::new(bodies.iter().flat_map(Body::shells));
@@ -276,7 +281,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Warns of borders of the grid, as given or as made, that nearly coincide: the net is open there.
-    pub(super) fn warn_of_seams(&mut self, surfaces: &[SurfaceObject]) {
+    pub(in crate::document) fn warn_of_seams(&mut self, surfaces: &[SurfaceObject]) {
         for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
             for (seam, measure) in measured_seams(net, &self.seams) {
                 let border = ["column", "row"][seam.direction];
@@ -288,7 +293,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The message for what the kernel said about a quad, a vertex or the frame of a net.
-    pub(super) fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
+    pub(in crate::document) fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
         match (error, self.spec) {
             (KernelError::FrameNotOrthonormal { .. }, ObjectSpec::CyclidicNet(net)) => {
                 let words = match net.frame {
@@ -341,7 +346,13 @@ impl<'a> Builder<'a> {
     }
 
     /// The message at a quad: where its first corner stands.
-    pub(super) fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, reason: &'static str, words: String) -> Error {
+    pub(in crate::document) fn refused_at_quad(
+        &self,
+        grid: &QuadGrid,
+        quad: usize,
+        reason: &'static str,
+        words: String,
+    ) -> Error {
         let columns = grid.quads()[0];
         self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), reason, words)
     }

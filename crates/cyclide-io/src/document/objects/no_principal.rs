@@ -12,7 +12,7 @@ impl Builder<'_> {
     ///
     /// # Errors
     /// `not-built-in`, always.
-    pub(super) fn principal_grid(&self, _: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn principal_grid(&self, _: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
         let words = "this program is built without the feature `circular-mesh`, which lays the grid".to_owned();
         Err(self.refused_in_words([Step::from("type")], "not-built-in", words))
     }

@@ -12,7 +12,12 @@ impl Builder<'_> {
     ///
     /// # Errors
     /// `not-built-in`, always.
-    pub(super) fn circular(&self, _: &CyclidicNetSpec, _: &MakeCircularOptions, _: &QuadGrid) -> Result<QuadGrid> {
+    pub(in crate::document) fn circular(
+        &self,
+        _: &CyclidicNetSpec,
+        _: &MakeCircularOptions,
+        _: &QuadGrid,
+    ) -> Result<QuadGrid> {
         Err(self.not_built_in())
     }
 
@@ -20,7 +25,7 @@ impl Builder<'_> {
     ///
     /// # Errors
     /// `not-built-in`, always.
-    pub(super) fn circular_layout(&self, _: &MakeCircularOptions, _: &QuadLayout) -> Result<QuadLayout> {
+    pub(in crate::document) fn circular_layout(&self, _: &MakeCircularOptions, _: &QuadLayout) -> Result<QuadLayout> {
         Err(self.not_built_in())
     }
 

@@ -4,6 +4,7 @@ use cyclide::{CurveCusp, CurveObject, NurbsCurve, ParamCurve, Point3, ShortNumbe
 
 use super::Builder;
 use super::refuse::Blame;
+use crate::document::construct::ContourFacts;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::NurbsSpec;
@@ -11,7 +12,7 @@ use crate::error::Result;
 
 impl Builder<'_> {
     /// The curve, its ends clamped.
-    pub(super) fn nurbs(&mut self, spec: &NurbsSpec) -> Result<CurveObject> {
+    pub(in crate::document) fn nurbs(&mut self, spec: &NurbsSpec) -> Result<CurveObject> {
         let points: Vec<Point3> = spec.control_points.iter().copied().map(Coordinates::point).collect();
         let weights = spec.weights.clone().unwrap_or_else(|| vec![1.0; points.len()]);
         let curve = NurbsCurve::with_even_weights(spec.degree as usize, spec.knots.clone(), points, weights)
@@ -30,8 +31,15 @@ impl Builder<'_> {
         Ok(curve.into())
     }
 
+    /// The same of several curves.
+    pub(in crate::document) fn warn_of_cusps_in(&mut self, field: &str, made: &[(CurveObject, ContourFacts)]) {
+        for (contour, (curve, _)) in made.iter().enumerate() {
+            self.warn_of_cusps(field, (made.len() > 1).then_some(contour), curve.as_curve());
+        }
+    }
+
     /// Warns where the velocity of a curve vanishes and its direction jumps.
-    pub(super) fn warn_of_cusps(&mut self, field: &str, contour: Option<usize>, curve: &dyn ParamCurve) {
+    pub(in crate::document) fn warn_of_cusps(&mut self, field: &str, contour: Option<usize>, curve: &dyn ParamCurve) {
         let found = cusps(curve);
         if let Some(&CurveCusp { t, point, angle, .. }) = found.first() {
             let cusp = Warning::CuspInside { count: found.len(), t, at: point.to_array(), angle };
@@ -48,7 +56,7 @@ fn are_clamped(spec: &NurbsSpec) -> bool {
 }
 
 /// What helps where the count of knots does not fit.
-pub(super) fn knots_words(error: &cyclide::Error) -> Option<String> {
+pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String> {
     let is_count = matches!(error, cyclide::Error::CountDiffers { what: cyclide::ErrorItem::Knot, .. });
     is_count.then(|| {
         format!(
@@ -58,7 +66,7 @@ pub(super) fn knots_words(error: &cyclide::Error) -> Option<String> {
 }
 
 /// Which value of a `nurbs` an error of the kernel is about.
-pub(super) fn blame_nurbs(error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame_nurbs(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match *error {
         E::ParameterOutOfRange { name: I::Degree, .. } => Blame::Field("degree"),

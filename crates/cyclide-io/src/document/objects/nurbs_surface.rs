@@ -37,7 +37,7 @@ const BORDERS: [[&str; 2]; 2] = [
 
 impl Builder<'_> {
     /// The mesh over a B-spline surface, for a grid with edges of this length.
-    pub(super) fn mesh_of_nurbs(&self, spec: &NurbsSurfaceSpec, edge_length: f64) -> Result<Given> {
+    pub(in crate::document) fn mesh_of_nurbs(&self, spec: &NurbsSurfaceSpec, edge_length: f64) -> Result<Given> {
         let surface = self.patches(spec)?;
         // What is no length is refused by the kernel.
         let edge = if edge_length > 0.0 { EDGE * edge_length } else { f64::INFINITY };

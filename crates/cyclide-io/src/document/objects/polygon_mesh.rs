@@ -10,7 +10,7 @@ use crate::input::polygon_mesh::PolygonMesh;
 
 impl Builder<'_> {
     /// The mesh of a file, in the units of the document, and the file's name.
-    pub(super) fn mesh_of_file(&mut self, file: &PolygonMeshFile) -> Result<(String, PolygonMesh)> {
+    pub(in crate::document) fn mesh_of_file(&mut self, file: &PolygonMeshFile) -> Result<(String, PolygonMesh)> {
         let entry = file.format.entry();
         let (name, bytes) = self.file(&file.path, ["mesh", entry.word])?;
         let read = (entry.read)(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {

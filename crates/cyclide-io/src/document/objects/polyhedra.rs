@@ -49,7 +49,7 @@ struct Mesh {
 
 impl Builder<'_> {
     /// The polyhedron with its edges and corners rounded.
-    pub(super) fn smooth_polyhedron(&mut self, spec: &SmoothPolyhedronSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn smooth_polyhedron(&mut self, spec: &SmoothPolyhedronSpec) -> Result<Vec<SurfaceObject>> {
         let mut mesh = self.polyhedron_mesh(spec)?;
         if spec.hull {
             mesh.faces = None;

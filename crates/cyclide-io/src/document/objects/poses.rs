@@ -19,7 +19,11 @@ const SAME_POSE: f64 = 1e-6;
 
 impl Builder<'_> {
     /// The poses, and whether times were given for them.
-    pub(super) fn poses(&mut self, spec: &MotionSpec, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
+    pub(in crate::document) fn poses(
+        &mut self,
+        spec: &MotionSpec,
+        source: &PoseSource,
+    ) -> Result<(Vec<TimedPose>, bool)> {
         let made: Vec<(Option<f64>, Pose)> = match source {
             PoseSource::Inline(list) => {
                 self.remark_wide_angles(list);

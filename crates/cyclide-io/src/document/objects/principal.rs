@@ -23,7 +23,7 @@ const ONE_SURFACE: &str =
 
 impl Builder<'_> {
     /// Lays the grids; their lines are the curves of the object.
-    pub(super) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
         let given = self.mesh_to_lay_on(spec)?;
         let mut mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
         // Nothing but vertices and neighbours is taken of a mesh: how polygons are cut is nobody's matter.

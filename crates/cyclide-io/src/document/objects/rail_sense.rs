@@ -16,14 +16,14 @@ const INSIDE: f64 = 1e-6;
 const LONGER: [f64; 2] = [1.1, 1.5];
 
 /// Straight lines between two rails, in order.
-pub(super) struct Rulings {
+pub(in crate::document) struct Rulings {
     lines: Vec<[Point3; 2]>,
     closed: bool,
 }
 
 impl Rulings {
     /// Between pieces of as many.
-    pub(super) fn of([first, second]: [&[EdgeCurve]; 2], closed: bool) -> Self {
+    pub(in crate::document) fn of([first, second]: [&[EdgeCurve]; 2], closed: bool) -> Self {
         let count = first.len().min(second.len());
         let each = (MOST_RULINGS / count.max(1)).clamp(1, RULINGS);
         let skip = count.div_ceil(MOST_RULINGS).max(1);
@@ -45,7 +45,7 @@ impl Rulings {
     }
 
     /// True of closed rails that go round in opposite senses.
-    pub(super) fn opposite(&self) -> bool {
+    pub(in crate::document) fn opposite(&self) -> bool {
         let [a, b] = self.areas();
         self.closed && a.dot(b) < 0.0
     }
@@ -56,12 +56,12 @@ impl Rulings {
     }
 
     /// Whether these are so much longer than those with one rail reversed that it may be meant to run that way.
-    pub(super) fn are_longer_than(&self, reversed: &Self) -> bool {
+    pub(in crate::document) fn are_longer_than(&self, reversed: &Self) -> bool {
         self.length() > LONGER[usize::from(!self.closed)] * reversed.length()
     }
 
     /// Whether one of them goes through the surface between two others that are no neighbours of it.
-    pub(super) fn cross(&self) -> bool {
+    pub(in crate::document) fn cross(&self) -> bool {
         let count = self.lines.len();
         let faces = if self.closed { count } else { count.saturating_sub(1) };
         (0..faces).any(|face| {

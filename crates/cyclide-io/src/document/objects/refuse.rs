@@ -3,20 +3,17 @@
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
 use super::curves::{Origin, Points};
-use super::nurbs::{blame_nurbs, knots_words};
-use super::torus::blame_torus;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
+use crate::document::kinds::Kind;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{
-    ArcSpec, ContactBlendSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec,
-};
+use crate::document::spec::{ContactBlendSpec, PipeCrossingSpec, TubeSpec};
 use crate::error::{Error, of_contour};
 use crate::text::place::Source;
 
 /// The value of an object that an error is about.
-pub(super) enum Blame {
+pub(in crate::document) enum Blame {
     Field(&'static str),
     Entry(&'static str, usize),
     /// A field of an entry.
@@ -32,60 +29,24 @@ impl Builder<'_> {
             let merges = |w: &Warning| matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. });
             remark.contour == Some(contour) && remark.warning.as_ref().is_some_and(merges)
         };
-        match (error, self.spec) {
-            (cyclide::Error::TooFewPoints { .. }, _) if self.remarks.iter().any(merged) => {
+        match error {
+            cyclide::Error::TooFewPoints { .. } if self.remarks.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
             }
-            (cyclide::Error::ParameterOutOfRange { name: ErrorItem::Distance, .. }, ObjectSpec::Offset(spec))
-                if spec.distance == 0.0 =>
-            {
-                "a solid between a surface and its offset needs a distance other than 0".to_owned()
-            }
-            (cyclide::Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, .. }, spec) => {
-                let written = spec.corner_angle();
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, .. } => {
+                let written = self.spec.kind().corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
-            (_, ObjectSpec::Nurbs(_)) if let Some(words) = knots_words(error) => words,
-            (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
-            (cyclide::Error::ZeroTangent { index }, ObjectSpec::TorusSpline(spec)) if is_given(spec, *index) => {
-                format!("tangent {index} is normal to the torus there: nothing of it runs along the torus")
-            }
-            // Angles a whole turn apart are one place.
-            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::TorusSpline(spec))
-                if !spec.closed && spec.winding.is_none() && spec.angles.is_some() =>
-            {
-                format!(
-                    "{error}; from a place once round to the same place leads a `winding`, as `[[1, 0]]`, or `closed`"
-                )
-            }
-            // What is the normal of a frame to the kernel.
-            (cyclide::Error::ZeroAxis { .. }, ObjectSpec::Cyclide(_)) => "the axis is zero".to_owned(),
-            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
-                "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
-                ShortNumber(*distance),
-                ShortNumber(*limit)
-            ),
-            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::Ruled(_)) => format!(
-                "a piece of one curve is that of the other, {} apart at most: there is no surface between what is no more than {} apart",
-                ShortNumber(*distance),
-                ShortNumber(*limit)
-            ),
-            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::CircularSurface(_)) => format!(
-                "the curves meet, or are {} apart in one place, and an arc joins points that are more than {} apart",
-                ShortNumber(*distance),
-                ShortNumber(*limit)
-            ),
-            (cyclide::Error::CrossingQuad { .. }, ObjectSpec::CyclidePatch(_)) => {
-                format!(
-                    "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
-                )
-            }
-            _ => error.to_string(),
+            _ => self.spec.kind().words(error).unwrap_or_else(|| error.to_string()),
         }
     }
 
     /// The message for what the kernel said about the value at a path below the object.
-    pub(super) fn refused_at(&self, steps: impl IntoIterator<Item = Step>, error: &cyclide::Error) -> Error {
+    pub(in crate::document) fn refused_at(
+        &self,
+        steps: impl IntoIterator<Item = Step>,
+        error: &cyclide::Error,
+    ) -> Error {
         if self.document.text.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), contour: None, source: error.clone() };
         }
@@ -93,7 +54,7 @@ impl Builder<'_> {
     }
 
     /// As [`refused_at`](Self::refused_at), in other words.
-    pub(super) fn refused_in_words(
+    pub(in crate::document) fn refused_in_words(
         &self,
         steps: impl IntoIterator<Item = Step>,
         reason: &'static str,
@@ -103,10 +64,10 @@ impl Builder<'_> {
     }
 
     /// The message for what the kernel said, at the point or field it is about.
-    pub(super) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
+    pub(in crate::document) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
         let blame = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
             Some(point) => Blame::Point(point),
-            None => blame(self.spec, error),
+            None => blame(self.spec.kind(), error),
         };
         let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
         let path = self.path([]);
@@ -166,12 +127,6 @@ impl Builder<'_> {
     }
 }
 
-/// True if a curve on a torus was given a direction there that is not zero.
-fn is_given(spec: &TorusSplineSpec, index: usize) -> bool {
-    let given = spec.tangents.as_ref().and_then(|all| all.get(index)).and_then(|FreeOr(given)| *given);
-    given.is_some_and(|given| given.vector().length() > 0.0)
-}
-
 /// Degrees are taken for radians now and then: what was written, and what may be meant.
 fn corner_angle_words(angle: Angle, radians: f64) -> String {
     match angle {
@@ -187,7 +142,7 @@ fn corner_angle_words(angle: Angle, radians: f64) -> String {
 }
 
 /// The directions of a frame may have any length; only the angle between them can be wrong.
-pub(super) fn frame_words(frame: [Coordinates; 2]) -> String {
+pub(in crate::document) fn frame_words(frame: [Coordinates; 2]) -> String {
     let [a, b] = frame.map(|direction| direction.vector().unit());
     match (a, b) {
         (Some(a), Some(b)) => {
@@ -205,90 +160,57 @@ fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
 }
 
 /// Which value of an object an error of the kernel is about.
-fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Blame {
+    kind.blame(error).or_else(|| blame_by_word(error)).or_else(|| kind.blame_otherwise()).unwrap_or_else(|| {
+        use cyclide::{Error as E, ErrorItem as I};
+        match *error {
+            E::ZeroAxis { .. } => Blame::Field("normal"),
+            E::ParameterOutOfRange { name: I::SegmentsAlongS, .. } => Blame::Entry("segments", 0),
+            E::ParameterOutOfRange { name: I::SegmentsAlongT, .. } => Blame::Entry("segments", 1),
+            E::OrderOutOfRange { .. } => Blame::Field("order"),
+            E::CountDiffers { .. } => Blame::Field("tangents"),
+            E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
+            E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
+            _ => error.index().map_or(Blame::Object, Blame::Point),
+        }
+    })
+}
+
+/// The value that an error is about by what it names, whatever the kind.
+fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
     use cyclide::{Error as E, ErrorItem as I};
-    let tangent = |index: usize| match (spec, index) {
-        (ObjectSpec::Arc(s), _) => Blame::Field(if s.tangent.is_some() { "tangent" } else { "end_tangent" }),
-        (ObjectSpec::Biarc(_), 0) => Blame::Field("from_tangent"),
-        (ObjectSpec::Biarc(_), _) => Blame::Field("to_tangent"),
-        (ObjectSpec::CircleSpline(_) | ObjectSpec::FairSpline(_), _) => Blame::Field("ends"),
-        _ => Blame::Entry("tangents", index),
-    };
-    let is_moebius = matches!(spec, ObjectSpec::MoebiusSpline(_));
-    let is_qb = matches!(spec, ObjectSpec::QbInterpolation(_));
-    let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
-    match *error {
-        E::ParameterOutOfRange { name: I::Distance, .. } if matches!(spec, ObjectSpec::Offset(_)) => {
-            Blame::Field(I::Distance.word())
-        }
-        _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
-        _ if matches!(
-            spec,
-            ObjectSpec::PlateWithNeck(_)
-                | ObjectSpec::EllipseBridge(_)
-                | ObjectSpec::CircularSurface(_)
-                | ObjectSpec::Ruled(_)
-        ) =>
-        {
-            blame_swept(spec, error)
-        }
-        _ if matches!(spec, ObjectSpec::Nurbs(_)) => blame_nurbs(error),
+    Some(match *error {
         E::RepeatedParameter { second, .. } => Blame::Entry("parameters", second),
-        E::ParametersNotIncreasing { index, .. } if is_moebius => Blame::Entry("knots", index),
-        E::NotFinite { what: I::Knot, index } if is_moebius => Blame::Entry("knots", index),
         E::NotFinite { what: I::Parameter, index } => Blame::Entry("parameters", index),
-        E::CountDiffers { what: I::Knot, .. } if is_moebius => Blame::Field("knots"),
-        E::CountDiffers { what: I::Parameter, .. } => Blame::Field(if is_moebius { "knots" } else { "parameters" }),
-        E::CountDiffers { .. } | E::NotFinite { what: I::Tangent, .. } if is_qb => Blame::Field("derivatives"),
-        E::ParameterOutOfRange { name: I::Parameter, .. } if is_qb => Blame::Field("parameters"),
-        _ if spec.is_on_torus() => blame_torus(spec, error),
-        _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
-        _ if let ObjectSpec::PipeCrossing(spec) = spec => blame_crossing(spec, error),
-        _ if let ObjectSpec::ContactBlend(spec) = spec => blame_contact(spec, error),
-        _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
+        E::CountDiffers { what: I::Parameter, .. } => Blame::Field("parameters"),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
-            tangent(index)
+            Blame::Entry("tangents", index)
         }
         E::NotFinite { what: I::Weight, index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
         E::NotFinite { what: I::FrameVector, index } => Blame::Entry("frame", index),
         E::FrameNotOrthonormal { .. } => Blame::Field("frame"),
-        E::NotConcircular { .. } | E::CrossingQuad { .. } if is_patch => Blame::Entry("corners", 3),
-        E::NotFinite { what: I::Point, index } | E::CoincidentPoints { second: index, .. } if is_patch => {
-            Blame::Entry("corners", index)
-        }
         E::NotFinite { what: I::Tolerance, .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
         E::NotFinite { what: I::Bulge, .. } => Blame::Field("bulge"),
-        E::NotInImH { .. } | E::PoleOnSegment { .. } => {
-            Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) {
-                "bulge"
-            } else {
-                "weights"
-            })
-        }
+        E::NotInImH { .. } | E::PoleOnSegment { .. } => Blame::Field("weights"),
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
-        E::DegenerateCircle { .. } if matches!(spec, ObjectSpec::Circle(_)) => Blame::Field("through"),
-        E::ZeroAxis { .. } if matches!(spec, ObjectSpec::Cyclide(_) | ObjectSpec::Revolution(_)) => {
-            Blame::Field("axis")
-        }
-        E::AngleOutOfRange { .. } if matches!(spec, ObjectSpec::Revolution(_)) => Blame::Field("angle"),
         E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         E::NotOfArcs { .. } | E::CellsUnfit { .. } => Blame::Field("of"),
         E::CountDiffers { what: I::Radius, .. } => Blame::Field("radius"),
-        _ if matches!(spec, ObjectSpec::Revolution(_) | ObjectSpec::Pipe(_)) => Blame::Field("of"),
-        E::ZeroAxis { .. } => Blame::Field("normal"),
-        E::ParameterOutOfRange { name: I::SegmentsAlongS, .. } => Blame::Entry("segments", 0),
-        E::ParameterOutOfRange { name: I::SegmentsAlongT, .. } => Blame::Entry("segments", 1),
-        E::OrderOutOfRange { .. } => Blame::Field("order"),
-        E::CountDiffers { .. } => Blame::Field("tangents"),
-        E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
-        E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
-        _ => error.index().map_or(Blame::Object, Blame::Point),
-    }
+        _ => return None,
+    })
+}
+
+/// Directions of a curve with `ends`.
+pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
+    use cyclide::{Error as E, ErrorItem as I};
+    let is_tangent =
+        matches!(error, E::NotFinite { what: I::Tangent, .. } | E::ZeroTangent { .. } | E::TangentOpposesChord { .. });
+    is_tangent.then_some(Blame::Field("ends"))
 }
 
 /// As [`blame`], of tees.
-fn blame_tee(error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
         E::TeeBranchTooWide { branch, .. }
@@ -315,7 +237,7 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
 }
 
 /// As [`blame`], of crossings of pipes.
-fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
         E::PipeEndsReversed { pipe, .. }
@@ -350,7 +272,7 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
 }
 
 /// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
-fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
         E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
@@ -373,9 +295,9 @@ fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
 }
 
 /// As [`blame`], of tubes.
-fn blame_tube(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame_tube(spec: &TubeSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
-    let through = matches!(spec, ObjectSpec::Tube(TubeSpec { balls: Some(_), .. }));
+    let through = spec.balls.is_some();
     match error {
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. } => Blame::Field(name.word()),
         E::CornerNotMitred { .. } | E::ArcThroughInfinity { .. } => Blame::Field("of"),
@@ -387,40 +309,11 @@ fn blame_tube(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
 }
 
 /// Whether the distance of an offset is at fault, in the whole of it or in one of its quads.
-fn is_of_distance(error: &cyclide::Error) -> bool {
+pub(in crate::document) fn is_of_distance(error: &cyclide::Error) -> bool {
     use cyclide::Error as E;
     match error {
         E::InQuad { cause, .. } => is_of_distance(cause),
         E::OffsetOnFocalSet { .. } | E::OffsetNotRegular { .. } | E::NotAShell { .. } => true,
         _ => false,
-    }
-}
-
-/// As [`blame`], of necks, bridges and surfaces between two curves.
-fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
-    match (spec, error) {
-        (_, E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. }) => {
-            Blame::Field(name.word())
-        }
-        (ObjectSpec::PlateWithNeck(s), E::RadiusNotPositive { .. }) if s.pipe_radius <= 0.0 => {
-            Blame::Field("pipe_radius")
-        }
-        (
-            ObjectSpec::PlateWithNeck(_),
-            E::RadiusNotPositive { .. } | E::BallDoesNotFit { .. } | E::NeckFolds { .. },
-        ) => Blame::Field("ball_radius"),
-        (ObjectSpec::PlateWithNeck(_), E::AngleOutOfRange { .. }) => Blame::Field("slope"),
-        (ObjectSpec::PlateWithNeck(_), E::PlateTooSmall { .. }) => Blame::Field("plate"),
-        (ObjectSpec::EllipseBridge(_), _) => Blame::Field("ellipses"),
-        (ObjectSpec::CircularSurface(s), E::ZeroTangent { index }) if s.tangent.0.len() > 1 => {
-            Blame::Entry("tangent", *index)
-        }
-        (
-            ObjectSpec::CircularSurface(_),
-            E::ZeroTangent { .. } | E::OppositeTangents { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
-        ) => Blame::Field("tangent"),
-        (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
-        _ => Blame::Object,
     }
 }

@@ -45,7 +45,7 @@ impl From<Warning> for Remark {
 
 impl Builder<'_> {
     /// Adds what is no warning of the kernel.
-    pub(super) fn remark(
+    pub(in crate::document) fn remark(
         &mut self,
         reason: &'static str,
         contour: Option<usize>,
@@ -57,19 +57,19 @@ impl Builder<'_> {
     }
 
     /// Adds how a file was read.
-    pub(super) fn note_all(&mut self, file: &str, notes: &[String]) {
+    pub(in crate::document) fn note_all(&mut self, file: &str, notes: &[String]) {
         self.notes.extend(notes.iter().map(|note| format!("{file}: {note}")));
     }
 
     /// Asks whether an angle of more than a turn is meant in degrees, and says how these are written.
-    pub(super) fn ask_about_turns(&mut self, angle: f64, place: Option<String>, remedy: &str) {
+    pub(in crate::document) fn ask_about_turns(&mut self, angle: f64, place: Option<String>, remedy: &str) {
         let turns = ShortNumber(angle / std::f64::consts::TAU);
         let message = format!("the angle {angle} is taken as radians, {turns} turns: if degrees are meant, {remedy}");
         self.remark("more-than-a-turn", None, None, place, message);
     }
 
     /// Warns of columns whose names speak of another unit than that of the model.
-    pub(super) fn remark_units(&mut self, file: &str, hints: &[(String, Units)]) {
+    pub(in crate::document) fn remark_units(&mut self, file: &str, hints: &[(String, Units)]) {
         let units = self.document.units;
         let mut other = hints.iter().filter(|(_, hint)| *hint != units);
         let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
@@ -85,13 +85,13 @@ impl Builder<'_> {
     }
 
     /// Adds a warning about a field.
-    pub(super) fn warn_at(&mut self, field: &str, contour: Option<usize>, warning: Warning) {
+    pub(in crate::document) fn warn_at(&mut self, field: &str, contour: Option<usize>, warning: Warning) {
         let place = self.place_of([Step::from(field)]);
         self.remarks.push(Remark { contour, place, ..warning.into() });
     }
 
     /// Path of a value of this object, of a document that has a text.
-    pub(super) fn place_of(&self, steps: impl IntoIterator<Item = Step>) -> Option<String> {
+    pub(in crate::document) fn place_of(&self, steps: impl IntoIterator<Item = Step>) -> Option<String> {
         (!self.document.text.is_empty()).then(|| path_text(&self.path(steps)))
     }
 }

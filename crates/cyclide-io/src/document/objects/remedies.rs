@@ -16,7 +16,7 @@ const ARCS: f64 = 0.25;
 
 impl Builder<'_> {
     /// How a pipe along a run of measured points is made: a fit within a tolerance, of those that work the least.
-    pub(super) fn fit_for_pipe(&self, curve: &CurveObject, pipe: &Pipe, radius: f64) -> Option<String> {
+    pub(in crate::document) fn fit_for_pipe(&self, curve: &CurveObject, pipe: &Pipe, radius: f64) -> Option<String> {
         let CurveObject::ArcPath(path) = curve else { return None };
         let arcs = path.arcs();
         if arcs.len() > MOST_TRIED || !arcs.iter().all(cyclide::Arc::is_straight) {
@@ -42,7 +42,7 @@ impl Builder<'_> {
     }
 
     /// Where the second of two closed rails is to start, if that makes the surface between them.
-    pub(super) fn start_of_rail(&self, rails: [&[EdgeCurve]; 2], shift: usize) -> Option<String> {
+    pub(in crate::document) fn start_of_rail(&self, rails: [&[EdgeCurve]; 2], shift: usize) -> Option<String> {
         let [first, second] = rails;
         let n = second.len();
         if first.len() != n || n > MOST_TRIED {
@@ -84,13 +84,13 @@ impl Builder<'_> {
     }
 
     /// What is to be done with a rail that runs against the other one, if the surface between them goes through itself and does not the other way round.
-    pub(super) fn rail_to_reverse(&self, rails: [&[EdgeCurve]; 2], shift: usize) -> Option<String> {
+    pub(in crate::document) fn rail_to_reverse(&self, rails: [&[EdgeCurve]; 2], shift: usize) -> Option<String> {
         let rulings = Rulings::of(rails, true);
         if !rulings.opposite() || !rulings.cross() { None } else { self.start_of_rail(rails, shift) }
     }
 
     /// An order of the corners of a block of which the first coincides with another, in which it is made.
-    pub(super) fn order_of_corners(corners: &[Point3]) -> Option<String> {
+    pub(in crate::document) fn order_of_corners(corners: &[Point3]) -> Option<String> {
         // Turns about the third direction, about the first, and about the second.
         const TURNS: [[usize; 8]; 6] = [
             [1, 3, 0, 2, 5, 7, 4, 6],

@@ -35,21 +35,21 @@ pub struct SmoothChoice {
 }
 
 /// Polygons as they are given.
-pub(super) struct Given {
-    pub(super) mesh: PolygonMesh,
+pub(in crate::document) struct Given {
+    pub(in crate::document) mesh: PolygonMesh,
     /// The file.
-    pub(super) file: Option<String>,
+    pub(in crate::document) file: Option<String>,
     /// The field of the document that has the polygons.
-    pub(super) field: &'static str,
+    pub(in crate::document) field: &'static str,
     /// Whether triangles share vertices there by their numbers.
-    pub(super) shared: bool,
+    pub(in crate::document) shared: bool,
     /// Whether normals are listed beside the vertices.
-    pub(super) lists_normals: bool,
+    pub(in crate::document) lists_normals: bool,
 }
 
 impl Builder<'_> {
     /// The smooth surface through the vertices of a mesh.
-    pub(super) fn smooth_mesh(&mut self, spec: &SmoothMeshSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn smooth_mesh(&mut self, spec: &SmoothMeshSpec) -> Result<Vec<SurfaceObject>> {
         let given = self.polygons(spec)?;
         let mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
         self.remark_on_mesh(&given, &mesh);
@@ -137,14 +137,14 @@ impl Builder<'_> {
         Ok(given)
     }
 
-    pub(super) fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
+    pub(in crate::document) fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
         let (name, mesh) = self.mesh_of_file(file)?;
         let shared = file.format.entry().shares_vertices;
         Ok(Given { mesh, file: Some(name), field: "mesh", shared, lists_normals: false })
     }
 
     /// Says what was changed between the file and the triangles.
-    pub(super) fn remark_on_mesh(&mut self, given: &Given, mesh: &TriangleMesh) {
+    pub(in crate::document) fn remark_on_mesh(&mut self, given: &Given, mesh: &TriangleMesh) {
         let place = given.file.clone();
         let (cut, collapsed) = (mesh.cut, mesh.collapsed);
         if cut.count > 0 {
@@ -173,7 +173,7 @@ impl Builder<'_> {
     }
 
     /// The message for polygons that do not make a mesh.
-    pub(super) fn bad_polygons(&self, given: &Given, bad: BadPolygons) -> Error {
+    pub(in crate::document) fn bad_polygons(&self, given: &Given, bad: BadPolygons) -> Error {
         let (reason, polygon, message) = match bad {
             BadPolygons::Uncut { polygon, corners } => {
                 let message = format!(
@@ -229,7 +229,7 @@ impl Builder<'_> {
     }
 
     /// The patch over one triangle.
-    pub(super) fn sphere_blend(&mut self, spec: &SphereBlendSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn sphere_blend(&mut self, spec: &SphereBlendSpec) -> Result<Vec<SurfaceObject>> {
         let corners = spec.corners.map(Coordinates::point);
         let blend = match (spec.control, spec.normals) {
             (Some(control), None) => SphereBlend::from_control_points(corners, control.map(Coordinates::point)),
@@ -263,12 +263,12 @@ impl Builder<'_> {
 }
 
 /// What is said of vertices that became one with another.
-pub(super) fn merged_vertices(count: usize) -> String {
+pub(in crate::document) fn merged_vertices(count: usize) -> String {
     format!("{count} vertices are at the place of another: they are one")
 }
 
 /// What is said of faces that were turned over.
-pub(super) fn turned_faces(count: usize, first: &str) -> String {
+pub(in crate::document) fn turned_faces(count: usize, first: &str) -> String {
     format!(
         "{count} face(s) run the other way round than most of their neighbours and are turned over; the first is {first}"
     )

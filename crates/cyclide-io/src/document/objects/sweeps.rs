@@ -18,7 +18,7 @@ const WHOLE: f64 = 1e-6;
 
 impl Builder<'_> {
     /// What a section makes along each contour of a path.
-    pub(super) fn sweep(&mut self, spec: &SweepSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn sweep(&mut self, spec: &SweepSpec) -> Result<Vec<SurfaceObject>> {
         let paths = self.sources[0].item.curves().to_vec();
         if paths.is_empty() {
             return Err(self.wrong_source("a path is a curve"));

@@ -18,7 +18,7 @@ const MOST_SHIFTS: usize = 64;
 
 impl Builder<'_> {
     /// A pipe on a plate, or with a floor.
-    pub(super) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
         let side = spec.side;
         if side == NeckSide::Inside && spec.plate.is_some() {
             return Err(self.unfit("a neck inside a pipe has the floor of the pipe for its plate: leave out `plate`"));
@@ -46,7 +46,7 @@ impl Builder<'_> {
     }
 
     /// The bridge between two ellipses.
-    pub(super) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
         let [first, second] = spec.ellipses;
         if spec.arcs == BridgeArcs::Full && spec.depth.is_some() {
             return Err(self.unfit("whole circles are a solid by themselves: `depth` goes with half circles"));
@@ -64,13 +64,13 @@ impl Builder<'_> {
     }
 
     /// Arcs between two curves.
-    pub(super) fn circular_surface(&mut self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn circular_surface(&mut self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let tangents: Vec<Vec3> = spec.tangent.0.iter().copied().map(Coordinates::vector).collect();
         self.between_rails(|rails, closed| RailSurface::circular(rails, &tangents, closed))
     }
 
     /// Straight lines between two curves.
-    pub(super) fn ruled(&mut self, spec: &RuledSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn ruled(&mut self, spec: &RuledSpec) -> Result<Vec<SurfaceObject>> {
         let ([first, second], closed) = self.pieces_of_rails()?;
         if spec.shift > 0 && !closed {
             return Err(self.unfit("`shift` goes with closed curves: open ones start where they are drawn"));
@@ -151,7 +151,7 @@ impl Builder<'_> {
 }
 
 /// The pieces of a closed curve from another one on.
-pub(super) fn rotated(pieces: &[EdgeCurve], by: usize) -> Vec<EdgeCurve> {
+pub(in crate::document) fn rotated(pieces: &[EdgeCurve], by: usize) -> Vec<EdgeCurve> {
     let mut pieces = pieces.to_vec();
     if !pieces.is_empty() {
         let count = pieces.len();

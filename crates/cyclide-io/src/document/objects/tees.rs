@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Builder<'_> {
     /// A main pipe with branches.
-    pub(super) fn pipe_tee(&mut self, spec: &PipeTeeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn pipe_tee(&mut self, spec: &PipeTeeSpec) -> Result<Vec<SurfaceObject>> {
         if spec.wall.is_some() && spec.ends == TeeEnds::Open {
             return Err(
                 self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`")

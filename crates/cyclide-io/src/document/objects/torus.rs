@@ -58,21 +58,6 @@ pub struct UnrolledPlane {
     pub tolerance: f64,
 }
 
-impl ObjectSpec {
-    /// True for curves that are given on a torus, and what is made of them.
-    pub(super) fn is_on_torus(&self) -> bool {
-        matches!(
-            self,
-            Self::TorusSpline(_)
-                | Self::TorusKnot(_)
-                | Self::TorusQuartic(_)
-                | Self::TorusCircle(_)
-                | Self::Unrolled(_)
-                | Self::TorusSeam(_)
-        )
-    }
-}
-
 impl Builder<'_> {
     /// The torus that a curve lies on.
     fn torus(&self, source: &TorusSource) -> Result<Torus> {
@@ -122,7 +107,10 @@ impl Builder<'_> {
     }
 
     /// The curves through points or through places given by angles.
-    pub(super) fn torus_spline(&mut self, spec: &TorusSplineSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+    pub(in crate::document) fn torus_spline(
+        &mut self,
+        spec: &TorusSplineSpec,
+    ) -> Result<Vec<(CurveObject, ContourFacts)>> {
         self.check_fields(spec)?;
         let torus = self.torus(&spec.torus)?;
         let construct = |at: &Contour<'_>| spline(spec, &torus, at);
@@ -165,14 +153,14 @@ impl Builder<'_> {
     }
 
     /// A torus knot.
-    pub(super) fn torus_knot(&self, spec: &TorusKnotSpec) -> Result<TorusSpline> {
+    pub(in crate::document) fn torus_knot(&self, spec: &TorusKnotSpec) -> Result<TorusSpline> {
         let torus = self.torus(&spec.torus)?;
         let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
         TorusSpline::knot(&torus, spec.turns, start).map_err(|e| self.refused(&e, None))
     }
 
     /// A closed quartic of one type.
-    pub(super) fn torus_quartic(&self, spec: &TorusQuarticSpec) -> Result<TorusSpline> {
+    pub(in crate::document) fn torus_quartic(&self, spec: &TorusQuarticSpec) -> Result<TorusSpline> {
         let torus = self.torus(&spec.torus)?;
         let [one, other] = spec.families.map(CircleFamily::from);
         let Some(kind) = QuarticType::between(one, other) else {
@@ -206,7 +194,7 @@ impl Builder<'_> {
     }
 
     /// A circle of a torus.
-    pub(super) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
+    pub(in crate::document) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
         let torus = self.torus(&spec.torus)?;
         let (at, moved) = self.place_of_circle(spec, &torus)?;
         let circle: Circle = torus.circle(spec.family.into(), at).map_err(|e| self.refused(&e, None))?;
@@ -251,7 +239,7 @@ impl Builder<'_> {
     }
 
     /// The curves at a distance along the normal of the torus of the source.
-    pub(super) fn parallel_curves(&self, spec: &OffsetSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+    pub(in crate::document) fn parallel_curves(&self, spec: &OffsetSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
         if spec.thick {
             return Err(
                 self.wrong_source_at([Step::from("thick")], "only surfaces have a solid between them and their offset")
@@ -270,7 +258,7 @@ impl Builder<'_> {
     }
 
     /// Raised or sunk seams.
-    pub(super) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
         let splines = self.splines_of_source("has a seam along it")?;
         let tolerance = spec.tolerance.unwrap_or(SEAM * spec.width);
         let refused = |e: cyclide::Error| self.refused(&e, None);
@@ -289,7 +277,7 @@ impl Builder<'_> {
     }
 
     /// Curves of a torus laid flat.
-    pub(super) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
         let splines = self.splines_of_source("is laid flat with its torus")?;
         let torus = *splines[0].torus();
         let size = spec.map.size(&torus);
@@ -426,56 +414,71 @@ fn kept_knots(knots: &[f64], closed: bool, at: &Contour<'_>) -> Vec<f64> {
     own.chain(end).collect()
 }
 
+/// True if a curve on a torus was given a direction there that is not zero.
+pub(in crate::document) fn is_given(spec: &TorusSplineSpec, index: usize) -> bool {
+    let given = spec.tangents.as_ref().and_then(|all| all.get(index)).and_then(|FreeOr(given)| *given);
+    given.is_some_and(|given| given.vector().length() > 0.0)
+}
+
+/// What the values of a curve on a torus are called.
+pub(in crate::document) struct TorusFields {
+    /// Its directions, and its places as angles.
+    pub directions: &'static str,
+    pub angles: &'static str,
+    /// Numbers of turns.
+    pub turns: &'static str,
+    /// It was given knots.
+    pub knots: bool,
+}
+
+impl TorusFields {
+    /// Those of a spline.
+    pub const SPLINE: Self = Self { directions: "tangents", angles: "angles", turns: "winding", knots: false };
+}
+
 /// Which value of a curve on a torus an error of the kernel is about.
-pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
-    let directions = match spec {
-        ObjectSpec::TorusSpline(s) if s.rates.is_some() => "rates",
-        _ => "tangents",
-    };
-    let angles = match spec {
-        ObjectSpec::TorusKnot(_) | ObjectSpec::TorusQuartic(_) => "start",
-        ObjectSpec::TorusCircle(s) if s.at.is_some() => "at",
-        ObjectSpec::TorusCircle(_) => "through",
-        ObjectSpec::Unrolled(_) => "seam",
-        _ => "angles",
-    };
+pub(in crate::document) fn blame_on_torus(fields: &TorusFields, error: &cyclide::Error) -> Blame {
+    let TorusFields { directions, angles, turns, knots } = *fields;
     match error {
         E::ZeroTangent { index } | E::NotFinite { what: I::Tangent, index } => Blame::Entry(directions, *index),
         E::CountDiffers { what: I::Tangent, .. } => Blame::Field(directions),
         E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
         E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
-        E::EmptyInterval { index, .. } => match spec {
-            ObjectSpec::TorusSpline(s) if s.knots.is_some() => Blame::Entry("knots", index + 1),
-            _ => Blame::Field(directions),
-        },
+        E::EmptyInterval { index, .. } if knots => Blame::Entry("knots", index + 1),
+        E::EmptyInterval { .. } => Blame::Field(directions),
         E::Disconnected { .. } | E::WeightNotPositive { .. } => Blame::Field("torus"),
-        E::NotCoprime { .. } if matches!(spec, ObjectSpec::TorusQuartic(_)) => Blame::Field("ratio"),
         E::NotCoprime { .. } => Blame::Field("turns"),
         E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),
         E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } | E::SeamTooWide { .. } => Blame::Field("width"),
-        _ if matches!(spec, ObjectSpec::TorusSeam(_))
-            && !matches!(error, E::ToleranceNotPositive { .. } | E::TooManyPieces { .. }) =>
-        {
-            Blame::Field("of")
-        }
         E::NoTwoTypeSolution { .. } => Blame::Field("method"),
         E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
         E::CountDiffers { what: I::Winding, .. } => Blame::Field("winding"),
-        E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => match spec {
-            ObjectSpec::TorusKnot(_) => Blame::Field("turns"),
-            ObjectSpec::Unrolled(_) | ObjectSpec::TorusSeam(_) => Blame::Field("tolerance"),
-            _ => Blame::Field("winding"),
-        },
-        E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => match spec {
-            ObjectSpec::TorusSpline(s) if s.knots.is_some() => Blame::Field("knots"),
-            _ => Blame::Field(directions),
-        },
-        E::ParameterOutOfRange { name: I::Angle, .. } | E::NotFinite { what: I::Angle, .. } => Blame::Field(angles),
-        E::PointOnAxis { .. } | E::PointOnCoreCircle { .. } | E::PointOffTorus { .. }
-            if matches!(spec, ObjectSpec::TorusCircle(_)) =>
-        {
-            Blame::Field(angles)
+        E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => Blame::Field(turns),
+        E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => {
+            Blame::Field(if knots { "knots" } else { directions })
         }
+        E::ParameterOutOfRange { name: I::Angle, .. } | E::NotFinite { what: I::Angle, .. } => Blame::Field(angles),
         _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// Which value of a seam an error is about: what is not said of its fields is about its curve.
+pub(in crate::document) fn blame_seam(error: &cyclide::Error) -> Blame {
+    let fields = TorusFields { turns: "tolerance", ..TorusFields::SPLINE };
+    match error {
+        E::ZeroTangent { .. }
+        | E::NotFinite { what: I::Tangent | I::Knot, .. }
+        | E::CountDiffers { what: I::Tangent | I::Knot, .. }
+        | E::EmptyInterval { .. }
+        | E::Disconnected { .. }
+        | E::WeightNotPositive { .. }
+        | E::NotCoprime { .. }
+        | E::ParameterOutOfRange { name: I::Width | I::Height | I::Ratio, .. }
+        | E::RadiusNotPositive { .. }
+        | E::SeamMeetsItself { .. }
+        | E::SeamTooWide { .. }
+        | E::ToleranceNotPositive { .. }
+        | E::TooManyPieces { .. } => blame_on_torus(&fields, error),
+        _ => Blame::Field("of"),
     }
 }

@@ -10,6 +10,7 @@ use cyclide::{
 use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
+use crate::document::kinds::Shape;
 use crate::document::locate::Step;
 use crate::document::spec::{CutSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::Result;
@@ -24,8 +25,31 @@ pub(crate) struct Unmapped {
 }
 
 impl Builder<'_> {
+    /// The image of the source, which is of its kind.
+    pub(in crate::document) fn image(&mut self, spec: &TransformSpec) -> Result<Shape> {
+        let curves = self.mapped_curves(spec)?;
+        for (contour, curve) in curves.iter().enumerate() {
+            self.check_place_of(curve, contour)?;
+        }
+        let surfaces = self.mapped_surfaces(spec)?;
+        if let Some(source) = self.sources.first() {
+            self.names.clone_from(&source.provenance.names);
+            self.tee_blends = self.mapped_blends(spec);
+        }
+        let volumes = self.mapped_volumes(spec)?;
+        self.warn_of_folded_blocks(&volumes, "of");
+        let places = self.places_of_source(&volumes)?;
+        Ok(if !volumes.is_empty() {
+            Shape::Blocks(volumes, places)
+        } else if surfaces.is_empty() {
+            Shape::plain(curves)
+        } else {
+            Shape::Surfaces(surfaces)
+        })
+    }
+
     /// The images of curves.
-    pub(super) fn mapped_curves(&mut self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
+    pub(in crate::document) fn mapped_curves(&mut self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
         let mut before = self.sources.first().and_then(|source| source.unmapped.clone());
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let image = |curve: &CurveObject, step: &StepSpec| match step {
@@ -57,7 +81,7 @@ impl Builder<'_> {
     }
 
     /// The images of surfaces.
-    pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
         if self.sources.first().is_some_and(|source| source.item.motion().is_some()) {
             return Err(self.wrong_source("a motion is placed by its poses, not by a `transform`"));
         }
@@ -74,7 +98,7 @@ impl Builder<'_> {
 
     /// The blends of the source as they are in its image: radii and differences are as much larger as it is. How near they come to folding, where round its
     /// branch, and the pieces stay. None where a step is no similarity: balls of other radii touch there.
-    pub(super) fn mapped_blends(&self, spec: &TransformSpec) -> Vec<TeeBlendFacts> {
+    pub(in crate::document) fn mapped_blends(&self, spec: &TransformSpec) -> Vec<TeeBlendFacts> {
         let factor = |step: &StepSpec| {
             let map = map_of(step).ok().filter(Mobius::is_similarity)?;
             map.push_forward(Point3::ORIGIN, Vec3::X).map(Vec3::length)
@@ -93,7 +117,7 @@ impl Builder<'_> {
     }
 
     /// Applies some of the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.
-    pub(super) fn mapped<T: Clone>(
+    pub(in crate::document) fn mapped<T: Clone>(
         &self,
         spec: &TransformSpec,
         steps: Range<usize>,
@@ -134,7 +158,7 @@ impl Builder<'_> {
     }
 
     /// Warns of rotations by more than a turn whose numbers may be meant as degrees.
-    pub(super) fn warn_of_many_turns(&mut self, spec: &TransformSpec) {
+    pub(in crate::document) fn warn_of_many_turns(&mut self, spec: &TransformSpec) {
         for (index, step) in spec.steps.iter().enumerate() {
             let StepSpec::Rotation(RotationSpec { angle: Angle::Radians(angle), .. }) = *step else { continue };
             if angle.abs() <= std::f64::consts::TAU {
@@ -253,7 +277,7 @@ fn no_part(cut: &CutSpec, length: f64) -> String {
 }
 
 /// The map of one step; what is no map moves nothing.
-pub(super) fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
+pub(in crate::document) fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
     let origin = |given: Option<Coordinates>| given.unwrap_or_default().point();
     match step {
         StepSpec::Inversion(s) => Mobius::inversion(s.center.point(), s.radius),

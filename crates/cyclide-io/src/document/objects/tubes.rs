@@ -103,7 +103,7 @@ impl Made {
 
 impl Builder<'_> {
     /// Tubes along the curves of another object, or one through balls.
-    pub(super) fn tube(&mut self, spec: &TubeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn tube(&mut self, spec: &TubeSpec) -> Result<Vec<SurfaceObject>> {
         let made = match (&spec.of, &spec.radius, &spec.balls) {
             (Some(_), Some(_), None) if spec.closed.is_none() => self.tubes_along(spec)?,
             (None, None, Some(balls)) if spec.tolerance.is_none() && spec.radius_of.is_none() => {

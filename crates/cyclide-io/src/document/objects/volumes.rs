@@ -10,9 +10,10 @@ use super::idle::NO_EFFECT;
 use super::refuse::frame_words;
 use super::surfaces::direction;
 use super::transform::map_of;
+use crate::document::kinds::Shape;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CoordinateSurfacesSpec, CyclideVolumeSpec, FrameSpec, LayersSpec, ObjectSpec, StepSpec, TransformSpec,
+    CellsSpec, CoordinateSurfacesSpec, CyclideVolumeSpec, FrameSpec, LayersSpec, StepSpec, TransformSpec,
 };
 use crate::error::{Error, Result};
 
@@ -22,23 +23,27 @@ const LAST_CORNER: f64 = 1e-9;
 const CORNERS_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Builder<'_> {
-    /// The blocks of an object that has some.
-    pub(super) fn volumes(&mut self) -> Result<Vec<CyclideVolume>> {
-        let (volumes, field) = match self.spec {
-            ObjectSpec::CyclideVolume(spec) => (vec![self.block(spec)?], "frame"),
-            ObjectSpec::CyclideGrid(spec) => (self.cyclide_grid(spec)?, "type"),
-            ObjectSpec::Layers(spec) => (self.layers(spec)?, "of"),
-            ObjectSpec::Transform(spec) => (self.mapped_volumes(spec)?, "of"),
-            _ => return Ok(Vec::new()),
-        };
-        // Of many blocks that fold one is enough to know.
+    /// Blocks with the parameters of their cells. Of many blocks that fold one is enough to know, at a field.
+    pub(in crate::document) fn divided(
+        &mut self,
+        volumes: Vec<CyclideVolume>,
+        cells: Option<&CellsSpec>,
+        field: &str,
+    ) -> Result<Shape> {
+        self.warn_of_folded_blocks(&volumes, field);
+        let places = self.places(&volumes, cells)?;
+        Ok(Shape::Blocks(volumes, places))
+    }
+
+    /// Warns of the first of some blocks that fold.
+    pub(in crate::document) fn warn_of_folded_blocks(&mut self, volumes: &[CyclideVolume], field: &str) {
         if let Some(warning) = volumes.iter().find_map(|volume| volume.warnings().into_iter().next()) {
             self.warn_at(field, None, warning);
         }
-        Ok(volumes)
     }
 
-    fn block(&self, spec: &CyclideVolumeSpec) -> Result<CyclideVolume> {
+    /// The block.
+    pub(in crate::document) fn block(&self, spec: &CyclideVolumeSpec) -> Result<CyclideVolume> {
         let corners: Vec<Point3> = spec.corners.iter().map(|c| c.point()).collect();
         let for_four = [("inside", spec.inside.is_some()), ("turn", spec.turn.is_some())];
         if let Some((field, _)) = for_four.into_iter().find(|(_, given)| *given && corners.len() != 4) {
@@ -86,7 +91,7 @@ impl Builder<'_> {
     }
 
     /// What is wrong with the directions of a frame, if it is these.
-    pub(super) fn refused_frame(&self, frame: FrameSpec, error: &cyclide::Error) -> Option<Error> {
+    pub(in crate::document) fn refused_frame(&self, frame: FrameSpec, error: &cyclide::Error) -> Option<Error> {
         let (FrameSpec::First(given), cyclide::Error::FrameNotOrthonormal { .. }) = (frame, error) else { return None };
         Some(self.refused_in_words([Step::from("frame")], error.reason(), frame_words(given)))
     }
@@ -110,7 +115,7 @@ impl Builder<'_> {
     }
 
     /// The solids of blocks.
-    pub(super) fn block_bodies(&self, volumes: &[CyclideVolume]) -> Result<Vec<Body>> {
+    pub(in crate::document) fn block_bodies(&self, volumes: &[CyclideVolume]) -> Result<Vec<Body>> {
         let body = |(index, volume): (usize, &CyclideVolume)| {
             volume.to_body().map_err(|e| {
                 let which = if volumes.len() > 1 { format!("block {index}: ") } else { String::new() };
@@ -126,7 +131,7 @@ impl Builder<'_> {
     }
 
     /// Blocks between the offsets of nets.
-    fn layers(&self, spec: &LayersSpec) -> Result<Vec<CyclideVolume>> {
+    pub(in crate::document) fn layers(&self, spec: &LayersSpec) -> Result<Vec<CyclideVolume>> {
         let distances = match (&spec.distances, spec.first, spec.count) {
             (Some(distances), None, None) if spec.growth.is_none() => distances.clone(),
             (None, Some(first), Some(count)) => {
@@ -199,7 +204,10 @@ impl Builder<'_> {
     }
 
     /// Surfaces inside blocks on which one parameter is constant.
-    pub(super) fn coordinate_surfaces(&mut self, spec: &CoordinateSurfacesSpec) -> Result<Vec<SurfaceObject>> {
+    pub(in crate::document) fn coordinate_surfaces(
+        &mut self,
+        spec: &CoordinateSurfacesSpec,
+    ) -> Result<Vec<SurfaceObject>> {
         let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
         if volumes.is_empty() {
             return Err(self.wrong_source(
@@ -258,7 +266,7 @@ impl Builder<'_> {
     }
 
     /// The images of blocks.
-    fn mapped_volumes(&self, spec: &TransformSpec) -> Result<Vec<CyclideVolume>> {
+    pub(in crate::document) fn mapped_volumes(&self, spec: &TransformSpec) -> Result<Vec<CyclideVolume>> {
         let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
         let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
         if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !volumes.is_empty()) {
@@ -271,7 +279,7 @@ impl Builder<'_> {
 }
 
 /// The frame of a document as the kernel's.
-pub(super) fn volume_frame(frame: FrameSpec) -> VolumeFrame {
+pub(in crate::document) fn volume_frame(frame: FrameSpec) -> VolumeFrame {
     match frame {
         FrameSpec::Auto => VolumeFrame::Auto,
         FrameSpec::First(given) => {

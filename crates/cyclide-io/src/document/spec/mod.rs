@@ -36,6 +36,8 @@ use cyclide::Units;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::kinds::Kind;
+
 pub use ball_centers::{BallCentersSpec, CenterSurfaceSpec};
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
@@ -265,6 +267,13 @@ macro_rules! object_types {
             pub fn is_construction(&self) -> bool {
                 match self {
                     $(Self::$variant(spec) => spec.construction,)*
+                }
+            }
+
+            /// What it says of itself.
+            pub(super) fn kind(&self) -> &dyn Kind {
+                match self {
+                    $(Self::$variant(spec) => spec,)*
                 }
             }
 

@@ -80,17 +80,6 @@ pub struct MotionSpec {
     pub mesh: Option<PolygonMeshFile>,
 }
 
-impl MotionSpec {
-    /// The files that it refers to.
-    pub(in crate::document) fn files(&self) -> impl Iterator<Item = &str> {
-        let poses = match &self.poses {
-            Some(PoseSource::File(file)) => Some(file.csv.as_str()),
-            _ => None,
-        };
-        poses.into_iter().chain(self.mesh.as_ref().map(|file| file.path.as_str()))
-    }
-}
-
 /// How a body goes from pose to pose.
 ///
 /// ```

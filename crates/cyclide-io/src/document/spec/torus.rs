@@ -13,6 +13,7 @@ use super::comment::Comment;
 use super::torus_numbers::{AnglePairs, FreeOr, RatePairs};
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
+use crate::document::locate::Step;
 
 /// A smooth curve on a torus through points near it, or through places given by two angles: rational quartics that lie exactly on the
 /// torus, C1 in their knots. There always is one: where directions turn back it makes a detour.
@@ -356,6 +357,11 @@ pub enum TorusSource {
 }
 
 impl TorusSource {
+    /// The name of an object, if it is one, with its path.
+    pub(in crate::document) fn reference(&self) -> Vec<(Vec<Step>, &str)> {
+        self.name().map(|name| (vec![Step::from("torus")], name)).into_iter().collect()
+    }
+
     /// The name of the object, if it is one.
     pub(in crate::document) fn name(&self) -> Option<&str> {
         match self {

@@ -1,0 +1,144 @@
+//! What a kind of object says of itself: all that the rest of the program asks about it.
+
+use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject};
+
+use crate::document::angle::Angle;
+use crate::document::construct::{Contour, ContourFacts};
+use crate::document::coordinates::PointSource;
+use crate::document::locate::Step;
+use crate::document::objects::idle::Idle;
+use crate::document::objects::refuse::Blame;
+use crate::document::objects::wavers::WaverRule;
+use crate::document::objects::{Builder, BuiltObject};
+use crate::error::Result;
+
+/// The path of a field below the object, and the name of another object in it.
+pub(in crate::document) type Reference<'a> = (Vec<Step>, &'a str);
+
+/// A kind of object. Only its construction has to be said; the rest is what most kinds have.
+pub(in crate::document) trait Kind {
+    /// Runs the construction.
+    ///
+    /// # Errors
+    /// What the kernel refuses, and fields that do not fit together, at their places.
+    fn build(&self, at: &mut Builder<'_>) -> Result<Shape>;
+
+    /// The names of the objects it is made from.
+    fn references(&self) -> Vec<Reference<'_>> {
+        Vec::new()
+    }
+
+    /// The points that a curve is made from.
+    fn points(&self) -> Option<&PointSource> {
+        None
+    }
+
+    /// The files that it is made from, as the document writes them.
+    fn files(&self) -> Vec<&str> {
+        match self.points() {
+            Some(PointSource::File(file)) => vec![file.csv.as_str()],
+            _ => Vec::new(),
+        }
+    }
+
+    /// True where equal neighbouring points are meant as they are.
+    fn keeps_repeated_points(&self) -> bool {
+        false
+    }
+
+    /// True where points that are marked as corners stay corners.
+    fn keeps_corners(&self) -> bool {
+        true
+    }
+
+    /// The angle above which turns of the points are corners, if one is given.
+    fn corner_angle(&self) -> Option<Angle> {
+        None
+    }
+
+    /// The fields that make no difference to one of its contours.
+    fn idle_fields(&self, _: &Contour<'_>, _: &CurveObject) -> Vec<Idle> {
+        Vec::new()
+    }
+
+    /// How a curve is looked at that bends to and fro; `None` where that is its shape.
+    fn wavers(&self) -> Option<WaverRule> {
+        None
+    }
+
+    /// Which of its values an error of the kernel is about, where that is a rule of this kind.
+    fn blame(&self, _: &cyclide::Error) -> Option<Blame> {
+        None
+    }
+
+    /// Which value an error is about that names none of its own.
+    fn blame_otherwise(&self) -> Option<Blame> {
+        None
+    }
+
+    /// What an error of the kernel is called for this kind, if that is other than what it is called in general.
+    fn words(&self, _: &cyclide::Error) -> Option<String> {
+        None
+    }
+
+    /// The bound that is promised on the distance to what it is made from, if it is a field.
+    fn tolerance(&self) -> Option<f64> {
+        None
+    }
+
+    /// True for the image of another object.
+    fn is_image(&self) -> bool {
+        false
+    }
+
+    /// Whether its patches are panels, as those of nets.
+    fn has_panels(&self, _source: Option<&BuiltObject>) -> bool {
+        false
+    }
+
+    /// What it is the solid over.
+    fn skin(&self, _source: Option<&BuiltObject>) -> Vec<SurfaceObject> {
+        Vec::new()
+    }
+
+    /// Remarks on what was made.
+    fn remark_on(&self, _: &mut Builder<'_>, _: &Shape, _: &[Body]) {}
+}
+
+/// What a construction makes: curves, surfaces, blocks or a motion.
+pub(in crate::document) enum Shape {
+    Curves(Vec<(CurveObject, ContourFacts)>),
+    Surfaces(Vec<SurfaceObject>),
+    /// With the parameters of their cells, if they are divided.
+    Blocks(Vec<CyclideVolume>, Option<[Vec<f64>; 3]>),
+    Motion(Box<MovingBody>),
+}
+
+impl Shape {
+    /// Curves of which there is no more to be said.
+    pub(in crate::document) fn plain(curves: Vec<CurveObject>) -> Self {
+        Self::Curves(curves.into_iter().map(|curve| (curve, ContourFacts::default())).collect())
+    }
+}
+
+impl From<CurveObject> for Shape {
+    fn from(curve: CurveObject) -> Self {
+        Self::plain(vec![curve])
+    }
+}
+
+impl From<SurfaceObject> for Shape {
+    fn from(surface: SurfaceObject) -> Self {
+        Self::Surfaces(vec![surface])
+    }
+}
+
+/// The name of another object in the field `of`.
+pub(in crate::document) fn of(name: &str) -> Vec<Reference<'_>> {
+    vec![(vec![Step::from("of")], name)]
+}
+
+/// The names of two curves.
+pub(in crate::document) fn rails(names: &[String; 2]) -> Vec<Reference<'_>> {
+    names.iter().enumerate().map(|(k, name)| (vec![Step::from("rails"), Step::from(k)], name.as_str())).collect()
+}
