@@ -8,24 +8,14 @@
 //!
 //! | topic | where it is |
 //! |---|---|
-//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`], [`ObjectSpec`] and a description for every type of object, below; [`Comment`], [`TypeWord`], [`StepSpec`], [`CutSpec`] |
-//! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]), [`AnglePairs`], [`RatePairs`], [`FreeOr`], [`RadiiSpec`] |
-//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`ContourFacts`], [`Fitted`], [`SmoothChoice`], [`RoundedPolyhedron`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
-//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`EllipseSpec`], [`HelixSpec`] ([`Hand`]), [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`] ([`FairTolerance`], [`AutoWord`]), [`NurbsSpec`] |
-//! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
-//! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
-//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`] |
-//! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`LaidGrid`], [`FrameSpec`]), [`PrincipalGridSpec`] ([`NurbsSurfaceSpec`], [`HeightsSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
-//! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
-//! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`], [`RadiusOf`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`SweepSpec`] ([`SweepEnds`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
-//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`PositionCurve`], [`PoseTolerance`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
-//! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
+//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], where the fields of each stand |
+//! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]) |
+//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`ContourFacts`], [`Fitted`]), [`Remark`], [`NO_EFFECT`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`], [`MendedQuads`]), [`MeshFormat`] |
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepFaces`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileCurve`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
-//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
+//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]), of curves through points [`QbReport`], of volumes [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`], of motions [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`], [`FrameTurn`]) |
 //! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
@@ -53,28 +43,10 @@ pub use check::file_content::{FileContent, ReadError};
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
+pub use document::kinds;
 pub use document::{
-    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec,
-    BlendTubeSpec, BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
-    CenterSurfaceSpec, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
-    ContourFacts, CoordinatePlanesSpec, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
-    CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec,
-    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EllipseSpec, EndsSpec, FairEndPair,
-    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance, FamilySpec, Fitted, FrameSpec,
-    FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec, Lists,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
-    NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
-    PoseTolerance, PositionCurve, PrincipalGridSpec, RadiiSpec, RadiusLawSpec, RadiusOf, RatePairs, Remark,
-    RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
-    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
-    SweepEnds, SweepSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
-    WholeCyclideSpec, WindingSpec, document_schema,
-};
-pub use document::{
-    InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
+    Angle, BuiltObject, ContourFacts, Coordinates, DOCUMENT_VERSION, Directions, Document, Fitted, Lists, ModelBuilder,
+    NO_EFFECT, ObjectSpec, PointFile, PointSource, Remark, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;

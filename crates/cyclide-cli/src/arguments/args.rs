@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers, Units};
 use cyclide_io::{
-    Camera, DxfVersion, FairEndWord, FairTolerance, Format, MoebiusContinuity, ParametersSpec, PictureColour,
-    StepEdges, StepFaces, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
+    Camera, DxfVersion, Format, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding, WriteOptions,
+    kinds::{FairEndWord, FairTolerance, MoebiusContinuity, ParametersSpec, StraightWord},
 };
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::{ArgAction, Args as ClapArgs, ValueEnum as _};
 use cyclide::Units;
 use cyclide_io::{
-    Comment, Document, ObjectSpec, PointColumns, PointFile, PointSource, PolylineSpec, RadiiSpec, TypeWord,
-    WriteOptions, same_file,
+    Document, ObjectSpec, PointColumns, PointFile, PointSource, WriteOptions,
+    kinds::{Comment, PolylineSpec, RadiiSpec, TypeWord},
+    same_file,
 };
 
 use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
@@ -125,7 +126,7 @@ impl ComparePlan {
         let args = CurveArgs {
             closed: self.closed,
             tolerance: Some(tolerance),
-            smooth: Some(cyclide_io::FairTolerance::Within(tolerance)),
+            smooth: Some(cyclide_io::kinds::FairTolerance::Within(tolerance)),
             corner_angle_deg: self.corner_angle_deg,
             ..CurveArgs::default()
         };

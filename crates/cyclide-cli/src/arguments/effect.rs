@@ -8,8 +8,8 @@ use std::path::PathBuf;
 
 use cyclide::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
-    Format, GeometryReport, MoebiusContinuity, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces,
-    StepProducts,
+    Format, GeometryReport, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces, StepProducts,
+    kinds::MoebiusContinuity,
 };
 
 use crate::arguments::args::{CurveArgs, Kind, OutputArgs};

@@ -5,9 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use cyclide_io::{
-    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Format, MoebiusSplineSpec, ObjectSpec, PointColumns, PointFile, PointSource,
-    QbInterpolationSpec, SpeedLimits, TypeWord, WriteOptions, is_folder_name, leads_to_standard_input, same_file,
+    Angle, Document, ExportOptions, Format, ObjectSpec, PointColumns, PointFile, PointSource, SpeedLimits,
+    WriteOptions, is_folder_name,
+    kinds::{
+        ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec,
+        MoebiusSplineSpec, QbInterpolationSpec, TypeWord,
+    },
+    leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{

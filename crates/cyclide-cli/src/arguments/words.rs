@@ -26,8 +26,8 @@ mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
     use cyclide_io::{
-        DxfVersion, FairEndWord, MoebiusContinuity, PictureColour, StepEdges, StepFaces, StepProducts, StraightWord,
-        VtuCells, VtuEncoding,
+        DxfVersion, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding,
+        kinds::{FairEndWord, MoebiusContinuity, StraightWord},
     };
 
     /// The words of an enum, each read back and explained.

@@ -8,54 +8,35 @@
 //! constructions; what the kernel refuses is reported at the point or field at fault.
 
 mod angle;
-mod construct;
 mod coordinates;
-mod interpolate;
-mod kinds;
+pub mod kinds;
 mod limits;
 mod locate;
 mod matrix;
 mod objects;
 mod plain_words;
 mod schema;
-mod spec;
 
 use std::borrow::Cow;
 
 use cyclide::Units;
+use kinds::fields::comment::Comment;
+use locate::{Entries, Step, offset_in, path_text, value_at};
+use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::text::place::{Diagnostic, Source, decode, quoted};
 use crate::text::suggest::did_you_mean;
+
 pub use angle::Angle;
-pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
-pub use interpolate::InterpolationFacts;
-use locate::{Entries, Step, offset_in, path_text, value_at};
-pub use objects::{
-    BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane,
-};
-use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
+pub use kinds::ObjectSpec;
+pub use objects::contours::{ContourFacts, Fitted};
+pub use objects::idle::NO_EFFECT;
+pub use objects::remark::Remark;
+pub use objects::{BuiltObject, ModelBuilder};
 pub use schema::document_schema;
-pub use spec::{
-    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, AutoWord, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
-    BorderCurves, BorderSpec, BorderWord, BridgeArcs, CellLaw, CellsAlongSpec, CellsSpec, CenterSurfaceSpec,
-    CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, CoordinatePlanesSpec,
-    CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclideGridSpec,
-    CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EllipseSpec,
-    EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FairTolerance,
-    FamilySpec, FrameSpec, FreeOr, GradedCellsSpec, GridSource, Hand, HeightsSpec, HelixSpec, LaidGrid, LayersSpec,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec,
-    NormalsSpec, NurbsSpec, NurbsSurfaceSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
-    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile,
-    PoseSource, PoseSpec, PoseTolerance, PositionCurve, PrincipalGridSpec, QbInterpolationSpec, RadiiSpec,
-    RadiusLawSpec, RadiusOf, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
-    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
-    SweepEnds, SweepSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
-};
 
 /// The document version this crate reads.
 ///

@@ -1,9 +1,36 @@
 //! The published schema of the model document, derived from the types that read it.
 
+use std::collections::BTreeMap;
+
+use cyclide::Units;
+use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
 
-use super::spec::DocumentShape;
+use super::kinds::ObjectSpec;
+use super::kinds::fields::comment::Comment;
+
+/// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
+/// angles are in radians or say `degrees`.
+#[derive(JsonSchema)]
+#[schemars(rename = "cyclide model document", deny_unknown_fields)]
+#[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]
+struct DocumentShape {
+    /// Address of this schema, for editors; not read.
+    #[schemars(rename = "$schema")]
+    schema: Option<String>,
+    /// What the author remarks; read and left aside.
+    comment: Option<Comment>,
+    /// Version of the document format.
+    #[schemars(extend("const" = 1))]
+    cyclide: u64,
+    /// What one unit of the coordinates is.
+    #[schemars(default)]
+    units: Units,
+    /// The objects by name.
+    #[schemars(extend("propertyNames" = { "minLength": 1 }))]
+    objects: BTreeMap<String, ObjectSpec>,
+}
 
 /// The JSON Schema (draft 2020-12) of the model document, as text.
 ///

@@ -10,7 +10,8 @@ use cyclide::{
 use serde::Serialize;
 
 use super::text::{Line, plural, short};
-use crate::document::{BuiltObject, UnrolledPlane};
+use crate::document::BuiltObject;
+use crate::document::kinds::UnrolledPlane;
 
 /// Samples of the distance from the torus on each span of the rational form.
 const SAMPLES: usize = 16;

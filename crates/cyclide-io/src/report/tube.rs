@@ -4,7 +4,7 @@ use cyclide::{Exactness, ShortNumber};
 use serde::Serialize;
 
 use super::RangeReport;
-use crate::document::{RadiusOf, TubeFacts};
+use crate::document::kinds::{RadiusOf, TubeFacts};
 
 /// What is known of a tube.
 ///

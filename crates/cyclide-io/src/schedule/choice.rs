@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::error::ScheduleError;
 use super::skin::Skin;
-use crate::document::{BuiltObject, Document, ObjectSpec, OffsetSpec};
+use crate::document::kinds::{ObjectSpec, OffsetSpec};
+use crate::document::{BuiltObject, Document};
 
 /// An object that is not in a schedule.
 ///

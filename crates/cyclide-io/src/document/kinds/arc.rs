@@ -1,12 +1,79 @@
 //! A circular arc or straight segment.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{Arc, CurveObject, Quat, Vec3};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::spec::ArcSpec;
 use crate::error::Result;
-use cyclide::CurveObject;
+
+/// What an arc of a document must leave of a full turn at least, radians: a bulge of a million. The kernel makes arcs up to
+/// ten times that, whose places are rounded by a hundredth of their chord.
+const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
+
+/// Weights of an arc whose lengths differ by more than this factor are evened: files and their checks go by the parameter,
+/// whose numbers cannot tell the points near the end of such an arc apart.
+const EVEN_RATIO: f64 = 1e3;
+
+/// A circular arc or straight segment: through three points, or from one point to another with one more datum
+/// (`tangent`, `end_tangent`, `weights` or `bulge`).
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "arc", "through": [[1, 0], [0, 1], [-1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    {
+        "required": ["through"],
+        "properties": {
+            "from": false, "to": false, "tangent": false, "end_tangent": false, "weights": false, "bulge": false
+        }
+    },
+    { "required": ["from", "to", "tangent"], "properties": { "through": false } },
+    { "required": ["from", "to", "end_tangent"], "properties": { "through": false } },
+    { "required": ["from", "to", "weights"], "properties": { "through": false } },
+    { "required": ["from", "to", "bulge"], "properties": { "through": false } }
+], "dependentRequired" = { "normal": ["bulge"] }))]
+#[non_exhaustive]
+pub struct ArcSpec {
+    /// The word `arc`.
+    #[schemars(with = "String", extend("const" = "arc"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Start, a point between, end.
+    pub through: Option<[Coordinates; 3]>,
+    /// Start.
+    pub from: Option<Coordinates>,
+    /// End.
+    pub to: Option<Coordinates>,
+    /// Direction of travel at the start, of any length.
+    pub tangent: Option<Coordinates>,
+    /// Direction of travel at the end, of any length.
+    pub end_tangent: Option<Coordinates>,
+    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be
+    /// perpendicular to the chord.
+    pub weights: Option<[[f64; 4]; 2]>,
+    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is
+    /// the straight segment.
+    pub bulge: Option<f64>,
+    /// Axis about which a positive bulge turns counter-clockwise. Default `[0, 0, 1]`.
+    pub normal: Option<Coordinates>,
+}
 
 impl Kind for ArcSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -22,5 +89,55 @@ impl Kind for ArcSpec {
             E::NotInImH { .. } | E::PoleOnSegment { .. } if self.bulge.is_some() => Some(Blame::Field("bulge")),
             _ => None,
         }
+    }
+}
+
+impl Builder<'_> {
+    /// The arc.
+    pub(in crate::document) fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
+        let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
+        let given = data.into_iter().filter(|d| *d).count();
+        if spec.normal.is_some() && spec.bulge.is_none() {
+            return Err(self.unfit("`normal` goes with `bulge` only"));
+        }
+        let arc = match (spec.through, spec.from, spec.to) {
+            (Some([a, b, c]), None, None) if given == 0 => Arc::from_three_points(a.point(), b.point(), c.point()),
+            (None, Some(a), Some(b)) if given == 1 => {
+                let (a, b) = (a.point(), b.point());
+                if let Some(t) = spec.tangent {
+                    Arc::from_start_tangent(a, b, t.vector())
+                } else if let Some(t) = spec.end_tangent {
+                    Arc::from_end_tangent(a, b, t.vector())
+                } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
+                    let (start, end) = (Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1));
+                    Arc::from_weights(a, b, start, end)
+                } else {
+                    let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
+                    Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())
+                }
+            }
+            _ => {
+                return Err(self.unfit(
+                    "an arc is given by `through` (three points), or by `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
+                ));
+            }
+        };
+        // Nearer to a full circle no file can be promised to a ten thousandth of the chord.
+        let kept = |arc: Arc| {
+            let rest = std::f64::consts::TAU - arc.angle();
+            let limit = FULL_CIRCLE_LIMIT;
+            if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
+        };
+        let even = |arc: Arc| {
+            let ratio = arc.weight_ratio().norm();
+            if (EVEN_RATIO.recip()..=EVEN_RATIO).contains(&ratio) { arc } else { arc.evened() }
+        };
+        let arc = arc.map(even).and_then(kept).map_err(|error| match error {
+            cyclide::Error::NearlyFullCircle { rest, .. } => {
+                cyclide::Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }
+            }
+            other => other,
+        });
+        arc.map_err(|e| self.refused(&e, None))
     }
 }

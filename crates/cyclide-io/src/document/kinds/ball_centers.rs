@@ -1,12 +1,43 @@
 //! The ways of the centres of the balls of blends.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
-use super::kind::of;
+use cyclide::{BallCenters, CurveObject};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::Builder;
-use crate::document::spec::BallCentersSpec;
 use crate::error::Result;
+
+/// The ways of the centres of the balls that make the blends of a tee, a crossing or a contact blend: closed, exact rational curves.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {
+///     "c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4},
+///     "m": {"type": "ball-centers", "of": "c"}}}"#.parse()?;
+/// let built = document.build()?;
+/// // As far from the axis of the first pipe as its radius and the ball's.
+/// let m = built[1].item.curves()[0].as_curve().point(0.2);
+/// assert!((m.y.hypot(m.z) - 14.0).abs() < 4e-3);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BallCentersSpec {
+    /// The word `ball-centers`.
+    #[schemars(with = "String", extend("const" = "ball-centers"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `pipe-tee`, `pipe-crossing` or `contact-blend`; it may be construction geometry.
+    pub of: String,
+}
 
 impl Kind for BallCentersSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -15,5 +46,22 @@ impl Kind for BallCentersSpec {
 
     fn references(&self) -> Vec<Reference<'_>> {
         of(&self.of)
+    }
+}
+
+impl Builder<'_> {
+    /// Where the balls are that the source is made with.
+    pub(in crate::document) fn centers_of_source(&self) -> Result<&BallCenters> {
+        let source = self.sources.first().and_then(|source| source.ball_centers.as_deref());
+        source.ok_or_else(|| {
+            self.wrong_source(
+                "only a `pipe-tee`, a `pipe-crossing` and a `contact-blend` are made with balls (of an image take those of its original, and map these)",
+            )
+        })
+    }
+
+    /// The ways of the centres.
+    pub(in crate::document) fn ball_centers(&self) -> Result<Vec<CurveObject>> {
+        Ok(self.centers_of_source()?.paths().iter().cloned().map(CurveObject::Nurbs).collect())
     }
 }

@@ -1,14 +1,45 @@
 //! Arcs between two curves.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
-use super::kind::rails;
+use cyclide::{RailSurface, ShortNumber, SurfaceObject, Vec3};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::{Coordinates, Directions};
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Reference, Shape, rails};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::spec::CircularSurfaceSpec;
 use crate::error::Result;
-use cyclide::ShortNumber;
+
+/// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "polyline", "points": [[0, 0], [5, 0]]}, "b": {"type": "polyline", "points": [[0, 2], [5, 2]]}, "s": {"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, 0, 1]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 5.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct CircularSurfaceSpec {
+    /// The word `circular-surface`.
+    #[schemars(with = "String", extend("const" = "circular-surface"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Names of the two curves, each of one contour and both of as many pieces; they may be construction geometry.
+    pub rails: [String; 2],
+    /// The direction in which the arcs leave the first curve: one for all, or a list with one for each point between its pieces and at its
+    /// ends, linear in between.
+    pub tangent: Directions,
+}
 
 impl Kind for CircularSurfaceSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -41,5 +72,13 @@ impl Kind for CircularSurfaceSpec {
             ShortNumber(*distance),
             ShortNumber(*limit)
         ))
+    }
+}
+
+impl Builder<'_> {
+    /// Arcs between two curves.
+    pub(in crate::document) fn circular_surface(&mut self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+        let tangents: Vec<Vec3> = spec.tangent.0.iter().copied().map(Coordinates::vector).collect();
+        self.between_rails(|rails, closed| RailSurface::circular(rails, &tangents, closed))
     }
 }

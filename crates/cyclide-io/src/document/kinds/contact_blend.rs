@@ -1,12 +1,140 @@
 //! A cylinder or cone blended with a sphere or a plate.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{
+    BlendBase, BlendRing, BlendTube, ContactBlend, NeckSide, PlateShape, RingBlend, SurfaceObject, TeeEnds, Vec3,
+};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::kinds::plate_with_neck::PlateSpec;
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::refuse::blame_contact;
-use crate::document::spec::ContactBlendSpec;
 use crate::error::Result;
+
+/// A cylinder or a cone blended with a `sphere` about the origin, or with a `plate` whose upper side is z = 0, by a ball that rolls round it: a strut on a node, a nozzle on a
+/// tank, a boss. Or a `ring`, a torus about the z axis, blended in the corner round it and in that of its hole. Inside, the ball rolls in the rim of a tube that ends there: a rod with a domed end or, with a `wall`, a dished head.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "tube": {"through": [0, 12], "radius": 10, "length": 90}, "sphere": 40, "blend": 6}}}"#.parse()?;
+/// assert!(document.build()?[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("allOf" = [
+        {"if": {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}, "then": {"properties": {"wall": false, "thickness": false}}},
+        {"oneOf": [{"required": ["tube"]}, {"required": ["ring"]}]},
+        {"if": {"required": ["ring"]}, "then": {"properties": {"side": {"const": "outside"}, "ends": {"const": "flat"}, "wall": false, "tolerance": false, "plate": {"type": "object"}}}},
+        {"if": {"required": ["sphere"]}, "then": {"properties": {"plate": false, "thickness": false}}},
+        {"if": {"required": ["wall"]}, "then": {"properties": {"thickness": false}}},
+        {"if": {"properties": {"side": {"const": "inside"}}, "required": ["side"]},
+         "then": {"properties": {"plate": false, "thickness": false}},
+         "else": {"anyOf": [{"required": ["sphere"]}, {"required": ["plate"]}]}}
+    ])
+)]
+#[non_exhaustive]
+pub struct ContactBlendSpec {
+    /// The word `contact-blend`.
+    #[schemars(with = "String", extend("const" = "contact-blend"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The tube; or instead a `ring`.
+    pub tube: Option<BlendTubeSpec>,
+    /// A torus about the z axis, on a sphere or a round plate. Its ball has exactly one radius.
+    pub ring: Option<BlendRingSpec>,
+    /// Radius of the sphere about the origin that it is blended with. Without it that is the plane z = 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub sphere: Option<f64>,
+    /// The border of the plate about the origin, from which the tube goes up. With the side `inside` there is none: the tube ends at the plane.
+    pub plate: Option<PlateSpec>,
+    /// Thickness of the plate below a filled tube: makes a solid. With a `wall` the plate is as thick as that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: Option<f64>,
+    /// The radius of the ball.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub blend: f64,
+    /// Whether the ball rolls outside or inside the tube.
+    #[serde(default)]
+    pub side: NeckSide,
+    /// Largest difference from that one radius, which no rational blend with a sphere off the axis has exactly. Default: a thousandth of it.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Thickness of all walls: of the tube, the sphere or plate, and the blend between. Default: filled.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How the tube ends. `open` leaves a surface, and goes without a wall.
+    #[serde(default)]
+    pub ends: TeeEnds,
+}
+
+/// A cylinder, or with a taper a cone.
+///
+/// ```
+/// use cyclide_io::{Document, ObjectSpec};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "tube": {"radius": 10, "taper": {"degrees": 5}, "length": 90}, "sphere": 40, "blend": 6}}}"#.parse()?;
+/// let ObjectSpec::ContactBlend(spec) = &document.objects[0].1 else { panic!("it is one") };
+/// let tube = spec.tube.as_ref().expect("it has one");
+/// assert!(tube.radius == 10.0 && tube.direction.is_none());
+/// assert!((tube.taper.expect("a cone").radians() - 5.0_f64.to_radians()).abs() < 1e-15);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "BlendTube")]
+#[non_exhaustive]
+pub struct BlendTubeSpec {
+    /// A point of its axis. Default: the origin.
+    #[serde(default)]
+    pub through: Coordinates,
+    /// Along its axis towards its end. Default: up, along z.
+    pub direction: Option<Coordinates>,
+    /// Its outer radius, of a cone that at the point.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
+    /// Where it ends: distance from the point along the axis.
+    pub length: f64,
+}
+
+/// A torus about the z axis.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "ring": {"radius": 30, "tube": 8, "height": 5}, "plate": {"radius": 60}, "thickness": 4, "blend": 3}}}"#.parse()?;
+/// let built = document.build()?;
+/// // From below the plate to the top of the tube.
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.z - 13.0).abs() < 1e-9 && (bounds.min.z + 4.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "BlendRing")]
+#[non_exhaustive]
+pub struct BlendRingSpec {
+    /// Radius of the circle in the middle of its tube.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Radius of its tube, less than that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tube: f64,
+    /// Height of that circle above the origin. Default 0.
+    #[serde(default)]
+    pub height: f64,
+}
 
 impl Kind for ContactBlendSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -15,5 +143,101 @@ impl Kind for ContactBlendSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_contact(self, error))
+    }
+}
+
+impl Builder<'_> {
+    /// A tube or a ring with its blend.
+    pub(in crate::document) fn contact_blend(&mut self, spec: &ContactBlendSpec) -> Result<Vec<SurfaceObject>> {
+        self.check_contact_blend(spec)?;
+        let made = match (spec.tube, spec.ring) {
+            (Some(tube), None) => tube_blend(spec, tube).and_then(|blend| blend.made()),
+            (None, Some(ring)) => self.ring_blend(spec, ring)?.made(),
+            _ => return Err(self.unfit("what is blended is a `tube` or a `ring`: give one of them")),
+        };
+        let made = made.map_err(|e| self.refused(&e, None))?;
+        self.tee_blends = vec![made.blend];
+        self.ball_centers = Some(Box::new(made.centers));
+        Ok(vec![SurfaceObject::Body(made.body)])
+    }
+
+    /// Fields that have no meaning together.
+    fn check_contact_blend(&self, spec: &ContactBlendSpec) -> Result<()> {
+        let inside = spec.side == NeckSide::Inside;
+        let of_tubes = inside || spec.ends != TeeEnds::Flat || spec.wall.is_some() || spec.tolerance.is_some();
+        let refusal = if spec.ring.is_some() && of_tubes {
+            "a `ring` is filled, and its ball outside and of one radius: leave out `side`, `ends`, `wall` and `tolerance`"
+        } else if spec.wall.is_some() && spec.ends == TeeEnds::Open {
+            "a `wall` makes a solid: its ends are `flat`, with a ring round the bore, or `closed`"
+        } else if spec.sphere.is_some() && (spec.plate.is_some() || spec.thickness.is_some()) {
+            "the tube is blended with a `sphere`, or with a `plate` of a `thickness`: leave out one of them"
+        } else if inside && (spec.plate.is_some() || spec.thickness.is_some()) {
+            "a blend inside ends the tube at the plane: leave out `plate` and `thickness`"
+        } else if !inside && spec.sphere.is_none() && spec.plate.is_none() {
+            "a blend outside needs a `sphere`, or a `plate` round the tube"
+        } else if spec.wall.is_some() && spec.thickness.is_some() {
+            "with a `wall` the plate is as thick as that: leave out `thickness`"
+        } else if spec.thickness.is_some() && spec.ends == TeeEnds::Open {
+            "a `thickness` makes a solid: its end is `flat`"
+        } else {
+            return Ok(());
+        };
+        Err(self.unfit(refusal))
+    }
+
+    fn ring_blend(&self, spec: &ContactBlendSpec, ring: BlendRingSpec) -> Result<RingBlend> {
+        let BlendRingSpec { radius, tube, height } = ring;
+        let ring = BlendRing { radius, tube, height };
+        let blend = match (spec.sphere, spec.plate) {
+            (Some(radius), _) => RingBlend::on_sphere(ring, radius, spec.blend),
+            (None, Some(PlateSpec::Disk(disk))) => RingBlend::on_plate(ring, disk.radius, spec.blend),
+            (None, _) => {
+                return Err(self.unfit("a `ring` stands on a `sphere`, or on a round `plate` such as {\"radius\": 60}"));
+            }
+        };
+        let blend =
+            blend.and_then(|blend| spec.thickness.map_or(Ok(blend), |thickness| blend.with_thickness(thickness)));
+        blend.map_err(|e| self.refused(&e, None))
+    }
+}
+
+fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<ContactBlend> {
+    let BlendTubeSpec { through, direction, radius, taper, length } = tube;
+    let direction = direction.map_or(Vec3::Z, Coordinates::vector);
+    let taper = taper.map_or(0.0, Angle::radians);
+    let tube = BlendTube { through: through.point(), direction, radius, taper, length };
+    let base = match (spec.sphere, spec.plate) {
+        (Some(radius), _) => BlendBase::Sphere { radius },
+        (None, Some(PlateSpec::Rectangle(sides))) => BlendBase::Plane(PlateShape::Rectangle(sides)),
+        (None, Some(PlateSpec::Disk(disk))) => BlendBase::Plane(PlateShape::Disk(disk.radius)),
+        // Inside the tube has what it cuts out of the plane.
+        (None, None) => BlendBase::Plane(PlateShape::Disk(radius)),
+    };
+    let blend = ContactBlend::new(tube, base, spec.blend)?.with_side(spec.side).with_ends(spec.ends);
+    let blend = spec.tolerance.map_or(Ok(blend), |tolerance| blend.with_tolerance(tolerance))?;
+    let blend = spec.thickness.map_or(Ok(blend), |thickness| blend.with_thickness(thickness))?;
+    spec.wall.map_or(Ok(blend), |wall| blend.with_wall(wall))
+}
+
+/// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
+pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
+            Blame::Field("blend")
+        }
+        E::RadiusNotPositive { .. } if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 => {
+            Blame::Field("blend")
+        }
+        E::RadiusNotPositive { .. }
+            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0)
+                && spec.sphere.is_some_and(|sphere| sphere <= 0.0) =>
+        {
+            Blame::Field("sphere")
+        }
+        E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
+        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
+        E::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. } => Blame::Field(name.word()),
+        _ => Blame::Field(if spec.ring.is_some() { "ring" } else { "tube" }),
     }
 }

@@ -1,13 +1,51 @@
 //! One patch of a Dupin cyclide, bounded by four circular arcs.
 
-use super::kind::Kind;
-use super::kind::Shape;
-use crate::document::objects::Builder;
-use crate::document::objects::BuiltObject;
+use cyclide::{CyclidePatch, SurfaceObject};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::frame::{direction, frame_words};
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::refuse::frame_words;
-use crate::document::spec::CyclidePatchSpec;
+use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
+
+/// One principal patch of a Dupin cyclide: four corners on one circle and a frame at one of them. All its parameter
+/// lines are circular arcs.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.area() - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct CyclidePatchSpec {
+    /// The word `cyclide-patch`.
+    #[schemars(with = "String", extend("const" = "cyclide-patch"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The corners at (s, t) = (0, 0), (1, 0), (0, 1), (1, 1). Round their circle they follow each other as the
+    /// first, second, fourth, third.
+    pub corners: [Coordinates; 4],
+    /// Directions of the two edges at one corner, of growing s and growing t: perpendicular, of any length.
+    pub frame: [Coordinates; 2],
+    /// The corner at which the frame is given, from 0. Default: the first.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 3))]
+    pub frame_corner: u32,
+}
 
 impl Kind for CyclidePatchSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -37,5 +75,15 @@ impl Kind for CyclidePatchSpec {
 
     fn has_panels(&self, _: Option<&BuiltObject>) -> bool {
         true
+    }
+}
+
+impl Builder<'_> {
+    /// The patch.
+    pub(in crate::document) fn patch(&self, spec: &CyclidePatchSpec) -> Result<Vec<SurfaceObject>> {
+        let [v1, v2] = spec.frame.map(direction);
+        let corners = spec.corners.map(Coordinates::point);
+        let patch = CyclidePatch::from_corners_and_frame_at(corners, spec.frame_corner as usize, v1, v2);
+        patch.map(|patch| vec![SurfaceObject::Patch(patch)]).map_err(|e| self.refused(&e, None))
     }
 }

@@ -1,12 +1,73 @@
 //! Half circles between two ellipses.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{EllipseBridge, ShortNumber, SurfaceObject};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::spec::EllipseBridgeSpec;
 use crate::error::Result;
-use cyclide::ShortNumber;
+
+/// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"e": {"type": "ellipse-bridge", "ellipses": [[20, 34], [36, 42]], "depth": 6}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"arcs": {"const": "full"}}, "required": ["arcs"]}),
+    extend("then" = {"properties": {"depth": false}})
+)]
+#[non_exhaustive]
+pub struct EllipseBridgeSpec {
+    /// The word `ellipse-bridge`.
+    #[schemars(with = "String", extend("const" = "ellipse-bridge"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The semi-axes along x and y of the first ellipse, and those of the second.
+    #[schemars(extend("items" = {
+        "type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2
+    }))]
+    pub ellipses: [[f64; 2]; 2],
+    /// Half circles, or whole ones.
+    #[serde(default)]
+    pub arcs: BridgeArcs,
+    /// Makes a solid: the elliptic cylinders go down to a base at z = -depth. One ellipse must be inside the other.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub depth: Option<f64>,
+}
+
+/// What stands on the chords between two ellipses.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"e": {"type": "ellipse-bridge", "ellipses": [[3, 3], [5, 5]], "arcs": "full"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.volume() - 8.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // a torus
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BridgeArcs {
+    /// Half circles above the plane of the ellipses.
+    #[default]
+    Half,
+    /// Whole circles: a solid ring.
+    Full,
+}
 
 impl Kind for EllipseBridgeSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -30,5 +91,25 @@ impl Kind for EllipseBridgeSpec {
             ShortNumber(*distance),
             ShortNumber(*limit)
         ))
+    }
+}
+
+impl Builder<'_> {
+    /// The bridge between two ellipses.
+    pub(in crate::document) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
+        let [first, second] = spec.ellipses;
+        if spec.arcs == BridgeArcs::Full && spec.depth.is_some() {
+            return Err(self.unfit("whole circles are a solid by themselves: `depth` goes with half circles"));
+        }
+        let bridge = EllipseBridge::new(first, second).map_err(|e| self.refused(&e, None))?;
+        let body = match spec.arcs {
+            BridgeArcs::Half => bridge.body(spec.depth),
+            BridgeArcs::Full => bridge.whole_circles(),
+        };
+        let body = body.map_err(|e| self.refused(&e, None))?;
+        for warning in bridge.warnings() {
+            self.warn_at("ellipses", None, warning);
+        }
+        Ok(vec![SurfaceObject::Body(body)])
     }
 }

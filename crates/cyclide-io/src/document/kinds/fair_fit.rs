@@ -1,20 +1,159 @@
 //! The fairest smooth curve near points.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{CurveObject, FairFit, FairFitOptions, Heights, Noise, Outliers, WaverRemedy};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
 use crate::document::angle::Angle;
-use crate::document::construct::Contour;
-use crate::document::construct::fair_fit;
 use crate::document::coordinates::PointSource;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::idle::Idle;
-use crate::document::objects::idle::in_fair_fit;
-use crate::document::objects::wavers::WaverData;
-use crate::document::objects::wavers::WaverRule;
-use crate::document::spec::FairFitSpec;
+use crate::document::objects::contours::{Contour, Fitted, Made};
+use crate::document::objects::idle::{Idle, NO_CORNER, NO_ENDS, found, has_no_corner};
+use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
-use cyclide::CurveObject;
-use cyclide::WaverRemedy;
+
+/// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
+/// data.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "fair-fit", "tolerance": 0.2, "points": [[0, 0], [1, 0.1], [2, 0], [3, 0.1], [4, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// assert!(certificate.deviation <= 0.2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FairFitSpec {
+    /// The word `fair-fit`.
+    #[schemars(with = "String", extend("const" = "fair-fit"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// `"auto"`: the curve follows the points as closely as their noise asks, whose standard deviation is estimated from them;
+    /// this is right for measured points. A number: largest distance of a point from the curve, which is the fairest there.
+    pub tolerance: FairTolerance,
+    /// With the tolerance `"auto"`: the standard deviation of the noise across the curve. Default: estimated from the points.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub noise: Option<f64>,
+    /// What becomes of outliers. With `keep`, the default, they are named and have little influence where the tolerance is
+    /// `"auto"`.
+    #[serde(default)]
+    pub outliers: Outliers,
+    /// A tolerance for the heights (z) alone, larger than `tolerance`; `"auto"` with the tolerance `"auto"`: by their own noise.
+    pub tolerance_z: Option<FairTolerance>,
+    /// With a number as tolerance: how much the curve keeps to the middle of the points. 0 (default): the fairest curve, which
+    /// leans on the bounds of the tolerance and leaves out more than noise; 10 and more approach least squares. For noisy
+    /// points use the tolerance `"auto"` instead.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e6))]
+    pub centre: f64,
+    /// An open curve starts and ends exactly at the first and last point.
+    #[serde(default)]
+    pub fix_ends: bool,
+    /// Turns of the points above this angle that last over eight tolerances are kept as corners. Default: none are (a column `corner` of a file of points marks corners too).
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
+    pub corner_angle: Option<Angle>,
+    /// Fits spent on taking nodes out; 0 keeps those of the first fit. Default: 16.
+    pub max_fits: Option<u32>,
+    /// Nodes of each smooth piece at which taking out stops. Default: as few as the budget allows.
+    #[schemars(range(min = 2))]
+    pub nodes: Option<u32>,
+    /// The part of its fairness that the curve may lose for fewer nodes. Default: 0.1.
+    #[schemars(range(min = 0, max = 1000))]
+    pub budget: Option<f64>,
+    /// Places on each edge between two points that the tolerance binds too. Default: 0, the points are samples of a
+    /// smooth curve.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 100))]
+    pub polyline: u32,
+}
+
+/// How closely a fair fit follows its points: a number, or the word `auto`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let points: Vec<String> = (0..60).map(|k| format!("[{k}, {}]", 0.02 * f64::from(k * k % 7))).collect();
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"f": {{"type": "fair-fit", "tolerance": "auto", "points": [{}]}}}}}}"#, points.join(","));
+/// let built = text.parse::<Document>()?.build()?;
+/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// assert!(certificate.noise.is_some_and(|noise| noise > 0.02 && noise < 0.06));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged)]
+#[non_exhaustive]
+pub enum FairTolerance {
+    /// Largest distance of a point from the curve.
+    Within(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// As the noise of the points asks.
+    Auto(AutoWord),
+}
+
+impl FairTolerance {
+    /// The word.
+    pub const AUTO: Self = Self::Auto(AutoWord::Auto);
+
+    /// The number, if it is one.
+    #[must_use]
+    pub fn within(self) -> Option<f64> {
+        match self {
+            Self::Within(tolerance) => Some(tolerance),
+            Self::Auto(_) => None,
+        }
+    }
+}
+
+/// The word `auto`.
+///
+/// ```
+/// assert_eq!(cyclide_io::kinds::FairTolerance::AUTO.within(), None);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AutoWord {
+    /// As the noise of the points asks.
+    #[default]
+    Auto,
+}
+
+impl<'de> Deserialize<'de> for FairTolerance {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ToleranceVisitor;
+        impl serde::de::Visitor<'_> for ToleranceVisitor {
+            type Value = FairTolerance;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a number or \"auto\"")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairTolerance, E> {
+                AutoWord::deserialize(serde::de::value::StrDeserializer::new(text)).map(FairTolerance::Auto)
+            }
+            fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value))
+            }
+            fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value as f64))
+            }
+            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<FairTolerance, E> {
+                Ok(FairTolerance::Within(value as f64))
+            }
+        }
+        deserializer.deserialize_any(ToleranceVisitor)
+    }
+}
 
 impl Kind for FairFitSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -50,4 +189,43 @@ impl Kind for FairFitSpec {
     fn tolerance(&self) -> Option<f64> {
         self.tolerance.within()
     }
+}
+
+pub(in crate::document) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
+    let mut options = match spec.tolerance {
+        FairTolerance::Within(tolerance) => FairFitOptions::new(tolerance),
+        FairTolerance::Auto(_) => FairFitOptions::by_noise(spec.noise.map_or(Noise::Estimated, Noise::Known)),
+    };
+    options.outliers = spec.outliers;
+    options.heights = match spec.tolerance_z {
+        None => Heights::AsAll,
+        Some(FairTolerance::Within(tolerance)) => Heights::Within(tolerance),
+        Some(FairTolerance::Auto(_)) => Heights::ByNoise,
+    };
+    options.closed = spec.closed;
+    options.centre = spec.centre;
+    options.fix_ends = spec.fix_ends;
+    options.corner_angle = spec.corner_angle.map(Angle::radians);
+    options.corners.clone_from(&at.list.corners);
+    options.max_fits = spec.max_fits.map_or(options.max_fits, |n| n as usize);
+    options.nodes = spec.nodes.map(|n| n as usize);
+    options.budget = spec.budget.unwrap_or(options.budget);
+    options.edge_points = spec.polyline as usize;
+    let fit = FairFit::new(&at.list.points, &options)?;
+    fit.spline().check_finite()?;
+    let (facts, warnings) = (at.facts(Some(Fitted::Fair(*fit.certificate()))), fit.warnings().to_vec());
+    Ok((CurveObject::CircleSpline(fit.into_spline()), facts, warnings))
+}
+
+pub(in crate::document) fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let no_fits = spec.max_fits == Some(0);
+    let none_taken_out = "with `max_fits` 0 no nodes are taken out";
+    let auto = spec.tolerance.within().is_none();
+    found(&[
+        ("centre", spec.centre != 0.0 && auto, "with the tolerance `auto` the curve keeps to the middle of the points"),
+        ("fix_ends", spec.fix_ends && spec.closed, NO_ENDS),
+        ("nodes", spec.nodes.is_some() && no_fits, none_taken_out),
+        ("budget", spec.budget.is_some() && no_fits, none_taken_out),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ])
 }

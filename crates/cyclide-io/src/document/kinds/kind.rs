@@ -3,9 +3,9 @@
 use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject};
 
 use crate::document::angle::Angle;
-use crate::document::construct::{Contour, ContourFacts};
 use crate::document::coordinates::PointSource;
 use crate::document::locate::Step;
+use crate::document::objects::contours::{Contour, ContourFacts};
 use crate::document::objects::idle::Idle;
 use crate::document::objects::refuse::Blame;
 use crate::document::objects::wavers::WaverRule;

@@ -1,21 +1,81 @@
 //! A local smooth curve through points that Möbius maps keep.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{CircleSpline, CircleSplineOptions, CurveObject, MoebiusSplineOptions, QbSpline, WaverRemedy};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::document::angle::Angle;
-use crate::document::construct::Contour;
-use crate::document::coordinates::PointSource;
-use crate::document::interpolate::moebius_spline;
+use crate::document::coordinates::{Coordinates, PointSource};
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::parameters::{ParametersSpec, node_parameters, tangents};
+use crate::document::kinds::fields::torus_numbers::FreeOr;
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::idle::Idle;
-use crate::document::objects::idle::in_moebius_spline;
+use crate::document::objects::contours::{Contour, Made, corners};
+use crate::document::objects::idle::{Idle, NO_CORNER, found, has_no_corner};
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::wavers::WaverData;
-use crate::document::objects::wavers::WaverRule;
-use crate::document::spec::MoebiusSplineSpec;
+use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
-use cyclide::CurveObject;
-use cyclide::WaverRemedy;
+
+/// A local smooth curve through points that Möbius maps, inversions too, take to a curve of the same kind: points on a circle, at any
+/// distances, give the circle.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "moebius-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MoebiusSplineSpec {
+    /// The word `moebius-spline`.
+    #[schemars(with = "String", extend("const" = "moebius-spline"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// What is continuous at the points besides the curve.
+    #[serde(default)]
+    pub continuity: MoebiusContinuity,
+    /// Of `c1`: the parameters at which the curve passes its points. A list increases, and has one number more for a closed curve.
+    #[serde(default)]
+    pub knots: ParametersSpec,
+    /// Of `c1`: derivatives by the knots, one per point, the word `free` for those of the circles. Default: those of the circles everywhere.
+    pub tangents: Option<Vec<FreeOr<Coordinates>>>,
+    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of points marks
+    /// corners too).
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
+    pub corner_angle: Option<Angle>,
+}
+
+/// What is continuous at the points of a Möbius spline.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "moebius-spline", "continuity": "g1", "points": [[0, 0], [1, 2], [3, 2], [5, 0]]}}}"#.parse()?;
+/// assert_eq!(document.build()?[0].provenance.kind, "moebius-spline");
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MoebiusContinuity {
+    /// The derivative by the knots, that of the circle through each point and its neighbours.
+    #[default]
+    C1,
+    /// The direction only, by the directions of those circles alone: without knots, the circle spline of order 1.
+    G1,
+}
 
 impl Kind for MoebiusSplineSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -48,4 +108,42 @@ impl Kind for MoebiusSplineSpec {
             _ => None,
         }
     }
+}
+
+pub(in crate::document) fn moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Made {
+    let (points, closed) = (&at.list.points, spec.closed);
+    let corners = corners(at, closed, spec.corner_angle)?;
+    let spline = match spec.continuity {
+        MoebiusContinuity::G1 => {
+            let circles = CircleSpline::from_points(
+                points,
+                &CircleSplineOptions { closed, order: 1, corners, ..Default::default() },
+            )?;
+            circles.check_finite()?;
+            let no_spline =
+                cyclide::Error::NotASpline { detail: "a circle spline of order 1 is one of quaternion pairs" };
+            QbSpline::from_circle_spline(&circles).ok_or(no_spline)?
+        }
+        MoebiusContinuity::C1 => {
+            let knots = node_parameters(&spec.knots, at, usize::from(closed));
+            let tangents = tangents(spec, at)?;
+            QbSpline::through_points(points, &MoebiusSplineOptions { closed, knots, corners, tangents })?
+        }
+    };
+    let warnings = spline.warnings().to_vec();
+    Ok((CurveObject::QbSpline(spline), at.facts(None), warnings))
+}
+
+pub(in crate::document) fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let by_directions = spec.continuity == MoebiusContinuity::G1;
+    let no_knots = "with `g1` the curve has no knots";
+    found(&[
+        ("knots", by_directions && spec.knots != ParametersSpec::default(), no_knots),
+        (
+            "tangents",
+            by_directions && spec.tangents.is_some(),
+            "with `g1` the curve takes the directions of its circles",
+        ),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ])
 }

@@ -1,16 +1,56 @@
 //! A rational B-spline curve.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{CurveObject, NurbsCurve, Point3, ShortNumber, WaverRemedy};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::nurbs::blame_nurbs;
-use crate::document::objects::nurbs::knots_words;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::wavers::WaverData;
-use crate::document::objects::wavers::WaverRule;
-use crate::document::spec::NurbsSpec;
+use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
-use cyclide::WaverRemedy;
+
+/// A rational B-spline curve (NURBS) by its degree, knots, control points and weights.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "nurbs", "degree": 2, "knots": [0, 0, 0, 1, 1, 1],
+///     "control_points": [[1, 0], [1, 1], [0, 1]], "weights": [1, 0.7071067811865476, 1]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let quarter = cyclide::length(built[0].item.curves()[0].as_curve());
+/// assert!((quarter - 0.5 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NurbsSpec {
+    /// The word `nurbs`.
+    #[schemars(with = "String", extend("const" = "nurbs"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Degree of the polynomials; the order is one more.
+    #[schemars(range(min = 1, max = 25))]
+    pub degree: u32,
+    /// Knots with their repetitions, as many as control points, degree and 1 together, none less than the one before and
+    /// no inner one more often than the degree. Ends that are not clamped (`degree + 1` equal knots) are clamped by exact knot
+    /// insertion: the curve is the part where all control points count.
+    #[schemars(length(min = 4))]
+    pub knots: Vec<f64>,
+    /// Control points, `degree + 1` at least. The curve is closed if the last one is the first.
+    #[schemars(length(min = 2))]
+    pub control_points: Vec<Coordinates>,
+    /// Weights of the control points, all positive. Default: 1, a polynomial spline.
+    pub weights: Option<Vec<f64>>,
+}
 
 impl Kind for NurbsSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -30,5 +70,60 @@ impl Kind for NurbsSpec {
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         knots_words(error)
+    }
+}
+
+impl Builder<'_> {
+    /// The curve, its ends clamped.
+    pub(in crate::document) fn nurbs(&mut self, spec: &NurbsSpec) -> Result<CurveObject> {
+        let points: Vec<Point3> = spec.control_points.iter().copied().map(Coordinates::point).collect();
+        let weights = spec.weights.clone().unwrap_or_else(|| vec![1.0; points.len()]);
+        let curve = NurbsCurve::with_even_weights(spec.degree as usize, spec.knots.clone(), points, weights)
+            .map_err(|e| self.refused(&e, None))?;
+        if !are_clamped(spec) {
+            let (from, to) = curve.domain();
+            let message = format!(
+                "the knots are not clamped: the curve is the part from {} to {}, clamped by exact knot insertion ({} control points)",
+                ShortNumber(from),
+                ShortNumber(to),
+                curve.control_points().len()
+            );
+            let place = self.place_of([Step::from("knots")]);
+            self.remark("knots-clamped", None, None, place, message);
+        }
+        Ok(curve.into())
+    }
+}
+
+/// True if the knots at both ends are there once more than the degree: such a curve is kept as it is.
+fn are_clamped(spec: &NurbsSpec) -> bool {
+    let (knots, degree) = (&spec.knots, spec.degree as usize);
+    let is_one = |run: &[f64]| run.iter().all(|knot| *knot <= run[0]);
+    is_one(&knots[..=degree]) && is_one(&knots[knots.len() - degree - 1..])
+}
+
+/// What helps where the count of knots does not fit.
+pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String> {
+    let is_count = matches!(error, cyclide::Error::CountDiffers { what: cyclide::ErrorItem::Knot, .. });
+    is_count.then(|| {
+        format!(
+            "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
+        )
+    })
+}
+
+/// Which value of a `nurbs` an error of the kernel is about.
+pub(in crate::document) fn blame_nurbs(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match *error {
+        E::ParameterOutOfRange { name: I::Degree, .. } => Blame::Field("degree"),
+        E::WeightNotPositive { index, .. } | E::WeightsUneven { second: index, .. } => Blame::Entry("weights", index),
+        E::CountDiffers { what: I::Weight, .. } => Blame::Field("weights"),
+        E::KnotsDecrease { index, .. } | E::KnotMultiplicity { index, .. } | E::NotFinite { what: I::Knot, index } => {
+            Blame::Entry("knots", index)
+        }
+        E::CountDiffers { .. } | E::EmptyInterval { .. } | E::NotASpline { .. } => Blame::Field("knots"),
+        E::NotFinite { what: I::ControlPoint, index } => Blame::Entry("control_points", index),
+        _ => Blame::Field("control_points"),
     }
 }

@@ -1,12 +1,161 @@
 //! Two pipes that pass each other, blended by a rolling ball.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use cyclide::{CrossingPipe, CrossingSide, PipeCrossing, SurfaceObject, TeeEnds};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
+use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::kinds::pipe_tee::TeeRadiusSpec;
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::refuse::blame_crossing;
-use crate::document::spec::PipeCrossingSpec;
 use crate::error::Result;
+
+/// Two pipes that pass each other, cylinders or cones, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
+    extend("then" = {"properties": {"wall": false}})
+)]
+#[non_exhaustive]
+pub struct PipeCrossingSpec {
+    /// The word `pipe-crossing`.
+    #[schemars(with = "String", extend("const" = "pipe-crossing"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The pipe about the x axis, and the one above it.
+    pub pipes: [CrossingPipeSpec; 2],
+    /// Distance of the axes, more than the radii differ.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub distance: f64,
+    /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees, off both by more than the tapers together. Default: a right angle.
+    pub angle: Option<Angle>,
+    /// The radius of the ball, or of cylinders a law of it; of pipes that do not touch more than half the gap.
+    pub blend: CrossingBlendSpec,
+    /// The sides of the pipes on which the ball rolls; `mixed` of cylinders. Default: outside both.
+    #[serde(default)]
+    pub side: CrossingSide,
+    /// Largest difference from that radius or law, which no rational blend has exactly. Default: a thousandth of the radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Thickness of the wall of both pipes, also within the blend: one bore, of what both have in common a hollow. Default: the crossing is filled.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How the pipes end. `open` leaves a surface, and goes without a wall. What both have in common has no ends.
+    #[serde(default)]
+    pub ends: TeeEnds,
+}
+
+/// A pipe of a crossing.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - 40.0).abs() < 1e-9 && (bounds.max.y - 35.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "CrossingPipe")]
+#[non_exhaustive]
+pub struct CrossingPipeSpec {
+    /// Its outer radius; with a `taper` that where the axes are nearest.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner along its axis, below wider. Default: a cylinder.
+    pub taper: Option<Angle>,
+    /// Where it ends along its axis, counted from where the axes are nearest; the lower place first.
+    pub ends: [f64; 2],
+}
+
+impl CrossingPipeSpec {
+    /// Whether its radius, within a wall, is positive from end to end.
+    pub(crate) fn is_round_throughout(&self, wall: Option<f64>) -> bool {
+        let (sin, cos) = self.taper.map_or(0.0, Angle::radians).sin_cos();
+        let radius_at = |end: f64| self.radius - (end * sin + wall.unwrap_or(0.0)) / cos;
+        self.radius > 0.0 && cos > 0.0 && self.ends.into_iter().all(|end| radius_at(end) > 0.0)
+    }
+}
+
+/// The radius of the ball of a crossing, or a law of it.
+///
+/// ```
+/// use cyclide_io::{Document, kinds::CrossingBlendSpec};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeCrossing(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.blend, CrossingBlendSpec::Radius(4.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "CrossingBlend")]
+#[non_exhaustive]
+pub enum CrossingBlendSpec {
+    /// One radius.
+    Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// A law.
+    Law(CrossingLawSpec),
+}
+
+/// A law of the radius of the ball of a crossing: `first` with `second`, or `values`. Between what is given it changes smoothly, passing none of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": {"first": 3, "second": 4.5}}}}"#.parse()?;
+/// let built = document.build()?;
+/// let [least, most] = built[0].tee_blends[0].radii;
+/// assert!((least - 3.0).abs() < 0.01 && (most - 4.5).abs() < 0.01);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    rename = "CrossingLaw",
+    extend("oneOf" = [{"required": ["first", "second"]}, {"required": ["values"]}]),
+    extend("dependentRequired" = {"first": ["second"], "second": ["first"]})
+)]
+#[non_exhaustive]
+pub struct CrossingLawSpec {
+    /// The radius where the ball is in the direction of the first axis, on both sides.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub first: Option<f64>,
+    /// The radius where it is in the direction of the second axis, on both sides.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub second: Option<f64>,
+    /// Radii at angles of the ball about the upward normal.
+    #[schemars(length(min = 1))]
+    pub values: Option<Vec<TeeRadiusSpec>>,
+}
+
+impl<'de> Deserialize<'de> for CrossingBlendSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read = radius_or(deserializer, "a radius, or a law such as `{\"first\": 8, \"second\": 5}`")?;
+        Ok(match read {
+            RadiusOr::Radius(radius) => Self::Radius(radius),
+            RadiusOr::Law(law) => Self::Law(law),
+        })
+    }
+}
 
 impl Kind for PipeCrossingSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -15,5 +164,96 @@ impl Kind for PipeCrossingSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_crossing(self, error))
+    }
+}
+
+impl Builder<'_> {
+    /// Two pipes that pass each other.
+    pub(in crate::document) fn pipe_crossing(&mut self, spec: &PipeCrossingSpec) -> Result<Vec<SurfaceObject>> {
+        if spec.wall.is_some() && spec.ends == TeeEnds::Open {
+            return Err(
+                self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bores, or `closed`")
+            );
+        }
+        let values = self.crossing_radii(spec)?;
+        let made = crossing(spec, &values).and_then(|crossing| crossing.made()).map_err(|e| self.refused(&e, None))?;
+        self.tee_blends = vec![made.blend];
+        self.ball_centers = Some(Box::new(made.centers));
+        Ok(vec![SurfaceObject::Body(made.body)])
+    }
+
+    /// The radii of the ball at its angles.
+    fn crossing_radii(&self, spec: &PipeCrossingSpec) -> Result<Vec<[f64; 2]>> {
+        let law = match &spec.blend {
+            CrossingBlendSpec::Radius(radius) => return Ok(vec![[0.0, *radius]]),
+            CrossingBlendSpec::Law(law) => law,
+        };
+        let turn = spec.angle.map_or(FRAC_PI_2, Angle::radians);
+        match (law.first, law.second, &law.values) {
+            (Some(first), Some(second), None) => {
+                Ok(vec![[0.0, first], [turn, second], [PI, first], [PI + turn, second]])
+            }
+            (None, None, Some(values)) => Ok(values.iter().map(|value| [value.angle.turn(), value.radius]).collect()),
+            _ => Err(self.unfit("a law of the radius is given by `first` with `second`, or by `values`")),
+        }
+    }
+}
+
+fn crossing(spec: &PipeCrossingSpec, values: &[[f64; 2]]) -> cyclide::Result<PipeCrossing> {
+    let pipes = spec.pipes.map(|pipe| CrossingPipe {
+        radius: pipe.radius,
+        taper: pipe.taper.map_or(0.0, Angle::radians),
+        ends: pipe.ends,
+    });
+    // One radius stands for the law until that is read.
+    let first = values.first().map_or(1.0, |[_, radius]| *radius);
+    let crossing = PipeCrossing::new(pipes, spec.distance, first)?.with_ends(spec.ends).with_side(spec.side);
+    let crossing = match spec.angle {
+        Some(angle) => crossing.with_angle(Angle::radians(angle))?,
+        None => crossing,
+    };
+    let crossing = if values.len() != 1 { crossing.with_radii(values)? } else { crossing };
+    let crossing = match spec.tolerance {
+        Some(tolerance) => crossing.with_tolerance(tolerance)?,
+        None => crossing,
+    };
+    match spec.wall {
+        Some(wall) => crossing.with_wall(wall),
+        None => Ok(crossing),
+    }
+}
+
+/// As [`blame`], of crossings of pipes.
+pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::PipeEndsReversed { pipe, .. }
+        | E::CrossingPipeTooShort { pipe, .. }
+        | E::CrossingHoleTooWide { pipe, .. }
+        | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
+        E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
+        E::NotFinite { what: I::Taper, index } => Blame::Entry("pipes", *index),
+        E::CrossingNeedsCylinders { what, .. } => Blame::Field(what.word()),
+        E::AngleOutOfRange { .. } if spec.angle.is_some() => Blame::Field(I::Angle.word()),
+        E::RadiusTooSmall { .. }
+        | E::CrossingBallTooLarge { .. }
+        | E::CoincidentPoints { .. }
+        | E::TooFewPoints { .. }
+        | E::BelowRoundingOfPlace { .. }
+        | E::CrossingFolds { .. }
+        | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
+        E::RadiusNotPositive { .. } | E::ConeReachesApex { .. } => {
+            match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
+                Some(pipe) => Blame::Entry("pipes", pipe),
+                None => Blame::Field("blend"),
+            }
+        }
+        E::CrossingAxesTooNear { .. }
+        | E::CrossingPipesApart { .. }
+        | E::NotTimelikePair { .. }
+        | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
+        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
+        E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
+        _ => Blame::Field("pipes"),
     }
 }

@@ -1,12 +1,217 @@
 //! A main pipe with branches, blended by rolling balls.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use cyclide::{PipeTee, SurfaceObject, TeeBlend, TeeBranch, TeeEnds, TeeMain};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::refuse::blame_tee;
-use crate::document::spec::PipeTeeSpec;
 use crate::error::Result;
+
+/// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
+/// main pipe and within its breadth, or of its radius with meeting axes.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
+    extend("then" = {"properties": {"wall": false}})
+)]
+#[non_exhaustive]
+pub struct PipeTeeSpec {
+    /// The word `pipe-tee`.
+    #[schemars(with = "String", extend("const" = "pipe-tee"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The main pipe.
+    pub main: TeeMainSpec,
+    /// The branches, at least one, behind or beside each other on the main pipe.
+    #[schemars(length(min = 1))]
+    pub branches: Vec<TeeBranchSpec>,
+    /// Thickness of the wall of all pipes, also within the blends. Default: the tee is filled.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How the pipes end. `open` leaves a surface, and goes without a wall.
+    #[serde(default)]
+    pub ends: TeeEnds,
+}
+
+/// The main pipe of a tee.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.min.x + 40.0).abs() < 1e-9 && (bounds.max.x - 40.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeMain")]
+#[non_exhaustive]
+pub struct TeeMainSpec {
+    /// Its outer radius; with a `taper` that where x is 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// The angle between its axis and its lines: above zero it grows thinner along x, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
+    /// The places on the x axis where it ends, the lower one first.
+    pub ends: [f64; 2],
+}
+
+/// A branch of a tee.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// // Up along z by its length.
+/// assert!((built[0].bodies[0].bounds().max.z - 30.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeBranch")]
+#[non_exhaustive]
+pub struct TeeBranchSpec {
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Its outer radius; with a `taper` that where its axis is nearest to that of the main pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// The angle between its axis and its lines, a draft: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
+    /// Distance of its end, along its axis, from the place nearest to the axis of the main pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub length: f64,
+    /// Angle between its direction and the x axis. Default: a right angle.
+    pub angle: Option<Angle>,
+    /// How far its axis passes beside that of the main pipe: towards +y if it goes up. Below the difference of the radii.
+    #[serde(default)]
+    pub offset: f64,
+    /// The place on the x axis that its axis is nearest to. Default 0.
+    #[serde(default)]
+    pub at: f64,
+    /// Its direction round the main pipe, seen against the x axis counter-clockwise: 0, the default, up along z, a quarter turn -y.
+    pub azimuth: Option<Angle>,
+    /// The ball that blends it with the main pipe.
+    pub blend: TeeBlendSpec,
+}
+
+/// The radius of the ball of a blend, or a law of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.branches[0].blend, cyclide_io::kinds::TeeBlendSpec::Radius(3.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "TeeBlend")]
+#[non_exhaustive]
+pub enum TeeBlendSpec {
+    /// One radius, to a thousandth of it.
+    Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// One radius to a tolerance, or a law.
+    Law(TeeLawSpec),
+}
+
+/// A law of the radius of a ball; one of `radius`, `least`, `crotch` with `flank`, and `values`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"crotch": 4, "flank": 2}}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// assert_eq!((law.crotch, law.flank), (Some(4.0), Some(2.0)));
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    rename = "TeeLaw",
+    extend("oneOf" = [{"required": ["radius"]}, {"required": ["least"]}, {"required": ["crotch", "flank"]}, {"required": ["values"]}]),
+    extend("dependentRequired" = {"crotch": ["flank"], "flank": ["crotch"]}),
+    extend("dependentSchemas" = {"least": {"properties": {"tolerance": false}}})
+)]
+#[non_exhaustive]
+pub struct TeeLawSpec {
+    /// One radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: Option<f64>,
+    /// Largest difference from that one radius or from the law, which no rational blend has exactly. Default: a thousandth of the radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// The plainest blend, with this radius at the flank where it is least and larger ones in the crotches.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub least: Option<f64>,
+    /// The radius in both crotches, where the branch leans towards the ends of the main pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub crotch: Option<f64>,
+    /// The radius at both flanks.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub flank: Option<f64>,
+    /// Radii at angles round the branch.
+    #[schemars(length(min = 1))]
+    pub values: Option<Vec<TeeRadiusSpec>>,
+}
+
+/// The radius of a ball at an angle.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"values": [{"angle": 0, "radius": 4}, {"angle": {"degrees": 90}, "radius": 2}]}}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// let values = law.values.as_ref().expect("they are given");
+/// assert_eq!((values[1].angle.radians(), values[1].radius), (std::f64::consts::FRAC_PI_2, 2.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeRadius")]
+#[non_exhaustive]
+pub struct TeeRadiusSpec {
+    /// Angle round a branch, counter-clockwise seen from its end: 0 on the side of the end of the main pipe, +x, 90 degrees on the side of a positive `offset`, +y if it goes up. Of a crossing that of the ball about the upward normal, 0 in the direction of the first axis.
+    pub angle: Angle,
+    /// The radius there.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+impl<'de> Deserialize<'de> for TeeBlendSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read = radius_or(deserializer, "a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`")?;
+        Ok(match read {
+            RadiusOr::Radius(radius) => Self::Radius(radius),
+            RadiusOr::Law(law) => Self::Law(law),
+        })
+    }
+}
 
 impl Kind for PipeTeeSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -15,5 +220,93 @@ impl Kind for PipeTeeSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_tee(error))
+    }
+}
+
+impl Builder<'_> {
+    /// A main pipe with branches.
+    pub(in crate::document) fn pipe_tee(&mut self, spec: &PipeTeeSpec) -> Result<Vec<SurfaceObject>> {
+        if spec.wall.is_some() && spec.ends == TeeEnds::Open {
+            return Err(
+                self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`")
+            );
+        }
+        let TeeMainSpec { radius, taper, ends } = spec.main;
+        let main = TeeMain { radius, taper: taper.map_or(0.0, Angle::radians), ends };
+        let branches = spec.branches.iter().map(|branch| self.tee_branch(branch)).collect::<Result<Vec<_>>>()?;
+        let tee = PipeTee::new(main, branches).map_err(|e| self.refused(&e, None))?.with_ends(spec.ends);
+        let tee = match spec.wall {
+            Some(wall) => tee.with_wall(wall).map_err(|e| self.refused(&e, None))?,
+            None => tee,
+        };
+        let made = tee.made().map_err(|e| self.refused(&e, None))?;
+        self.tee_blends = made.blends;
+        self.ball_centers = Some(Box::new(made.centers));
+        Ok(vec![SurfaceObject::Body(made.body)])
+    }
+
+    fn tee_branch(&self, spec: &TeeBranchSpec) -> Result<TeeBranch> {
+        Ok(TeeBranch {
+            radius: spec.radius,
+            taper: spec.taper.map_or(0.0, Angle::radians),
+            length: spec.length,
+            angle: spec.angle.map_or(FRAC_PI_2, Angle::radians),
+            offset: spec.offset,
+            at: spec.at,
+            azimuth: spec.azimuth.map_or(0.0, Angle::turn),
+            blend: match &spec.blend {
+                TeeBlendSpec::Radius(radius) => TeeBlend::Radius { radius: *radius, tolerance: None },
+                TeeBlendSpec::Law(law) => self.tee_law(law)?,
+            },
+        })
+    }
+
+    fn tee_law(&self, law: &TeeLawSpec) -> Result<TeeBlend> {
+        let TeeLawSpec { radius, tolerance, least, crotch, flank, values } = law;
+        match (radius, tolerance, least, crotch, flank, values) {
+            (Some(radius), tolerance, None, None, None, None) => {
+                Ok(TeeBlend::Radius { radius: *radius, tolerance: *tolerance })
+            }
+            (None, None, Some(least), None, None, None) => Ok(TeeBlend::Least(*least)),
+            (None, tolerance, None, Some(crotch), Some(flank), None) => {
+                let quarters = [(0.0, crotch), (FRAC_PI_2, flank), (PI, crotch), (3.0 * FRAC_PI_2, flank)];
+                let values = quarters.map(|(angle, &radius)| [angle, radius]).to_vec();
+                Ok(TeeBlend::Angles { values, tolerance: *tolerance })
+            }
+            (None, tolerance, None, None, None, Some(values)) => {
+                let values = values.iter().map(|value| [value.angle.turn(), value.radius]).collect();
+                Ok(TeeBlend::Angles { values, tolerance: *tolerance })
+            }
+            _ => Err(self.unfit(
+                "a blend is given by one of `radius`, `least`, `crotch` with `flank`, and `values`; all but `least` take a `tolerance`",
+            )),
+        }
+    }
+}
+
+/// As [`blame`], of tees.
+pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::TeeBranchTooWide { branch, .. }
+        | E::TeeBlendTooLarge { branch, .. }
+        | E::TeeLawOnEqualPipes { branch, .. }
+        | E::TeeBlendFolds { branch, .. }
+        | E::TeeHoleFolds { branch, .. }
+        | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
+        E::InBranch { branch, what, .. } => Blame::FieldOfEntry("branches", *branch, what.word()),
+        E::TeePipeTooShort { .. }
+        | E::PipeEndsReversed { .. }
+        | E::RadiusNotPositive { .. }
+        | E::ConeReachesApex { .. }
+        | E::ParameterOutOfRange { name: I::Taper, .. }
+        | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
+        E::TeeBranchesMeet { second, .. }
+        | E::TeeBranchesTooNear { second, .. }
+        | E::TeeEqualBranchesNotOpposite { second, .. }
+        | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
+        E::NotFinite { index, .. } => Blame::Entry("branches", *index),
+        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
+        _ => Blame::Field("branches"),
     }
 }

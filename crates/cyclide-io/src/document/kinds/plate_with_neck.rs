@@ -1,11 +1,134 @@
 //! A pipe on a plate with a rounded neck.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape, SurfaceObject};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::spec::PlateWithNeckSpec;
 use crate::error::Result;
+
+/// A pipe on a plate with a rounded neck between them, that of a ball rolling round the pipe; an open surface, or with a
+/// `thickness` a solid. The upper side of the plate is the plane z = 0, the axis of the pipe meets it in the origin.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": [90, 90]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].outer.area() > 90.0 * 90.0 && !built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("dependentRequired" = {"wall": ["thickness"]}),
+    extend("if" = {"properties": {"side": {"const": "inside"}}, "required": ["side"]}),
+    extend("then" = {"properties": {"plate": false}}),
+    extend("else" = {"required": ["plate"]})
+)]
+#[non_exhaustive]
+pub struct PlateWithNeckSpec {
+    /// The word `plate-with-neck`.
+    #[schemars(with = "String", extend("const" = "plate-with-neck"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Radius of the pipe on the side of the ball: its outer radius, or with the side `inside` its inner one.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub pipe_radius: f64,
+    /// Radius of the ball, which rounds the corner. Inside a pipe it is below that of the pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub ball_radius: f64,
+    /// Angle between the axis of the pipe and the normal of the plate; the pipe leans towards y. Default 0.
+    pub slope: Option<Angle>,
+    /// Distance of the end of the pipe from the plate, along the axis.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub height: f64,
+    /// The plate round the axis. A pipe with a neck inside has none but its floor.
+    pub plate: Option<PlateSpec>,
+    /// Whether the ball rolls outside or inside the pipe.
+    #[serde(default)]
+    pub side: NeckSide,
+    /// The arcs of the neck.
+    #[serde(default)]
+    pub variant: NeckVariant,
+    /// Thickness of the plate, or of the floor inside a pipe, downwards: makes a solid.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: Option<f64>,
+    /// Thickness of the wall of the pipe in a solid. Default: outside the pipe is filled, and with a wall it is bored through the
+    /// plate; inside as thick as the floor.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+}
+
+/// The border of a plate: the sides of a rectangle along x and y, or the radius of a disk.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": [90, 90]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - bounds.min.x - 90.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Plate")]
+#[non_exhaustive]
+pub enum PlateSpec {
+    /// Sides along x and y.
+    #[schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0}))]
+    Rectangle([f64; 2]),
+    /// A disk.
+    Disk(DiskSpec),
+}
+
+/// A disk.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": {"radius": 40}}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - bounds.min.x - 80.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Disk")]
+#[non_exhaustive]
+pub struct DiskSpec {
+    /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+impl<'de> Deserialize<'de> for PlateSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct PlateVisitor;
+        impl<'de> serde::de::Visitor<'de> for PlateVisitor {
+            type Value = PlateSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("two sides `[80, 60]` or `{\"radius\": …}`")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PlateSpec, A::Error> {
+                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
+                <[f64; 2]>::deserialize(seq).map(PlateSpec::Rectangle)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PlateSpec, A::Error> {
+                DiskSpec::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PlateSpec::Disk)
+            }
+        }
+        deserializer.deserialize_any(PlateVisitor)
+    }
+}
 
 impl Kind for PlateWithNeckSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -24,5 +147,35 @@ impl Kind for PlateWithNeckSpec {
             E::PlateTooSmall { .. } => Blame::Field("plate"),
             _ => Blame::Object,
         })
+    }
+}
+
+impl Builder<'_> {
+    /// A pipe on a plate, or with a floor.
+    pub(in crate::document) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
+        let side = spec.side;
+        if side == NeckSide::Inside && spec.plate.is_some() {
+            return Err(self.unfit("a neck inside a pipe has the floor of the pipe for its plate: leave out `plate`"));
+        }
+        if side == NeckSide::Outside && spec.plate.is_none() {
+            return Err(self.unfit("a neck outside a pipe needs a `plate`: `[80, 60]` or `{\"radius\": 40}`"));
+        }
+        if spec.wall.is_some() && spec.thickness.is_none() {
+            return Err(self.unfit("`wall` goes with `thickness`, which makes a solid"));
+        }
+        let slope = spec.slope.map_or(0.0, Angle::radians);
+        let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, spec.variant);
+        let neck = neck.map_err(|e| self.refused(&e, None))?;
+        let plate = spec.plate.map(|plate| match plate {
+            PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),
+            PlateSpec::Disk(disk) => PlateShape::Disk(disk.radius),
+        });
+        let mut made = NeckBody::new(spec.height);
+        (made.plate, made.thickness, made.wall) = (plate, spec.thickness, spec.wall);
+        let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
+        for warning in neck.warnings() {
+            self.warn_at("ball_radius", None, warning);
+        }
+        Ok(vec![SurfaceObject::Body(body)])
     }
 }

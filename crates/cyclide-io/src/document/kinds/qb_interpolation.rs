@@ -1,16 +1,72 @@
 //! A rational curve of lowest degree through points.
 
-use super::kind::Kind;
-use super::kind::Shape;
-use crate::document::coordinates::PointSource;
-use crate::document::interpolate::qb_interpolation;
+use cyclide::{CurveObject, ErrorItem, QbInterpolation, QbNode, QbSpline, Vec3, WaverRemedy};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::{Coordinates, PointSource};
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::parameters::{ParametersSpec, node_parameters, vectors};
+use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
+use crate::document::objects::contours::{Contour, Made};
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::wavers::WaverData;
-use crate::document::objects::wavers::WaverRule;
-use crate::document::spec::QbInterpolationSpec;
+use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
-use cyclide::WaverRemedy;
+
+/// The rational curve of lowest degree of its kind through an odd number of points: the quotient of two quaternion polynomials, which
+/// Möbius maps keep. Points on a circle, a sphere or a plane give a curve on it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2, 1], [5, 1, 1], [6, 0, 3]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].contours[0].interpolation.as_ref().map(|found| found.degree), Some(2));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct QbInterpolationSpec {
+    /// The word `qb-interpolation`.
+    #[schemars(with = "String", extend("const" = "qb-interpolation"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points. They and all `derivatives` are an odd number together, `2n + 1` for a curve of degree `n`.
+    pub points: PointSource,
+    /// The parameters at which the curve meets its points.
+    #[serde(default)]
+    pub parameters: ParametersSpec,
+    /// Derivatives by the parameter: for each point a list of the first, the second and so on, `[]` for none. Default: none at all.
+    pub derivatives: Option<Vec<Vec<Coordinates>>>,
+}
+
+/// What is known of a curve of lowest degree through points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2], [5, 1], [6, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let found = built[0].contours[0].interpolation.as_ref().expect("by its type");
+/// assert!(found.reach < 3.0 && found.parameters[4] == 1.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct InterpolationFacts {
+    /// Degree of its quaternion polynomials; half of that of its rational form.
+    pub degree: usize,
+    /// The parameters of its points.
+    pub parameters: Vec<f64>,
+    /// Largest distance from the middle of the points, relative to theirs.
+    pub reach: f64,
+    /// The least that is left of the curve's weight at a point, of 1.
+    pub attainability: f64,
+}
 
 impl Kind for QbInterpolationSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -44,4 +100,42 @@ impl Kind for QbInterpolationSpec {
             _ => None,
         }
     }
+}
+
+pub(in crate::document) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Contour<'_>) -> Made {
+    let points = &at.list.points;
+    // One point is a curve of degree 0, which goes nowhere.
+    if points.len() < 3 && spec.derivatives.is_none() {
+        return Err(cyclide::Error::TooFewPoints { given: points.len(), needed: 3 });
+    }
+    let parameters = node_parameters(&spec.parameters, at, 0);
+    let found = match &spec.derivatives {
+        None => QbInterpolation::through_points(points, &parameters)?,
+        Some(given) => {
+            let given: Vec<Vec<Vec3>> =
+                at.kept.iter().filter_map(|&i| Some(vectors(given.get(i).filter(|_| at.index == 0)?))).collect();
+            if given.len() != points.len() {
+                let what = ErrorItem::Tangent;
+                return Err(cyclide::Error::CountDiffers { what, given: given.len(), needed: points.len() });
+            }
+            // Points and derivatives are the conditions: a single one is a point, and no curve.
+            let conditions = points.len() + given.iter().map(Vec::len).sum::<usize>();
+            if conditions < 2 {
+                return Err(cyclide::Error::TooFewPoints { given: conditions, needed: 3 });
+            }
+            let parameters = parameters.of(points)?;
+            let node = |i: usize| QbNode { parameter: parameters[i], point: points[i], derivatives: given[i].clone() };
+            QbInterpolation::through_nodes(&(0..points.len()).map(node).collect::<Vec<_>>())?
+        }
+    };
+    let facts = InterpolationFacts {
+        degree: found.curve().degree(),
+        parameters: found.parameters().to_vec(),
+        reach: found.reach(),
+        attainability: found.attainability().iter().copied().fold(1.0, f64::min),
+    };
+    let spline = QbSpline::from_curve(found.curve().clone())?;
+    let mut known = at.facts(None);
+    known.interpolation = Some(facts);
+    Ok((CurveObject::QbSpline(spline), known, found.warnings().to_vec()))
 }

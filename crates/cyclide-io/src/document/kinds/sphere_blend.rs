@@ -1,13 +1,92 @@
 //! A smooth patch over one triangle, shaped by three spheres.
 
-use super::kind::Kind;
-use super::kind::Shape;
+use cyclide::{Error as KernelError, ErrorItem, SphereBlend, SurfaceObject, TriangleSurface};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::spec::SphereBlendSpec;
-use crate::error::Result;
+use crate::error::{Error, Result};
+
+/// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners: given by a point
+/// of each sphere (`control`), or by the normals that the patch should have at the corners (`normals`). It has no exact form, as a
+/// smooth mesh.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "sphere-blend", "corners": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "normals": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!((found.triangles, found.vertices, found.closed), (1, 3, false));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["control"], "properties": { "normals": false } },
+    { "required": ["normals"], "properties": { "control": false } }
+]))]
+#[non_exhaustive]
+pub struct SphereBlendSpec {
+    /// The word `sphere-blend`.
+    #[schemars(with = "String", extend("const" = "sphere-blend"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The corners, counter-clockwise seen from outside.
+    pub corners: [Coordinates; 3],
+    /// A point of the sphere of each corner, off the circle of the corners. On the side of these points the patch bulges.
+    pub control: Option<[Coordinates; 3]>,
+    /// The normal at each corner, of any length; it is turned about the circle's tangent there as far as the sphere asks for.
+    pub normals: Option<[Coordinates; 3]>,
+}
 
 impl Kind for SphereBlendSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
         at.sphere_blend(self).map(Shape::Surfaces)
+    }
+}
+
+impl Builder<'_> {
+    /// The patch over one triangle.
+    pub(in crate::document) fn sphere_blend(&mut self, spec: &SphereBlendSpec) -> Result<Vec<SurfaceObject>> {
+        let corners = spec.corners.map(Coordinates::point);
+        let blend = match (spec.control, spec.normals) {
+            (Some(control), None) => SphereBlend::from_control_points(corners, control.map(Coordinates::point)),
+            (None, Some(normals)) => SphereBlend::from_normals(corners, normals.map(Coordinates::vector)),
+            _ => {
+                let needed = "a sphere blend has exactly one of `control` (a point of each sphere) and `normals`";
+                return Err(self.unfit(needed));
+            }
+        };
+        let blend = blend.and_then(SphereBlend::whole).map_err(|e| self.refused_blend(spec, &e))?;
+        for warning in blend.warnings() {
+            self.warn_at(if spec.control.is_some() { "control" } else { "normals" }, None, warning);
+        }
+        Ok(vec![TriangleSurface::from(blend).into()])
+    }
+
+    fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
+        let shape = if spec.control.is_some() { "control" } else { "normals" };
+        let error = if let KernelError::InTriangle { cause, .. } = error { cause } else { error };
+        let steps: Vec<Step> = match *error {
+            KernelError::ControlPointOnCircumcircle { corner, .. } => vec!["control".into(), corner.into()],
+            KernelError::UndefinedNormal { vertex, .. } if spec.normals.is_some() => {
+                vec!["normals".into(), vertex.into()]
+            }
+            KernelError::NotFinite { what: ErrorItem::Normal, index } => vec!["normals".into(), index.into()],
+            KernelError::OppositeSpheres { .. } | KernelError::PatchThroughInfinity { .. } => vec![shape.into()],
+            _ => vec!["corners".into()],
+        };
+        self.refused_at(steps, error)
     }
 }

@@ -1,14 +1,97 @@
 //! A circle of a torus.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
+use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_source::{NEAR, TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::objects::Builder;
+use crate::document::objects::contours::ContourFacts;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::TorusFields;
-use crate::document::objects::torus::blame_on_torus;
-use crate::document::spec::TorusCircleSpec;
 use crate::error::Result;
+
+/// A circle of a torus through a point of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// // Villarceau circles are as large as the middle of the tube.
+/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// assert!((length - 80.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["through"], "properties": { "at": false } },
+    { "required": ["at"], "properties": { "through": false, "tolerance": false } }
+]))]
+#[non_exhaustive]
+pub struct TorusCircleSpec {
+    /// The word `torus-circle`.
+    #[schemars(with = "String", extend("const" = "torus-circle"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    pub torus: TorusSource,
+    /// Which of the four circles through the point.
+    #[serde(default)]
+    pub family: FamilySpec,
+    /// The point, on or near the torus.
+    pub through: Option<Coordinates>,
+    /// Longitude and meridian angle of the point.
+    pub at: Option<[Angle; 2]>,
+    /// Distance within which the point must be near the torus. Default: a millionth of its major radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
+
+/// A family of circles on a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "family": "meridian", "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// assert!((length - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum FamilySpec {
+    /// Villarceau circles: longitude and meridian angle rise together.
+    #[default]
+    Villarceau,
+    /// Villarceau circles along which the meridian angle falls as the longitude rises.
+    MirrorVillarceau,
+    /// Round the axis.
+    Parallel,
+    /// Round the tube.
+    Meridian,
+}
+
+impl From<FamilySpec> for CircleFamily {
+    fn from(family: FamilySpec) -> Self {
+        match family {
+            FamilySpec::Villarceau => Self::Villarceau,
+            FamilySpec::MirrorVillarceau => Self::MirrorVillarceau,
+            FamilySpec::Parallel => Self::Parallel,
+            FamilySpec::Meridian => Self::Meridian,
+        }
+    }
+}
 
 impl Kind for TorusCircleSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -26,5 +109,30 @@ impl Kind for TorusCircleSpec {
             E::PointOnAxis { .. } | E::PointOnCoreCircle { .. } | E::PointOffTorus { .. } => Blame::Field(angles),
             _ => blame_on_torus(&TorusFields { angles, ..TorusFields::SPLINE }, error),
         })
+    }
+}
+
+impl Builder<'_> {
+    /// The place that a circle runs through, and how far its point was moved.
+    pub(in crate::document) fn place_of_circle(&self, spec: &TorusCircleSpec, torus: &Torus) -> Result<(Point2, f64)> {
+        match (spec.through, spec.at) {
+            (Some(through), None) => {
+                let tolerance = spec.tolerance.unwrap_or(NEAR * torus.major_radius());
+                let at = torus.locate(through.point(), tolerance).map_err(|e| self.refused(&e, None))?;
+                Ok((at, torus.distance(through.point()).abs()))
+            }
+            (None, Some(at)) if spec.tolerance.is_none() => Ok((place(torus, at), 0.0)),
+            (None, Some(_)) => Err(self.unfit("`tolerance` goes with `through`: angles are on the torus")),
+            _ => Err(self.unfit("a circle of a torus is given by a point: `through` or `at`")),
+        }
+    }
+
+    /// A circle of a torus.
+    pub(in crate::document) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
+        let torus = self.torus(&spec.torus)?;
+        let (at, moved) = self.place_of_circle(spec, &torus)?;
+        let circle: Circle = torus.circle(spec.family.into(), at).map_err(|e| self.refused(&e, None))?;
+        self.warn_of_move(moved, &torus, "through");
+        Ok((CurveObject::Circle(circle), ContourFacts::default()))
     }
 }

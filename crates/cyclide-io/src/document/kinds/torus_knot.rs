@@ -1,15 +1,47 @@
 //! A curve that runs evenly round a torus both ways.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
+use cyclide::{CurveObject, Point2, TorusSpline};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::TorusFields;
-use crate::document::objects::torus::blame_on_torus;
-use crate::document::spec::TorusKnotSpec;
 use crate::error::Result;
-use cyclide::CurveObject;
+
+/// A torus knot: the closed curve that runs evenly round the axis and round the tube of a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [2, 3]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].item.curves()[0].as_curve().is_closed());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct TorusKnotSpec {
+    /// The word `torus-knot`.
+    #[schemars(with = "String", extend("const" = "torus-knot"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    pub torus: TorusSource,
+    /// Turns round the axis and turns round the tube, without a common divisor; negative ones run the other way.
+    pub turns: [i32; 2],
+    /// Longitude and meridian angle of its start. Default `[0, 0]`.
+    pub start: Option<[Angle; 2]>,
+}
 
 impl Kind for TorusKnotSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -22,5 +54,14 @@ impl Kind for TorusKnotSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_on_torus(&TorusFields { angles: "start", turns: "turns", ..TorusFields::SPLINE }, error))
+    }
+}
+
+impl Builder<'_> {
+    /// A torus knot.
+    pub(in crate::document) fn torus_knot(&self, spec: &TorusKnotSpec) -> Result<TorusSpline> {
+        let torus = self.torus(&spec.torus)?;
+        let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
+        TorusSpline::knot(&torus, spec.turns, start).map_err(|e| self.refused(&e, None))
     }
 }

@@ -1,15 +1,52 @@
 //! A closed quartic of one type on a torus.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
+use cyclide::{CircleFamily, CurveObject, Error as E, ErrorItem as I, Point2, QuarticType, TorusSpline};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::kind::{Kind, Reference, Shape};
+use crate::document::kinds::torus_circle::FamilySpec;
+use crate::document::locate::Step;
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::TorusFields;
-use crate::document::objects::torus::blame_on_torus;
-use crate::document::spec::TorusQuarticSpec;
-use crate::error::Result;
-use cyclide::CurveObject;
+use crate::error::{Error, Result};
+
+/// A closed quartic of a torus of one of its six types: it runs once round two families of circles, along both at once.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "torus-quartic", "torus": {"major_radius": 40, "minor_radius": 15}, "families": ["parallel", "meridian"], "ratio": 3}}}"#.parse()?;
+/// let built = document.build()?;
+/// let curve = built[0].item.curves()[0].as_curve();
+/// // From the outer side of the tube, and back to it.
+/// assert!(curve.is_closed() && (curve.point(0.0).to_vec().length() - 55.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusQuarticSpec {
+    /// The word `torus-quartic`.
+    #[schemars(with = "String", extend("const" = "torus-quartic"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    pub torus: TorusSource,
+    /// Two different families of circles: the type.
+    pub families: [FamilySpec; 2],
+    /// How fast it runs along the second family at its start, for its speed along the first; negative ones run back. From 1/32 to 32.
+    pub ratio: f64,
+    /// Longitude and meridian angle of its start. Default `[0, 0]`.
+    pub start: Option<[Angle; 2]>,
+}
 
 impl Kind for TorusQuarticSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -25,6 +62,28 @@ impl Kind for TorusQuarticSpec {
         Some(match error {
             cyclide::Error::NotCoprime { .. } => Blame::Field("ratio"),
             _ => blame_on_torus(&fields, error),
+        })
+    }
+}
+
+impl Builder<'_> {
+    /// A closed quartic of one type.
+    pub(in crate::document) fn torus_quartic(&self, spec: &TorusQuarticSpec) -> Result<TorusSpline> {
+        let torus = self.torus(&spec.torus)?;
+        let [one, other] = spec.families.map(CircleFamily::from);
+        let Some(kind) = QuarticType::between(one, other) else {
+            let message = "a quartic runs along two different families of circles";
+            return Err(Error::Input(self.diagnostic([Step::from("families")], message)));
+        };
+        // The type has its families in their order: the ratio is that of the second one given.
+        let ratio = if kind.families() == [one, other] { spec.ratio } else { 1.0 / spec.ratio };
+        let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
+        TorusSpline::closed_quartic(&torus, kind, start, ratio).map_err(|e| match e {
+            // The range is that of its reciprocal too: said of what was typed.
+            E::ParameterOutOfRange { name: I::Ratio, min, max, .. } => {
+                self.refused(&E::ParameterOutOfRange { name: I::Ratio, value: spec.ratio, min, max }, None)
+            }
+            other => self.refused(&other, None),
         })
     }
 }

@@ -1,14 +1,54 @@
 //! A raised or sunk seam along a curve of a torus.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
-use super::kind::of;
+use cyclide::{Body, Error as E, ErrorItem as I, ShortNumber, SurfaceObject, TorusSeam};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
+use crate::document::kinds::kind::{Kind, Reference, Shape, of};
+use crate::document::locate::Step;
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::blame_seam;
-use crate::document::spec::TorusSeamSpec;
 use crate::error::Result;
+
+/// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.
+const SEAM: f64 = 1e-3;
+
+/// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "s": {"type": "torus-seam", "of": "k", "width": 3, "height": [-1, 1], "tolerance": 0.1}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[1].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct TorusSeamSpec {
+    /// The word `torus-seam`.
+    #[schemars(with = "String", extend("const" = "torus-seam"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`, which may be construction geometry.
+    pub of: String,
+    /// Width across the curve.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub width: f64,
+    /// From where to where it reaches, along the outward normal of the torus: negative below the surface.
+    pub height: [f64; 2],
+    /// Distance within which the edges follow the curve. Default: a thousandth of the width.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
 
 impl Kind for TorusSeamSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -21,5 +61,47 @@ impl Kind for TorusSeamSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_seam(error))
+    }
+}
+
+impl Builder<'_> {
+    /// Raised or sunk seams.
+    pub(in crate::document) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
+        let splines = self.splines_of_source("has a seam along it")?;
+        let tolerance = spec.tolerance.unwrap_or(SEAM * spec.width);
+        let refused = |e: cyclide::Error| self.refused(&e, None);
+        let seam = TorusSeam::new(spec.width, spec.height).map_err(refused)?;
+        let bodies: cyclide::Result<Vec<Body>> = splines.iter().map(|spline| seam.body(spline, tolerance)).collect();
+        let bodies = bodies.map_err(refused)?;
+        if let Some(([first, second], point)) = seam.first_meeting(&splines, tolerance).map_err(refused)? {
+            let [x, y, z] = point.to_array().map(ShortNumber);
+            let message = format!(
+                "the seams of the contours {first} and {second} run through each other at {x}, {y}, {z}: each is a body of its own, and volume and area count what they share twice; fuse them in CAD"
+            );
+            let place = self.place_of([Step::from("width")]);
+            self.remark("seams-meet", Some(second), None, place, message);
+        }
+        Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
+    }
+}
+
+/// Which value of a seam an error is about: what is not said of its fields is about its curve.
+pub(in crate::document) fn blame_seam(error: &cyclide::Error) -> Blame {
+    let fields = TorusFields { turns: "tolerance", ..TorusFields::SPLINE };
+    match error {
+        E::ZeroTangent { .. }
+        | E::NotFinite { what: I::Tangent | I::Knot, .. }
+        | E::CountDiffers { what: I::Tangent | I::Knot, .. }
+        | E::EmptyInterval { .. }
+        | E::Disconnected { .. }
+        | E::WeightNotPositive { .. }
+        | E::NotCoprime { .. }
+        | E::ParameterOutOfRange { name: I::Width | I::Height | I::Ratio, .. }
+        | E::RadiusNotPositive { .. }
+        | E::SeamMeetsItself { .. }
+        | E::SeamTooWide { .. }
+        | E::ToleranceNotPositive { .. }
+        | E::TooManyPieces { .. } => blame_on_torus(&fields, error),
+        _ => Blame::Field("of"),
     }
 }

@@ -1,23 +1,177 @@
 //! A smooth curve on a torus through points.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
-use crate::document::construct::Contour;
-use crate::document::coordinates::PointSource;
+use std::fmt;
+
+use cyclide::{
+    CurveObject, Error as E, ErrorItem as I, Lower as _, Point2, Torus, TorusSpline, TorusSplineOptions, TorusTangent,
+    TorusWinding, WaverRemedy,
+};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{Deserializer, SeqAccess, Visitor};
+
+use crate::document::coordinates::{Coordinates, PointSource};
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_numbers::{AnglePairs, FreeOr, RatePairs};
+use crate::document::kinds::fields::torus_source::{NEAR, TorusFields, TorusSource, blame_on_torus};
+use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::idle::Idle;
-use crate::document::objects::idle::in_torus_spline;
+use crate::document::objects::contours::{Contour, ContourFacts, Made};
+use crate::document::objects::idle::{Idle, found};
+use crate::document::objects::points::{Origin, Points};
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::TorusFields;
-use crate::document::objects::torus::blame_on_torus;
-use crate::document::objects::torus::is_given;
-use crate::document::objects::wavers::WaverData;
-use crate::document::objects::wavers::WaverRule;
-use crate::document::spec::TorusSplineSpec;
+use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
-use cyclide::CurveObject;
-use cyclide::WaverRemedy;
+use crate::input::points::{PointList, merge_repeated};
+
+/// A smooth curve on a torus through points near it, or through places given by two angles: rational quartics that lie exactly on the
+/// torus, C1 in their knots. There always is one: where directions turn back it makes a detour.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let curve = built[0].item.curves()[0].as_curve();
+/// // From the outer side of the tube.
+/// assert!((curve.point(0.0).to_vec().length() - 55.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["points"], "properties": { "angles": false } },
+    { "required": ["angles"], "properties": { "points": false, "tolerance": false } }
+]))]
+#[non_exhaustive]
+pub struct TorusSplineSpec {
+    /// The word `torus-spline`.
+    #[schemars(with = "String", extend("const" = "torus-spline"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    pub torus: TorusSource,
+    /// Points on or near the torus. Each is moved to the nearest point of the torus.
+    pub points: Option<PointSource>,
+    /// Longitude and meridian angle of each point.
+    pub angles: Option<AnglePairs>,
+    /// Distance within which points must be near the torus. Default: a millionth of its major radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Velocities in space, one for each point, by the knots: their length counts. What they have across the torus is left out;
+    /// `"free"` leaves a point its own.
+    pub tangents: Option<Vec<FreeOr<Coordinates>>>,
+    /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `"free"` leaves a
+    /// point its own.
+    pub rates: Option<RatePairs>,
+    /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, ….
+    pub knots: Option<Vec<f64>>,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Turns round the axis and round the tube of a closed curve; or a list of turns added to the shortest way, one pair for each
+    /// step. Default: the shortest way from point to point.
+    pub winding: Option<WindingSpec>,
+    /// Equal neighbouring points get a loop between them; else they are one point.
+    #[serde(default)]
+    pub loops: bool,
+    /// How the points are joined.
+    #[serde(default)]
+    pub method: TorusMethod,
+}
+
+/// How the points of a curve on a torus are joined.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.method, cyclide_io::kinds::TorusMethod::General);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TorusMethod {
+    /// By pieces of one type between two points where that will do, else by more. It always succeeds.
+    #[default]
+    General,
+    /// By two pieces of two types from each point to the next, so that directions may be along parallels and meridians in turn: closed,
+    /// with a direction at every point. Not all data have such a curve.
+    TwoTypes,
+}
+
+/// The turns of a curve on a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [3, 0]], "closed": true, "winding": [1, 2]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.winding, Some(cyclide_io::kinds::WindingSpec::Total([1, 2])));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
+#[schemars(untagged, rename = "Winding")]
+#[non_exhaustive]
+pub enum WindingSpec {
+    /// Round the axis and round the tube, in all.
+    Total([i32; 2]),
+    /// Added to the shortest way, for each step.
+    Each(Vec<[i32; 2]>),
+}
+
+impl<'de> Deserialize<'de> for WindingSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// What can stand in the list.
+        enum Cell {
+            Turns(i32),
+            Pair([i32; 2]),
+        }
+        struct CellVisitor;
+        impl CellVisitor {
+            const WHAT: &'static str = "a whole number of turns, or a pair of them";
+            fn turns<E: serde::de::Error>(turns: Option<i32>) -> Result<Cell, E> {
+                turns.map(Cell::Turns).ok_or_else(|| E::custom("more turns than anybody winds"))
+            }
+        }
+        impl<'de> Visitor<'de> for CellVisitor {
+            type Value = Cell;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(Self::WHAT)
+            }
+            fn visit_i64<E: serde::de::Error>(self, turns: i64) -> Result<Cell, E> {
+                Self::turns(i32::try_from(turns).ok())
+            }
+            fn visit_u64<E: serde::de::Error>(self, turns: u64) -> Result<Cell, E> {
+                Self::turns(i32::try_from(turns).ok())
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Cell, A::Error> {
+                <[i32; 2]>::deserialize(SeqAccessDeserializer::new(seq)).map(Cell::Pair)
+            }
+        }
+        impl<'de> Deserialize<'de> for Cell {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                deserializer.deserialize_any(CellVisitor)
+            }
+        }
+        let cells = Vec::<Cell>::deserialize(deserializer)?;
+        if let [Cell::Turns(round), Cell::Turns(tube)] = cells[..] {
+            return Ok(Self::Total([round, tube]));
+        }
+        let pair = |cell: Cell| match cell {
+            Cell::Pair(pair) => Ok(pair),
+            Cell::Turns(_) => Err(serde::de::Error::custom(
+                "`winding` is a pair of turns `[1, 2]`, or a list of such pairs, one for each step",
+            )),
+        };
+        cells.into_iter().map(pair).collect::<Result<_, _>>().map(Self::Each)
+    }
+}
 
 impl Kind for TorusSplineSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -69,6 +223,167 @@ impl Kind for TorusSplineSpec {
                 ))
             }
             _ => None,
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// The curves through points or through places given by angles.
+    pub(in crate::document) fn torus_spline(
+        &mut self,
+        spec: &TorusSplineSpec,
+    ) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        self.check_fields(spec)?;
+        let torus = self.torus(&spec.torus)?;
+        let construct = |at: &Contour<'_>| spline(spec, &torus, at);
+        let made = match (&spec.points, &spec.angles) {
+            (Some(points), None) => self.each_contour(points, spec.closed, construct),
+            (None, Some(angles)) => {
+                // As points in space repeated ones are found in the same way.
+                let points = angles.pairs.iter().map(|[a, b]| torus.point(torus.place_of_angles(*a, *b))).collect();
+                let lists = vec![PointList { points, ..PointList::default() }];
+                let field: &[&str] = if angles.in_degrees { &["angles", "degrees"] } else { &["angles"] };
+                let origin = Origin::Document { nested: false, field };
+                self.each_contour_of(Points { kept: vec![Vec::new()], lists, origin }, spec.closed, construct)
+            }
+            _ => Err(self.unfit("a `torus-spline` is given by `points` or by `angles`")),
+        }?;
+        let moved = made.iter().filter_map(|(_, facts)| facts.moved).fold(0.0, f64::max);
+        self.warn_of_move(moved, &torus, "points");
+        Ok(made)
+    }
+
+    /// Fields that do not go together.
+    fn check_fields(&self, spec: &TorusSplineSpec) -> Result<()> {
+        let two_types = spec.method == TorusMethod::TwoTypes;
+        let is_directed = spec.tangents.as_ref().is_some_and(|all| all.iter().all(|FreeOr(given)| given.is_some()))
+            || spec.rates.as_ref().is_some_and(|all| all.pairs.iter().all(Option::is_some));
+        let message = if spec.tangents.is_some() && spec.rates.is_some() {
+            "directions are given by `tangents` or by `rates`"
+        } else if matches!(spec.winding, Some(WindingSpec::Total(_))) && !spec.closed {
+            "a pair of turns is that of a closed curve: set `closed`, or give a list of pairs, one for each step"
+        } else if spec.angles.is_some() && spec.tolerance.is_some() {
+            "`tolerance` goes with `points`: angles are on the torus"
+        } else if two_types && !(spec.closed && is_directed) {
+            "the method `two-types` makes closed curves with a direction at every point: set `closed`, and give `tangents` or `rates`"
+        } else if two_types && (spec.knots.is_some() || spec.winding.is_some() || spec.loops) {
+            "the method `two-types` goes the shortest way with the knots 0, 1, 2, …: leave out `knots`, `winding` and `loops`"
+        } else {
+            return Ok(());
+        };
+        Err(self.unfit(message))
+    }
+}
+
+pub(in crate::document) fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let none_repeated = || merge_repeated(&mut at.list.clone(), spec.closed).kept.len() == at.kept.len();
+    found(&[("loops", spec.loops && none_repeated(), "no point repeats its neighbour")])
+}
+
+/// One contour of a spline.
+pub(in crate::document) fn spline(spec: &TorusSplineSpec, torus: &Torus, at: &Contour<'_>) -> Made {
+    let mut facts = at.facts(None);
+    let places: Vec<Point2> = if let Some(angles) = &spec.angles {
+        at.kept.iter().filter_map(|&i| angles.pairs.get(i)).map(|[a, b]| torus.place_of_angles(*a, *b)).collect()
+    } else {
+        let tolerance = spec.tolerance.unwrap_or(NEAR * torus.major_radius());
+        facts.moved = Some(at.list.points.iter().map(|p| torus.distance(*p).abs()).fold(0.0, f64::max));
+        torus.locate_all(&at.list.points, tolerance)?
+    };
+    let tangents = tangents(spec, torus, &places, at)?;
+    let made = if spec.method == TorusMethod::TwoTypes {
+        let rates: Vec<_> = tangents
+            .iter()
+            .zip(&places)
+            .map(|(tangent, place)| match tangent {
+                TorusTangent::Rate(rate) => *rate,
+                TorusTangent::Velocity(velocity) => torus.rate(*place, *velocity),
+                TorusTangent::Free => cyclide::Vec2::default(),
+            })
+            .collect();
+        TorusSpline::two_type_loop(torus, &places, &rates)?
+    } else {
+        let winding = match &spec.winding {
+            None => TorusWinding::Shortest,
+            Some(WindingSpec::Total(turns)) => TorusWinding::Total(*turns),
+            Some(WindingSpec::Each(turns)) => TorusWinding::PerSegment(turns.clone()),
+        };
+        let knots = spec.knots.as_ref().map_or_else(Vec::new, |knots| kept_knots(knots, spec.closed, at));
+        let options = TorusSplineOptions { closed: spec.closed, tangents, knots, winding, loops: spec.loops };
+        TorusSpline::through_places(torus, &places, &options)?
+    };
+    // What has no rational form would be in no file.
+    made.lower_to_chain(NEAR * torus.major_radius())?;
+    Ok((CurveObject::TorusSpline(made), facts, Vec::new()))
+}
+
+/// The directions of the points that are left after merging; empty if none is given.
+fn tangents(
+    spec: &TorusSplineSpec,
+    torus: &Torus,
+    places: &[Point2],
+    at: &Contour<'_>,
+) -> cyclide::Result<Vec<TorusTangent>> {
+    let velocity = |FreeOr(v): &FreeOr<Coordinates>, _: Point2| v.map(|v| TorusTangent::Velocity(v.vector()));
+    let rate = |r: &Option<[f64; 2]>, place| r.map(|r| TorusTangent::Rate(torus.rate_of_angles(place, r)));
+    match (&spec.tangents, &spec.rates) {
+        (Some(given), _) => of_kept(given, places, at, velocity),
+        (None, Some(given)) => of_kept(&given.pairs, places, at, rate),
+        (None, None) => Ok(Vec::new()),
+    }
+}
+
+/// Each point's own of a list for the points as given; what belongs to points that were merged away goes with them.
+fn of_kept<T>(
+    given: &[T],
+    places: &[Point2],
+    at: &Contour<'_>,
+    tangent: impl Fn(&T, Point2) -> Option<TorusTangent>,
+) -> cyclide::Result<Vec<TorusTangent>> {
+    let needed = at.kept.last().map_or(0, |last| last + 1).max(at.kept.len());
+    // The last point of a closed list may repeat the first.
+    if given.len() < needed || given.len() > needed + 1 {
+        return Err(E::CountDiffers { what: I::Tangent, given: given.len(), needed });
+    }
+    let own = at.kept.iter().zip(places).filter_map(|(&i, place)| given.get(i).map(|g| tangent(g, *place)));
+    Ok(own.map(Option::unwrap_or_default).collect())
+}
+
+/// The knots of the points that are left after merging, and that at the end of a closed curve.
+fn kept_knots(knots: &[f64], closed: bool, at: &Contour<'_>) -> Vec<f64> {
+    let needed = at.kept.last().map_or(0, |last| last + 1);
+    if at.kept.len() == needed {
+        return knots.to_vec();
+    }
+    let own = at.kept.iter().filter_map(|&i| knots.get(i).copied());
+    let end = knots.last().copied().filter(|_| closed && knots.len() > needed);
+    own.chain(end).collect()
+}
+
+/// True if a curve on a torus was given a direction there that is not zero.
+pub(in crate::document) fn is_given(spec: &TorusSplineSpec, index: usize) -> bool {
+    let given = spec.tangents.as_ref().and_then(|all| all.get(index)).and_then(|FreeOr(given)| *given);
+    given.is_some_and(|given| given.vector().length() > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windings_are_one_pair_or_a_list_of_pairs() {
+        let parse = |text: &str| serde_json::from_str::<WindingSpec>(text).map_err(|e| e.to_string());
+        assert_eq!(parse("[1,-2]"), Ok(WindingSpec::Total([1, -2])));
+        assert_eq!(parse("[[1,-2],[0,3]]"), Ok(WindingSpec::Each(vec![[1, -2], [0, 3]])));
+        for (text, message) in [
+            ("[1]", "`winding` is a pair of turns"),
+            ("[1,2,3]", "`winding` is a pair of turns"),
+            ("[1.5,2]", "expected a whole number of turns"),
+            ("[3000000000,2]", "more turns"),
+            ("[[1,2,3]]", "trailing characters"),
+        ] {
+            let error = parse(text).unwrap_err();
+            assert!(error.contains(message), "{text}: {error}");
         }
     }
 }

@@ -1,15 +1,84 @@
 //! A curve of a torus laid flat.
 
-use super::kind::Kind;
-use super::kind::Reference;
-use super::kind::Shape;
-use super::kind::of;
+use cyclide::{ArcPath, CurveObject, Torus, TorusMap, UnrollOptions};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::Angle;
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
+use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::Builder;
 use crate::document::objects::refuse::Blame;
-use crate::document::objects::torus::TorusFields;
-use crate::document::objects::torus::blame_on_torus;
-use crate::document::spec::UnrolledSpec;
 use crate::error::Result;
+
+/// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
+const FLAT: f64 = 1e-5;
+
+/// A curve of a torus laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the plane z = 0. Lines
+/// break where the curve crosses the cuts.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[1].item.curves()[0].as_curve().point(0.4).z == 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct UnrolledSpec {
+    /// The word `unrolled`.
+    #[schemars(with = "String", extend("const" = "unrolled"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`, which may be construction geometry.
+    pub of: String,
+    /// How the torus is laid flat.
+    #[serde(default)]
+    pub map: TorusMap,
+    /// Longitude and meridian angle of the cuts. Default: the longitude 0, and the inner side (half a turn).
+    pub seam: Option<[Angle; 2]>,
+    /// Distance within which arcs stand for the curve in the plane. Default: a hundred-thousandth of the width of the plane.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Adds the rectangle of the unrolled torus.
+    #[serde(default)]
+    pub border: bool,
+}
+
+/// What became of a curve of a torus when it was laid flat, over all its contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let plane = built[1].unrolled.expect("it is laid flat");
+/// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnrolledPlane {
+    /// The map.
+    pub map: TorusMap,
+    /// Width and height of the plane of the whole torus.
+    pub size: [f64; 2],
+    /// How often the curve was cut.
+    pub cuts: usize,
+    /// The least and the largest factor by which the map multiplies lengths round the axis, on the curve.
+    pub stretch: [f64; 2],
+    /// Length of the curve on the torus, and of all lines in the plane.
+    pub lengths: [f64; 2],
+    /// Distance within which arcs stand for the curve in the plane.
+    pub tolerance: f64,
+}
 
 impl Kind for UnrolledSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
@@ -23,4 +92,58 @@ impl Kind for UnrolledSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         Some(blame_on_torus(&TorusFields { angles: "seam", turns: "tolerance", ..TorusFields::SPLINE }, error))
     }
+}
+
+impl Builder<'_> {
+    /// Curves of a torus laid flat.
+    pub(in crate::document) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
+        let splines = self.splines_of_source("is laid flat with its torus")?;
+        let torus = *splines[0].torus();
+        let size = spec.map.size(&torus);
+        let mut options = UnrollOptions::new(spec.tolerance.unwrap_or(FLAT * size[0]));
+        options.map = spec.map;
+        options.seam = spec.seam.map_or(options.seam, |seam| seam.map(Angle::turn));
+        let mut plane = UnrolledPlane {
+            map: spec.map,
+            size,
+            cuts: 0,
+            stretch: [f64::INFINITY, 0.0],
+            lengths: [0.0; 2],
+            tolerance: options.tolerance,
+        };
+        let mut curves = Vec::new();
+        for spline in &splines {
+            let flat = spline.unroll(&options).map_err(|e| self.refused(&e, None))?;
+            plane.cuts += flat.cuts;
+            plane.stretch = [plane.stretch[0].min(flat.stretch[0]), plane.stretch[1].max(flat.stretch[1])];
+            plane.lengths = [plane.lengths[0] + flat.lengths[0], plane.lengths[1] + flat.lengths[1]];
+            curves.extend(flat.lines.into_iter().map(CurveObject::ArcPath));
+        }
+        if plane.cuts > 0 {
+            let (cuts, lines) = (plane.cuts, curves.len());
+            let counted = |count: usize, one: &str, more: &str| {
+                if count == 1 { one.to_owned() } else { format!("{count} {more}") }
+            };
+            let message = format!(
+                "the curve crosses the cuts of the torus {} and is {} in the plane: lines end at its border",
+                counted(cuts, "once", "times"),
+                counted(lines, "one line", "lines")
+            );
+            self.remark("cut-at-seam", None, None, None, message);
+        }
+        if spec.border {
+            curves.push(CurveObject::ArcPath(border(&torus, &options).map_err(|e| self.refused(&e, None))?));
+        }
+        self.unrolled = Some(plane);
+        Ok(curves)
+    }
+}
+
+/// The rectangle of the unrolled torus: longitudes from the cut on, meridian angles up to it.
+fn border(torus: &Torus, options: &UnrollOptions) -> cyclide::Result<ArcPath> {
+    let [width, height] = options.map.size(torus);
+    let corner = options.map.point(torus, torus.place_of_angles(options.seam[0], options.seam[1]));
+    let corners = [[0.0, -height], [width, -height], [width, 0.0], [0.0, 0.0]];
+    let points = corners.map(|[x, y]| cyclide::Point3::new(corner.x + x, corner.y + y, 0.0));
+    ArcPath::rounded_polyline(&points, true, &[0.0; 4])
 }

@@ -2,7 +2,7 @@
 
 use cyclide::{Arc, BlendSegment, CurveObject, ErrorItem, Vec3, bounds};
 
-use super::Builder;
+use crate::document::objects::Builder;
 use crate::error::Result;
 
 /// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
@@ -11,6 +11,29 @@ const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
 
 /// Roundings that the image of a curve without bends is across at least: below it its vertices are one point.
 const SMALLEST_IMAGE: f64 = 16.0 * f64::EPSILON;
+
+impl Builder<'_> {
+    /// Refuses a curve that has no shape where it is.
+    pub(in crate::document) fn check_place_of(&self, curve: &CurveObject, contour: usize) -> Result<()> {
+        match self.roundings_of_place(curve, contour) {
+            Some(roundings) => check_in_place(curve, roundings).map_err(|e| self.refused(&e, None)),
+            None => Ok(()),
+        }
+    }
+
+    /// How many roundings of its coordinates a curve must be across; `None` for one that is its vertices. An image is not: of
+    /// bends that a map made too small straight segments are left.
+    fn roundings_of_place(&self, curve: &CurveObject, contour: usize) -> Option<f64> {
+        if !is_its_vertices(curve) {
+            return Some(SMALLEST_IN_PLACE);
+        }
+        if !self.spec.kind().is_image() || matches!(curve, CurveObject::Circle(_)) {
+            return None;
+        }
+        let original = self.sources.first().and_then(|source| source.item.curves().get(contour));
+        Some(if original.is_none_or(is_its_vertices) { SMALLEST_IMAGE } else { SMALLEST_IN_PLACE })
+    }
+}
 
 /// True if the curve has no bends that rounding could be: polylines, which are their vertices, and circles, which are
 /// center and radius, say what they are at any place.
@@ -48,27 +71,4 @@ fn check_in_place(curve: &CurveObject, roundings: f64) -> cyclide::Result<()> {
         return Ok(());
     }
     Err(cyclide::Error::BelowRoundingOfPlace { what: ErrorItem::Curve, size, place, limit })
-}
-
-impl Builder<'_> {
-    /// Refuses a curve that has no shape where it is.
-    pub(in crate::document) fn check_place_of(&self, curve: &CurveObject, contour: usize) -> Result<()> {
-        match self.roundings_of_place(curve, contour) {
-            Some(roundings) => check_in_place(curve, roundings).map_err(|e| self.refused(&e, None)),
-            None => Ok(()),
-        }
-    }
-
-    /// How many roundings of its coordinates a curve must be across; `None` for one that is its vertices. An image is not: of
-    /// bends that a map made too small straight segments are left.
-    fn roundings_of_place(&self, curve: &CurveObject, contour: usize) -> Option<f64> {
-        if !is_its_vertices(curve) {
-            return Some(SMALLEST_IN_PLACE);
-        }
-        if !self.spec.kind().is_image() || matches!(curve, CurveObject::Circle(_)) {
-            return None;
-        }
-        let original = self.sources.first().and_then(|source| source.item.curves().get(contour));
-        Some(if original.is_none_or(is_its_vertices) { SMALLEST_IMAGE } else { SMALLEST_IN_PLACE })
-    }
 }

@@ -1,49 +1,17 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
-mod ball_centers;
-pub(in crate::document) mod block_checks;
-#[cfg(feature = "circular-mesh")]
-mod circular;
-mod conics;
-mod contact_blends;
-mod crossings;
-mod curve_places;
-mod curves;
-mod derived;
-mod grids;
-#[cfg(feature = "circular-mesh")]
-mod heights;
+pub(in crate::document) mod blocks;
+pub(in crate::document) mod contours;
+pub(in crate::document) mod curve_places;
+pub(in crate::document) mod cusps;
 pub(in crate::document) mod idle;
-mod motions;
-mod net_hints;
-mod net_layouts;
-mod nets;
-#[cfg(not(feature = "circular-mesh"))]
-mod no_principal;
-#[cfg(not(feature = "circular-mesh"))]
-mod not_circular;
-pub(in crate::document) mod nurbs;
-#[cfg(feature = "circular-mesh")]
-mod nurbs_surface;
-mod polygon_mesh;
-mod polyhedra;
-mod poses;
-#[cfg(feature = "circular-mesh")]
-mod principal;
-mod rail_sense;
-mod references;
+pub(in crate::document) mod points;
+pub(in crate::document) mod polygon_mesh;
+pub(in crate::document) mod rails;
+pub(in crate::document) mod references;
 pub(in crate::document) mod refuse;
-mod remark;
-mod remedies;
-mod smooth;
-mod surfaces;
-mod sweeps;
-mod swept;
-mod tees;
-pub(in crate::document) mod torus;
-mod transform;
-mod tubes;
-mod volumes;
+pub(in crate::document) mod remark;
+pub(in crate::document) mod sources;
 pub(in crate::document) mod wavers;
 
 use std::io;
@@ -53,28 +21,23 @@ use cyclide::{
     BallCenters, Body, CurveObject, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, QuadLayout, Seam,
     SurfaceObject, TeeBlendFacts,
 };
-#[cfg(feature = "circular-mesh")]
-use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 use super::Document;
-use super::construct::ContourFacts;
-use super::interpolate::InterpolationFacts;
-use super::kinds::Shape;
+use super::kinds::cyclidic_net::build::MeshNames;
+use super::kinds::kind::Shape;
+use super::kinds::transform::Unmapped;
+use super::kinds::{InterpolationFacts, ObjectSpec, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane};
 use super::locate::{Step, path_text, span_of};
-use super::spec::ObjectSpec;
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
-pub use idle::NO_EFFECT;
-use nets::MeshNames;
-pub use polyhedra::RoundedPolyhedron;
+use contours::ContourFacts;
 use references::{References, State};
-pub use remark::Remark;
-pub use smooth::SmoothChoice;
-pub use torus::UnrolledPlane;
-pub(crate) use transform::Unmapped;
-pub use tubes::TubeFacts;
+use remark::Remark;
+
+#[cfg(feature = "circular-mesh")]
+use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 /// An object made by its construction, with what is known about it besides its geometry.
 ///

@@ -2,8 +2,8 @@
 
 use cyclide::{Point3, ShortNumber, Units};
 
-use super::Builder;
-use crate::document::spec::PolygonMeshFile;
+use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
+use crate::document::objects::Builder;
 use crate::error::{Error, Result};
 use crate::formats::{InputKind, MeshFormat, ReadMesh};
 use crate::input::polygon_mesh::PolygonMesh;

@@ -2,13 +2,12 @@
 
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
-use super::curves::{Origin, Points};
-use super::{Builder, Remark};
 use crate::document::angle::Angle;
-use crate::document::coordinates::Coordinates;
-use crate::document::kinds::Kind;
+use crate::document::kinds::kind::Kind;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ContactBlendSpec, PipeCrossingSpec, TubeSpec};
+use crate::document::objects::Builder;
+use crate::document::objects::points::{Origin, Points};
+use crate::document::objects::remark::Remark;
 use crate::error::{Error, of_contour};
 use crate::text::place::Source;
 
@@ -141,18 +140,6 @@ fn corner_angle_words(angle: Angle, radians: f64) -> String {
     }
 }
 
-/// The directions of a frame may have any length; only the angle between them can be wrong.
-pub(in crate::document) fn frame_words(frame: [Coordinates; 2]) -> String {
-    let [a, b] = frame.map(|direction| direction.vector().unit());
-    match (a, b) {
-        (Some(a), Some(b)) => {
-            let off = (90.0 - a.dot(b).clamp(-1.0, 1.0).acos().to_degrees()).abs();
-            format!("the directions of the frame must be perpendicular: they are {} degrees off", ShortNumber(off))
-        }
-        _ => "the directions of the frame must not be zero".to_owned(),
-    }
-}
-
 /// The point that a refused coordinate belongs to: the one that is farthest out.
 fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
     let cyclide::Error::ParameterOutOfRange { name: ErrorItem::Coordinate, value, .. } = *error else { return None };
@@ -160,7 +147,7 @@ fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
 }
 
 /// Which value of an object an error of the kernel is about.
-fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Blame {
+pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Blame {
     kind.blame(error).or_else(|| blame_by_word(error)).or_else(|| kind.blame_otherwise()).unwrap_or_else(|| {
         use cyclide::{Error as E, ErrorItem as I};
         match *error {
@@ -207,113 +194,4 @@ pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
     let is_tangent =
         matches!(error, E::NotFinite { what: I::Tangent, .. } | E::ZeroTangent { .. } | E::TangentOpposesChord { .. });
     is_tangent.then_some(Blame::Field("ends"))
-}
-
-/// As [`blame`], of tees.
-pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
-    match error {
-        E::TeeBranchTooWide { branch, .. }
-        | E::TeeBlendTooLarge { branch, .. }
-        | E::TeeLawOnEqualPipes { branch, .. }
-        | E::TeeBlendFolds { branch, .. }
-        | E::TeeHoleFolds { branch, .. }
-        | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
-        E::InBranch { branch, what, .. } => Blame::FieldOfEntry("branches", *branch, what.word()),
-        E::TeePipeTooShort { .. }
-        | E::PipeEndsReversed { .. }
-        | E::RadiusNotPositive { .. }
-        | E::ConeReachesApex { .. }
-        | E::ParameterOutOfRange { name: I::Taper, .. }
-        | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
-        E::TeeBranchesMeet { second, .. }
-        | E::TeeBranchesTooNear { second, .. }
-        | E::TeeEqualBranchesNotOpposite { second, .. }
-        | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
-        E::NotFinite { index, .. } => Blame::Entry("branches", *index),
-        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
-        _ => Blame::Field("branches"),
-    }
-}
-
-/// As [`blame`], of crossings of pipes.
-pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
-    match error {
-        E::PipeEndsReversed { pipe, .. }
-        | E::CrossingPipeTooShort { pipe, .. }
-        | E::CrossingHoleTooWide { pipe, .. }
-        | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
-        E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
-        E::NotFinite { what: I::Taper, index } => Blame::Entry("pipes", *index),
-        E::CrossingNeedsCylinders { what, .. } => Blame::Field(what.word()),
-        E::AngleOutOfRange { .. } if spec.angle.is_some() => Blame::Field(I::Angle.word()),
-        E::RadiusTooSmall { .. }
-        | E::CrossingBallTooLarge { .. }
-        | E::CoincidentPoints { .. }
-        | E::TooFewPoints { .. }
-        | E::BelowRoundingOfPlace { .. }
-        | E::CrossingFolds { .. }
-        | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
-        E::RadiusNotPositive { .. } | E::ConeReachesApex { .. } => {
-            match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
-                Some(pipe) => Blame::Entry("pipes", pipe),
-                None => Blame::Field("blend"),
-            }
-        }
-        E::CrossingAxesTooNear { .. }
-        | E::CrossingPipesApart { .. }
-        | E::NotTimelikePair { .. }
-        | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
-        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
-        _ => Blame::Field("pipes"),
-    }
-}
-
-/// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
-pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
-    match error {
-        E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
-            Blame::Field("blend")
-        }
-        E::RadiusNotPositive { .. } if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 => {
-            Blame::Field("blend")
-        }
-        E::RadiusNotPositive { .. }
-            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0)
-                && spec.sphere.is_some_and(|sphere| sphere <= 0.0) =>
-        {
-            Blame::Field("sphere")
-        }
-        E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
-        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. } => Blame::Field(name.word()),
-        _ => Blame::Field(if spec.ring.is_some() { "ring" } else { "tube" }),
-    }
-}
-
-/// As [`blame`], of tubes.
-pub(in crate::document) fn blame_tube(spec: &TubeSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
-    let through = spec.balls.is_some();
-    match error {
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. } => Blame::Field(name.word()),
-        E::CornerNotMitred { .. } | E::ArcThroughInfinity { .. } => Blame::Field("of"),
-        E::TubeRadiusVanishes { piece, .. } | E::TubeFolds { piece, .. } if through => Blame::Entry("balls", *piece),
-        E::NotFinite { index, .. } if through => Blame::Entry("balls", *index),
-        _ if through => error.index().map_or(Blame::Field("balls"), |index| Blame::Entry("balls", index)),
-        _ => Blame::Field("radius"),
-    }
-}
-
-/// Whether the distance of an offset is at fault, in the whole of it or in one of its quads.
-pub(in crate::document) fn is_of_distance(error: &cyclide::Error) -> bool {
-    use cyclide::Error as E;
-    match error {
-        E::InQuad { cause, .. } => is_of_distance(cause),
-        E::OffsetOnFocalSet { .. } | E::OffsetNotRegular { .. } | E::NotAShell { .. } => true,
-        _ => false,
-    }
 }

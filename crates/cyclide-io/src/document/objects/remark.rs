@@ -2,8 +2,8 @@
 
 use cyclide::{ShortNumber, Units, Warning};
 
-use super::Builder;
 use crate::document::locate::{Step, path_text};
+use crate::document::objects::Builder;
 
 /// A warning with its place in the input.
 ///

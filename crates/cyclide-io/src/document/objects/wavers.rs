@@ -2,8 +2,8 @@
 
 use cyclide::{CurveObject, Point3, RoundedTurns, Warning, WaverRemedy, Wavering, wavering, wavering_against};
 
-use super::Builder;
-use crate::document::construct::ContourFacts;
+use crate::document::objects::Builder;
+use crate::document::objects::contours::ContourFacts;
 
 /// What a curve is held against.
 #[derive(Clone, Copy, PartialEq)]

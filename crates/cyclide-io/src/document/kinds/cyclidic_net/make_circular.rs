@@ -1,0 +1,202 @@
+//! How the vertices of a net are moved so that every quad has a circle, field by field.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Whether the vertices of a net are moved so that every quad has a circle, and what its border may do.
+///
+/// ```
+/// use cyclide_io::kinds::MakeCircularSpec;
+/// let read: MakeCircularSpec = serde_json::from_str(r#"true"#)?;
+/// assert_eq!(read, MakeCircularSpec::Switch(true));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "MakeCircular")]
+#[non_exhaustive]
+pub enum MakeCircularSpec {
+    /// Yes with the usual options, or no (the default).
+    Switch(bool),
+    /// Yes, with these options.
+    Options(MakeCircularOptions),
+}
+
+impl Default for MakeCircularSpec {
+    fn default() -> Self {
+        Self::Switch(false)
+    }
+}
+
+/// How the vertices of a net are moved.
+///
+/// ```
+/// use cyclide_io::kinds::{MakeCircularOptions, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"max_steps": 50}"#)?;
+/// let expected = MakeCircularOptions { max_steps: Some(50), ..Default::default() };
+/// assert_eq!(read, MakeCircularSpec::Options(expected));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MakeCircularOptions {
+    /// What the vertices on the border may do.
+    #[serde(default)]
+    pub border: BorderSpec,
+    /// Steps after which the search is given up. Default: 500.
+    #[schemars(range(min = 1))]
+    pub max_steps: Option<u32>,
+    /// Whether to go on with a net that has lost the shape of its grid (default false: it is refused).
+    #[serde(default)]
+    pub allow_shape_change: bool,
+}
+
+/// What the border of a net may do: a word, or curves to slide on.
+///
+/// ```
+/// use cyclide_io::kinds::{BorderSpec, BorderWord, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": "pinned"}"#)?;
+/// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
+/// assert_eq!(options.border, BorderSpec::Word(BorderWord::Pinned));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Border")]
+#[non_exhaustive]
+pub enum BorderSpec {
+    /// Every side alike.
+    Word(BorderWord),
+    /// Sides slide on curves of the model.
+    Curves(BorderCurves),
+}
+
+impl Default for BorderSpec {
+    fn default() -> Self {
+        Self::Word(BorderWord::Free)
+    }
+}
+
+/// What every side of a border may do.
+///
+/// ```
+/// use cyclide_io::kinds::BorderWord;
+/// assert_eq!(serde_json::from_str::<BorderWord>(r#""pinned""#)?, BorderWord::Pinned);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum BorderWord {
+    /// Border vertices move like the others.
+    #[default]
+    Free,
+    /// Border vertices stay where they are.
+    Pinned,
+}
+
+/// Names of curves of the model on which the sides of a border slide; a side that is left out is free. Rows run along
+/// s and columns along t: for a grid from a file see the field `frame` of the net.
+///
+/// ```
+/// use cyclide_io::kinds::{BorderCurves, BorderSpec, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": {"first_row": "eaves"}}"#)?;
+/// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
+/// let curves = BorderCurves { first_row: Some("eaves".to_owned()), ..Default::default() };
+/// assert_eq!(options.border, BorderSpec::Curves(curves));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BorderCurves {
+    /// Curve of the first row, t = 0.
+    pub first_row: Option<String>,
+    /// Curve of the last row, t = 1.
+    pub last_row: Option<String>,
+    /// Curve of the first column, s = 0.
+    pub first_column: Option<String>,
+    /// Curve of the last column, s = 1.
+    pub last_column: Option<String>,
+}
+
+impl BorderCurves {
+    /// The fields by name, in the kernel's order of sides: t = 0, t = 1, s = 0, s = 1.
+    pub(in crate::document) fn sides(&self) -> [(&'static str, Option<&str>); 4] {
+        [
+            ("first_row", self.first_row.as_deref()),
+            ("last_row", self.last_row.as_deref()),
+            ("first_column", self.first_column.as_deref()),
+            ("last_column", self.last_column.as_deref()),
+        ]
+    }
+}
+
+impl MakeCircularSpec {
+    /// The options, if the vertices are to be moved.
+    pub(in crate::document) fn options(&self) -> Option<MakeCircularOptions> {
+        match self {
+            Self::Switch(false) => None,
+            Self::Switch(true) => Some(MakeCircularOptions::default()),
+            Self::Options(options) => Some(options.clone()),
+        }
+    }
+
+    /// True if every vertex of the border may move anywhere.
+    pub(in crate::document) fn border_is_free(&self) -> bool {
+        match self {
+            Self::Switch(_) => true,
+            Self::Options(options) => options.border == BorderSpec::default(),
+        }
+    }
+
+    /// True if the border stays where it is.
+    pub(in crate::document) fn border_is_pinned(&self) -> bool {
+        matches!(self, Self::Options(MakeCircularOptions { border: BorderSpec::Word(BorderWord::Pinned), .. }))
+    }
+
+    /// The curves on which sides slide.
+    pub(in crate::document) fn border_curves(&self) -> Option<&BorderCurves> {
+        match self {
+            Self::Options(MakeCircularOptions { border: BorderSpec::Curves(curves), .. }) => Some(curves),
+            _ => None,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for MakeCircularSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct SwitchVisitor;
+        impl<'de> serde::de::Visitor<'de> for SwitchVisitor {
+            type Value = MakeCircularSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("true, false or options `{\"border\": …}`")
+            }
+            fn visit_bool<E>(self, on: bool) -> Result<MakeCircularSpec, E> {
+                Ok(MakeCircularSpec::Switch(on))
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<MakeCircularSpec, A::Error> {
+                let map = serde::de::value::MapAccessDeserializer::new(map);
+                MakeCircularOptions::deserialize(map).map(MakeCircularSpec::Options)
+            }
+        }
+        deserializer.deserialize_any(SwitchVisitor)
+    }
+}
+
+impl<'de> Deserialize<'de> for BorderSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct BorderVisitor;
+        impl<'de> serde::de::Visitor<'de> for BorderVisitor {
+            type Value = BorderSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"free\", \"pinned\" or curves by side `{\"first_row\": NAME, …}`")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<BorderSpec, E> {
+                BorderWord::deserialize(serde::de::value::StrDeserializer::new(word)).map(BorderSpec::Word)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<BorderSpec, A::Error> {
+                let map = serde::de::value::MapAccessDeserializer::new(map);
+                BorderCurves::deserialize(map).map(BorderSpec::Curves)
+            }
+        }
+        deserializer.deserialize_any(BorderVisitor)
+    }
+}

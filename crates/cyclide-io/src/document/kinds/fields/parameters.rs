@@ -1,0 +1,123 @@
+//! Parameters and vectors of curves through points.
+
+use std::fmt;
+
+use cyclide::{ErrorItem, NodeParameters, Vec3};
+use schemars::JsonSchema;
+use serde::de::{Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
+
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::fields::torus_numbers::FreeOr;
+use crate::document::kinds::moebius_spline::MoebiusSplineSpec;
+use crate::document::objects::contours::Contour;
+
+/// Parameters by a rule, or one by one.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "parameters": [0, 0.2, 1], "points": [[0, 0], [1, 1], [3, 0]]}}}"#.parse()?;
+/// let curve = document.build()?;
+/// assert!((curve[0].item.curves()[0].as_curve().point(0.2).x - 1.0).abs() < 1e-14);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Parameters")]
+pub enum ParametersSpec {
+    /// By a rule.
+    Rule(ParameterRule),
+    /// These; of a `qb-interpolation` in `[0, 1]`, in any order.
+    Each(Vec<f64>),
+}
+
+/// How parameters follow from points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "parameters": "uniform", "points": [[0, 0], [1, 1], [3, 0]]}}}"#.parse()?;
+/// assert!((document.build()?[0].item.curves()[0].as_curve().point(0.5).x - 1.0).abs() < 1e-14);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ParameterRule {
+    /// As `chord`, of points in one plane as `centripetal`.
+    #[default]
+    Auto,
+    /// By the distances of the points.
+    Chord,
+    /// By the square roots of their distances.
+    Centripetal,
+    /// Evenly.
+    Uniform,
+}
+
+impl Default for ParametersSpec {
+    fn default() -> Self {
+        Self::Rule(ParameterRule::default())
+    }
+}
+
+impl<'de> Deserialize<'de> for ParametersSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ParametersVisitor)
+    }
+}
+
+struct ParametersVisitor;
+
+impl<'de> Visitor<'de> for ParametersVisitor {
+    type Value = ParametersSpec;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("`auto`, `chord`, `centripetal`, `uniform`, or a list of numbers")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<ParametersSpec, E> {
+        ParameterRule::deserialize(serde::de::value::StrDeserializer::new(word)).map(ParametersSpec::Rule)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<ParametersSpec, A::Error> {
+        let mut all = Vec::new();
+        while let Some(parameter) = list.next_element()? {
+            all.push(parameter);
+        }
+        Ok(ParametersSpec::Each(all))
+    }
+}
+
+/// Those given go with the points as given; `more` follow them.
+pub(in crate::document) fn node_parameters(spec: &ParametersSpec, at: &Contour<'_>, more: usize) -> NodeParameters {
+    match spec {
+        ParametersSpec::Rule(ParameterRule::Auto) => NodeParameters::Automatic,
+        ParametersSpec::Rule(ParameterRule::Chord) => NodeParameters::Chord,
+        ParametersSpec::Rule(ParameterRule::Centripetal) => NodeParameters::Centripetal,
+        ParametersSpec::Rule(ParameterRule::Uniform) => NodeParameters::Uniform,
+        ParametersSpec::Each(given) => {
+            let points = given_count(at);
+            if given.len() != points + more {
+                return NodeParameters::Given(given.clone());
+            }
+            let own = at.kept.iter().filter_map(|&i| given.get(i)).copied();
+            NodeParameters::Given(own.chain(given[points..].iter().copied()).collect())
+        }
+    }
+}
+
+/// Points of the list as given, up to the last one that was kept.
+fn given_count(at: &Contour<'_>) -> usize {
+    at.kept.last().map_or(0, |last| last + 1)
+}
+
+pub(in crate::document) fn tangents(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> cyclide::Result<Vec<Option<Vec3>>> {
+    let Some(given) = &spec.tangents else { return Ok(Vec::new()) };
+    let needed = given_count(at);
+    if given.len() != needed {
+        return Err(cyclide::Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
+    }
+    Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|FreeOr(t)| t.map(Coordinates::vector)).collect())
+}
+
+pub(in crate::document) fn vectors(list: &[Coordinates]) -> Vec<Vec3> {
+    list.iter().map(|v| v.vector()).collect()
+}

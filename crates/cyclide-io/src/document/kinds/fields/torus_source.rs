@@ -1,0 +1,240 @@
+//! The torus that a curve lies on: given in place, or another object.
+
+use std::fmt;
+
+use cyclide::{CurveObject, Error as E, ErrorItem as I, Point2, ShortNumber, Torus, TorusSpline};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, MapAccess, Visitor};
+
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::ObjectSpec;
+use crate::document::kinds::cyclide::CyclideSpec;
+use crate::document::kinds::fields::frame::frame_of_axes;
+use crate::document::kinds::transform::steps::map_of;
+use crate::document::locate::Step;
+use crate::document::objects::Builder;
+use crate::document::objects::refuse::Blame;
+use crate::error::{Error, Result};
+
+/// Distance within which points must be near the torus where nothing is said, as part of its major radius: more than the rounding
+/// of coordinates with six digits after the point, less than anybody sees.
+pub(in crate::document) const NEAR: f64 = 1e-6;
+
+/// A ring torus: a tube about a circle.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 3, "minor_radius": 1, "center": [0, 0, 5]}, "family": "parallel", "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let point = built[0].item.curves()[0].as_curve().point(0.0);
+/// assert!((point.x - 4.0).abs() < 1e-12 && (point.z - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Torus")]
+#[non_exhaustive]
+pub struct TorusSpec {
+    /// Radius of the circle that the middle of the tube follows.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub major_radius: f64,
+    /// Radius of the tube, less than that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub minor_radius: f64,
+    /// Where the centre is. Default: the origin.
+    pub center: Option<Coordinates>,
+    /// Axis of the torus, of any length. Default `[0, 0, 1]`.
+    pub axis: Option<Coordinates>,
+    /// Direction of the longitude 0, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another axis the direction nearest
+    /// to it.
+    pub x_direction: Option<Coordinates>,
+}
+
+/// The torus of a curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"ring": {"type": "cyclide", "a": 40, "mu": 15}, "k": {"type": "torus-knot", "torus": "ring", "turns": [2, 3]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusKnot(spec) = &document.objects[1].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.torus, cyclide_io::kinds::TorusSource::Named("ring".to_owned()));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "TorusSource")]
+pub enum TorusSource {
+    /// Its radii and its place.
+    Here(TorusSpec),
+    /// Name of a `cyclide` with `c` = 0, or of a `transform` of one that is a similarity.
+    Named(String),
+}
+
+impl TorusSource {
+    /// The name of an object, if it is one, with its path.
+    pub(in crate::document) fn reference(&self) -> Vec<(Vec<Step>, &str)> {
+        self.name().map(|name| (vec![Step::from("torus")], name)).into_iter().collect()
+    }
+
+    /// The name of the object, if it is one.
+    pub(in crate::document) fn name(&self) -> Option<&str> {
+        match self {
+            Self::Here(_) => None,
+            Self::Named(name) => Some(name),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TorusSource {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct TorusVisitor;
+        impl<'de> Visitor<'de> for TorusVisitor {
+            type Value = TorusSource;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide` or of its `transform`",
+                )
+            }
+            fn visit_str<E>(self, name: &str) -> Result<TorusSource, E> {
+                Ok(TorusSource::Named(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TorusSource, A::Error> {
+                TorusSpec::deserialize(MapAccessDeserializer::new(map)).map(TorusSource::Here)
+            }
+        }
+        deserializer.deserialize_any(TorusVisitor)
+    }
+}
+
+/// What the values of a curve on a torus are called.
+pub(in crate::document) struct TorusFields {
+    /// Its directions, and its places as angles.
+    pub directions: &'static str,
+    pub angles: &'static str,
+    /// Numbers of turns.
+    pub turns: &'static str,
+    /// It was given knots.
+    pub knots: bool,
+}
+
+impl TorusFields {
+    /// Those of a spline.
+    pub const SPLINE: Self = Self { directions: "tangents", angles: "angles", turns: "winding", knots: false };
+}
+
+impl Builder<'_> {
+    /// The torus that a curve lies on.
+    pub(in crate::document) fn torus(&self, source: &TorusSource) -> Result<Torus> {
+        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
+        match source {
+            TorusSource::Here(spec) => frame_of_axes(spec.center, spec.axis, spec.x_direction)
+                .and_then(|frame| Torus::new(frame, spec.major_radius, spec.minor_radius))
+                .map_err(refused),
+            TorusSource::Named(name) => self.named_torus(name),
+        }
+    }
+
+    /// The torus that an object is: a `cyclide` with `c` = 0, or its image under a `transform` that keeps it a torus.
+    fn named_torus(&self, name: &str) -> Result<Torus> {
+        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
+        let unfit = |message: String| Error::Input(self.diagnostic([Step::from("torus")], &message));
+        let named = self.document.objects.iter().find(|(other, _)| other == name).map(|(_, spec)| spec);
+        match named {
+            Some(ObjectSpec::Cyclide(CyclideSpec { a, c: 0.0, mu, center, axis, x_direction, .. })) => {
+                frame_of_axes(*center, *axis, *x_direction)
+                    .and_then(|frame| Torus::new(frame, *a, *mu))
+                    .map_err(refused)
+            }
+            Some(ObjectSpec::Cyclide(CyclideSpec { c, .. })) => {
+                Err(unfit(format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0")))
+            }
+            Some(ObjectSpec::Transform(spec)) => {
+                let mut torus = self.named_torus(&spec.of)?;
+                for (index, step) in spec.steps.iter().enumerate() {
+                    let map = map_of(step).map_err(refused)?;
+                    if !map.is_similarity() {
+                        return Err(unfit(format!(
+                            "step {index} of the `transform` `{name}` is no similarity: a torus stays one where it is moved, turned, scaled or mirrored"
+                        )));
+                    }
+                    torus = torus.similar(&map).map_err(refused)?;
+                }
+                Ok(torus)
+            }
+            other => {
+                let kind = other.map_or("", ObjectSpec::type_word);
+                Err(unfit(format!(
+                    "`{name}` is of type `{kind}`: a torus is a `cyclide` with `c` = 0, or a `transform` of one"
+                )))
+            }
+        }
+    }
+
+    /// Says that points were moved by more than rounding.
+    pub(in crate::document) fn warn_of_move(&mut self, moved: f64, torus: &Torus, field: &str) {
+        if moved <= NEAR * torus.major_radius() {
+            return;
+        }
+        let place = self.place_of([Step::from(field)]);
+        let message = format!(
+            "points are up to {} away from the torus: each was moved to the nearest point of it",
+            ShortNumber(moved)
+        );
+        self.remark("moved-onto-torus", None, None, place, message);
+    }
+
+    /// The splines that the source consists of, one at least; a circle of a torus as the spline of arcs that it is.
+    pub(in crate::document) fn splines_of_source(&self, needed: &str) -> Result<Vec<TorusSpline>> {
+        let name = self.sources.first().map(|source| &source.item.name);
+        let spec = self.document.objects.iter().find(|(other, _)| Some(other) == name).map(|(_, spec)| spec);
+        if let Some(ObjectSpec::TorusCircle(circle)) = spec {
+            let torus = self.torus(&circle.torus)?;
+            let (at, _) = self.place_of_circle(circle, &torus)?;
+            let spline = TorusSpline::circle(&torus, circle.family.into(), at);
+            return Ok(vec![spline.map_err(|e| self.refused(&e, None))?]);
+        }
+        let source = self.sources.first().map_or(&[][..], |source| source.item.curves());
+        let on_torus = |curve: &CurveObject| match curve {
+            CurveObject::TorusSpline(spline) => Some(spline.clone()),
+            _ => None,
+        };
+        let splines: Vec<TorusSpline> = source.iter().map_while(on_torus).collect();
+        if splines.is_empty() || splines.len() < source.len() {
+            let message = format!("only a `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle` {needed}");
+            return Err(self.wrong_source(&message));
+        }
+        Ok(splines)
+    }
+}
+
+/// The place at a longitude and a meridian angle; whole turns do not matter.
+pub(in crate::document) fn place(torus: &Torus, [longitude, meridian]: [Angle; 2]) -> Point2 {
+    torus.place_of_angles(longitude.turn(), meridian.turn())
+}
+
+/// Which value of a curve on a torus an error of the kernel is about.
+pub(in crate::document) fn blame_on_torus(fields: &TorusFields, error: &cyclide::Error) -> Blame {
+    let TorusFields { directions, angles, turns, knots } = *fields;
+    match error {
+        E::ZeroTangent { index } | E::NotFinite { what: I::Tangent, index } => Blame::Entry(directions, *index),
+        E::CountDiffers { what: I::Tangent, .. } => Blame::Field(directions),
+        E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
+        E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
+        E::EmptyInterval { index, .. } if knots => Blame::Entry("knots", index + 1),
+        E::EmptyInterval { .. } => Blame::Field(directions),
+        E::Disconnected { .. } | E::WeightNotPositive { .. } => Blame::Field("torus"),
+        E::NotCoprime { .. } => Blame::Field("turns"),
+        E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),
+        E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } | E::SeamTooWide { .. } => Blame::Field("width"),
+        E::NoTwoTypeSolution { .. } => Blame::Field("method"),
+        E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
+        E::CountDiffers { what: I::Winding, .. } => Blame::Field("winding"),
+        E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => Blame::Field(turns),
+        E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => {
+            Blame::Field(if knots { "knots" } else { directions })
+        }
+        E::ParameterOutOfRange { name: I::Angle, .. } | E::NotFinite { what: I::Angle, .. } => Blame::Field(angles),
+        _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}

@@ -1,0 +1,551 @@
+//! A motion of a body, through poses or along a curve.
+
+mod poses;
+
+use cyclide::{
+    BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, DecoupledMotion, ErrorItem, FairSplineOptions, Motion,
+    MotionTolerance, MovingBody, Outliers, Pose, PoseTimes, Quat, RationalMotion, ScrewMotion, ShortNumber, TimeLaw,
+    TimedPose, Vec3,
+};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::angle::{Angle, ThreeAngles, three_angles};
+use crate::document::coordinates::Coordinates;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
+use crate::document::kinds::kind::{Kind, Reference, Shape};
+use crate::document::kinds::{ObjectSpec, TypeWord};
+use crate::document::locate::Step;
+use crate::document::matrix::{MatrixRows, matrix_rows};
+use crate::document::objects::Builder;
+use crate::document::objects::idle::NO_EFFECT;
+use crate::error::{Error, Result};
+
+/// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
+pub(in crate::document) const AT_REST: f64 = 64.0 * f64::EPSILON;
+
+/// A motion of a rigid body, through poses or along a curve: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
+/// `trajectory` and `swept-surface` are made of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [
+///     {"position": [0, 0, 0]}, {"position": [30, 0, 10], "rpy": [0, 0, {"degrees": 90}]}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.motion().expect("it is one").duration(), 1.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MotionSpec {
+    /// The word `motion`.
+    #[schemars(with = "String", extend("const" = "motion"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// How the body goes from pose to pose. Default `spline`.
+    pub kind: Option<MotionKind>,
+    /// The poses, or a file of them; or `along` instead.
+    pub poses: Option<PoseSource>,
+    /// The motion comes back to its first pose and goes on as it began, joined as smoothly as within: of a `spline`, of `linear`, and with `positions` or a
+    /// `tolerance`. The last pose may repeat the first; with times it does (with a `tolerance`, within twice that), since its time says when the motion is back. Default false.
+    #[serde(default)]
+    pub closed: bool,
+    /// Of `linear`: how far from a pose the body may be where it leaves the straight line to it, and where it takes the next one, on a parabola between. Both are
+    /// equally long in time, before the pose and after it: on the line where it is faster it is so far, on the other one nearer. It then does not stop at the
+    /// poses, and passes beside them. Default 0, at the poses.
+    #[schemars(extend("minimum" = 0))]
+    pub blend_radius: Option<f64>,
+    /// Instead of `kind`: the curve through the positions of the poses on which the origin of the body runs, C1 in time, while it turns on a C1 spline
+    /// of its own that runs beyond no pose.
+    pub positions: Option<PositionCurve>,
+    /// Instead of `kind`, for noisy poses: the smoothest motion within these tolerances of them, C2 in time.
+    pub tolerance: Option<PoseTolerance>,
+    /// With a `tolerance`: what becomes of poses that do not belong to the others. They are named in any case. Default `keep`: the motion keeps within the
+    /// tolerance of them too.
+    pub outliers: Option<Outliers>,
+    /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
+    /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational `circle-spline` of order 1. On arcs the body keeps its direction to the curve,
+    /// on others it turns in its own way. It may be construction geometry.
+    pub along: Option<String>,
+    /// With `along`: how the body is turned at the start of the curve. Default: not turned.
+    pub start: Option<StartSpec>,
+    /// How poses without a `time` follow each other. Default `uniform`.
+    pub times: Option<PoseTimes>,
+    /// How the body runs along the motion.
+    #[serde(default)]
+    pub law: TimeLaw,
+    /// How long the motion takes, in seconds. Default: from the first to the last time of the poses; 1 along a curve.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub duration: Option<f64>,
+    /// The point of the body that is measured, and along whose way laws go. Default: its origin.
+    pub tool: Option<Coordinates>,
+    /// The length by which a turn counts in laws, and in `times`, beside the way of the tool: the distance from it at which the body should not get too fast.
+    /// Default 0.
+    #[schemars(extend("minimum" = 0))]
+    pub arm: Option<f64>,
+    /// Of a `cubic` with two motions, which one: that of the smaller (0) or the larger (1) cross-ratio.
+    pub choice: Option<usize>,
+    /// The shape of the body, for files that animate. Default: the axes of its frame.
+    pub mesh: Option<PolygonMeshFile>,
+}
+
+/// How a body goes from pose to pose.
+///
+/// ```
+/// use cyclide_io::kinds::MotionKind;
+/// assert_eq!(MotionKind::default(), MotionKind::Spline);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum MotionKind {
+    /// Smoothly (C1) through any number of poses; points run on rational curves of degree 6.
+    #[default]
+    Spline,
+    /// Straight from each pose to the next, in proportion to the time, turned about one axis at constant speed (slerp), as linear moves of robots are.
+    Linear,
+    /// By a screw from each pose to the next, with jumps of speed; points run on helices, also the origin of the body where it turns.
+    Sclerp,
+    /// By the motion of degree 2 through three poses: no freedom.
+    Conic,
+    /// By the motion of degree 4 through five poses: no freedom, and it may swing.
+    Quartic,
+    /// By a motion of degree 3 through four poses, where there is one; it sets the times between the first and the last.
+    Cubic,
+}
+
+/// The curve through the positions of poses.
+///
+/// ```
+/// use cyclide_io::kinds::PositionCurve;
+/// assert_eq!(serde_json::from_str::<PositionCurve>("\"fair\"")?, PositionCurve::Fair);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum PositionCurve {
+    /// Straight lines.
+    Polyline,
+    /// The fair circle spline.
+    Fair,
+    /// The circle spline of order 2.
+    CircleSpline,
+}
+
+/// How far a motion may be from noisy poses. What is left out is interpolated.
+///
+/// ```
+/// use cyclide_io::kinds::PoseTolerance;
+/// let tolerance: PoseTolerance = serde_json::from_str(r#"{"place": 5, "angle": {"degrees": 1}}"#)?;
+/// assert_eq!(tolerance.place, Some(5.0));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseTolerance {
+    /// Of the positions, a length.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub place: Option<f64>,
+    /// Of the turns, up to a right angle.
+    pub angle: Option<Angle>,
+}
+
+/// Where the poses of a motion come from.
+///
+/// ```
+/// use cyclide_io::kinds::PoseSource;
+/// let source: PoseSource = serde_json::from_str(r#"[{"position": [1, 2, 3]}]"#)?;
+/// assert!(matches!(source, PoseSource::Inline(poses) if poses.len() == 1));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Poses")]
+pub enum PoseSource {
+    /// In the document.
+    Inline(Vec<PoseSpec>),
+    /// A table.
+    File(PoseFile),
+}
+
+/// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
+/// `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix, row by row, which may stand for the position as well; `t`, `time` or `timestamp`, if not left out. Names may have units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles
+/// that no column has are 0.
+///
+/// ```
+/// use cyclide_io::{Document, ModelBuilder};
+/// use std::path::Path;
+/// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": {"csv": "poses.csv"}}}}"#;
+/// let document: Document = text.parse()?;
+/// let read = |_: &Path| Ok(b"t,x,y,z,roll_deg,pitch_deg,yaw_deg\n0,0,0,0,0,0,0\n2,5,0,0,0,0,90\n".to_vec());
+/// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
+/// assert_eq!(built.item.motion().expect("it is one").duration(), 2.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseFile {
+    /// Path of the file, relative to the document.
+    pub csv: String,
+    /// What each column of the file is, in their order, in the words of a header line; `-` for one that is no part of the pose. It stands in
+    /// for a header, and before one that the file has.
+    pub columns: Option<Vec<String>>,
+}
+
+/// One pose: a position with a rotation in one of two notations, or a matrix.
+///
+/// ```
+/// use cyclide_io::kinds::PoseSpec;
+/// let pose: PoseSpec = serde_json::from_str(r#"{"time": 2, "position": [1, 2, 3], "quaternion": [1, 0, 0, 0]}"#)?;
+/// assert_eq!(pose.time, Some(2.0));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseSpec {
+    /// When, in seconds. Default, if left out of all poses: as `times` says, 0, 1, 2, ….
+    pub time: Option<f64>,
+    /// Where the origin of the body is.
+    pub position: Option<Coordinates>,
+    /// The rotation as a quaternion `[w, x, y, z]` of any length.
+    pub quaternion: Option<[f64; 4]>,
+    /// The rotation as roll, pitch and yaw: about the fixed axes x by the first angle, then y, then z (the same as yaw, pitch and roll about the
+    /// moved axes z, y', x''): `[0, 0, {"degrees": 90}]`, or `{"degrees": [0, 0, 90]}`.
+    #[serde(default, deserialize_with = "three_angles")]
+    #[schemars(with = "Option<ThreeAngles>")]
+    pub rpy: Option<[Angle; 3]>,
+    /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`; or its 12 or 16
+    /// numbers, row by row.
+    #[serde(default, deserialize_with = "matrix_rows")]
+    #[schemars(with = "Option<MatrixRows>")]
+    pub matrix: Option<Vec<[f64; 4]>>,
+}
+
+/// How a body is turned at the start, in one of two notations.
+///
+/// ```
+/// use cyclide_io::kinds::StartSpec;
+/// let start: StartSpec = serde_json::from_str(r#"{"rpy": [0, 0, {"degrees": 90}]}"#)?;
+/// assert!(start.quaternion.is_none() && start.rpy.is_some());
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartSpec {
+    /// The rotation as a quaternion `[w, x, y, z]` of any length.
+    pub quaternion: Option<[f64; 4]>,
+    /// The rotation as roll, pitch and yaw, as those of poses.
+    #[serde(default, deserialize_with = "three_angles")]
+    #[schemars(with = "Option<ThreeAngles>")]
+    pub rpy: Option<[Angle; 3]>,
+}
+
+impl<'de> Deserialize<'de> for PoseSource {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct PoseVisitor;
+        impl<'de> serde::de::Visitor<'de> for PoseVisitor {
+            type Value = PoseSource;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a list of poses, or `{\"csv\": FILE}`")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PoseSource, A::Error> {
+                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
+                Vec::<PoseSpec>::deserialize(seq).map(PoseSource::Inline)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PoseSource, A::Error> {
+                PoseFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PoseSource::File)
+            }
+        }
+        deserializer.deserialize_any(PoseVisitor)
+    }
+}
+
+impl Kind for MotionSpec {
+    fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
+        at.motion(self).map(|body| Shape::Motion(Box::new(body)))
+    }
+
+    fn references(&self) -> Vec<Reference<'_>> {
+        self.along.iter().map(|name| (vec![Step::from("along")], name.as_str())).collect()
+    }
+
+    fn files(&self) -> Vec<&str> {
+        let poses = match &self.poses {
+            Some(PoseSource::File(file)) => Some(file.csv.as_str()),
+            _ => None,
+        };
+        poses.into_iter().chain(self.mesh.as_ref().map(|file| file.path.as_str())).collect()
+    }
+}
+
+impl Builder<'_> {
+    /// The moving body.
+    pub(in crate::document) fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
+        let kind = spec.kind.unwrap_or_default();
+        if spec.choice.is_some() && kind != MotionKind::Cubic {
+            return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
+        }
+        let source = match (&spec.poses, &spec.along) {
+            (Some(source), None) => source,
+            (None, Some(curve)) => return self.along(spec, curve),
+            _ => return Err(self.unfit("a motion has `poses`, or a curve that it runs `along`: one of both")),
+        };
+        if spec.start.is_some() {
+            return Err(self.unfit("`start` goes with `along`: poses say how the body is turned"));
+        }
+        if spec.times.is_some() && kind == MotionKind::Cubic {
+            return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
+        }
+        self.check_motion_fields(spec, kind)?;
+        let (mut poses, timed) = self.poses(spec, source)?;
+        // The first pose again.
+        let closing = if spec.closed { poses.pop().map(|pose| pose.time) } else { None };
+        let motion = match (spec.positions, spec.tolerance) {
+            (Some(curve), _) => return self.on_positions(spec, curve, &poses, closing),
+            (None, Some(PoseTolerance { place, angle })) => {
+                let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
+                let drop = spec.outliers == Some(Outliers::Drop);
+                DecoupledMotion::smoothed_with(&poses, closing, tolerance, drop).map(Motion::from)
+            }
+            (None, None) => match (kind, closing) {
+                (MotionKind::Spline, Some(closing)) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
+                (MotionKind::Spline, None) => RationalMotion::spline(&poses).map(Motion::from),
+                (MotionKind::Linear, closing) => {
+                    DecoupledMotion::linear(&poses, closing, spec.blend_radius.unwrap_or(0.0)).map(Motion::from)
+                }
+                (MotionKind::Sclerp, _) => ScrewMotion::new(&poses).map(Motion::from),
+                (MotionKind::Conic, _) => RationalMotion::conic(&poses).map(Motion::from),
+                (MotionKind::Quartic, _) => RationalMotion::quartic(&poses).map(Motion::from),
+                (MotionKind::Cubic, _) => return self.cubic(spec, &poses, timed),
+            },
+        };
+        let motion = motion.map_err(|e| match e {
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Radius, .. } => {
+                self.refused_at(["blend_radius".into()], &e)
+            }
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Tolerance | ErrorItem::Angle, .. } => {
+                self.refused_at(["tolerance".into()], &e)
+            }
+            e => self.pose_refused(&e),
+        })?;
+        self.through_poses(spec, motion)
+    }
+
+    /// The body that goes from pose to pose.
+    fn through_poses(&mut self, spec: &MotionSpec, motion: Motion) -> Result<MovingBody> {
+        let [first, last] = motion.domain();
+        self.body(spec, motion, last - first)
+    }
+
+    /// Refuses fields that say nothing about a motion of this kind.
+    fn check_motion_fields(&self, spec: &MotionSpec, kind: MotionKind) -> Result<()> {
+        let apart = spec.positions.is_some() || spec.tolerance.is_some();
+        if spec.kind.is_some() && apart {
+            return Err(self.unfit(
+                "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
+            ));
+        }
+        if spec.positions.is_some() && spec.tolerance.is_some() {
+            return Err(
+                self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
+            );
+        }
+        if spec.closed && spec.tolerance.is_none() && !matches!(kind, MotionKind::Spline | MotionKind::Linear) {
+            return Err(
+                self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`")
+            );
+        }
+        if spec.outliers.is_some() && spec.tolerance.is_none() {
+            return Err(self.unfit(
+                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose",
+            ));
+        }
+        if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
+            return Err(
+                self.unfit("a `blend_radius` is of the kind `linear`: other motions do not stop at their poses")
+            );
+        }
+        Ok(())
+    }
+
+    /// The motion on a curve through the positions.
+    fn on_positions(
+        &mut self,
+        spec: &MotionSpec,
+        curve: PositionCurve,
+        poses: &[TimedPose],
+        closing: Option<f64>,
+    ) -> Result<MovingBody> {
+        let closed = closing.is_some();
+        let points = DecoupledMotion::places_of_curve(poses, closed);
+        let curve = match curve {
+            _ if points.len() < 2 => None,
+            PositionCurve::Polyline => None,
+            PositionCurve::Fair => {
+                Some(CircleSpline::fair(&points, &FairSplineOptions { closed, ..Default::default() }))
+            }
+            PositionCurve::CircleSpline => {
+                Some(CircleSpline::from_points(&points, &CircleSplineOptions { closed, ..Default::default() }))
+            }
+        };
+        let motion = match curve.transpose().map_err(|e| self.refused_at(["positions".into()], &e))? {
+            None => DecoupledMotion::polyline(poses, closing),
+            Some(curve) => {
+                // They count the positions, which are fewer than the poses where the body stays.
+                for warning in curve.warnings() {
+                    self.warn_at("positions", None, warning.clone());
+                }
+                DecoupledMotion::on_curve(poses, closing, curve)
+            }
+        };
+        let motion = motion.map_err(|e| self.pose_refused(&e))?;
+        self.through_poses(spec, motion.into())
+    }
+
+    /// The motion that a curve carries.
+    fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
+        if spec.kind.is_some() {
+            return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+        }
+        let through = spec.closed || spec.blend_radius.is_some() || spec.positions.is_some();
+        if through || spec.tolerance.is_some() || spec.outliers.is_some() {
+            return Err(self.unfit(
+                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` are of motions through poses: `along` a curve there are none",
+            ));
+        }
+        if spec.times.is_some() {
+            return Err(
+                self.unfit("`times` go from pose to pose: `along` a curve there are none; a `law` goes by its way")
+            );
+        }
+        let contours = self.sources.first().map_or(&[][..], |source| source.item.curves());
+        let [contour] = contours else {
+            let message = format!("`{curve}` has {} contours: a motion runs along a curve of one", contours.len());
+            return Err(Error::Input(self.diagnostic(["along".into()], &message)));
+        };
+        let Some(chain) = contour.to_qb_spline() else {
+            let message = format!(
+                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
+            );
+            return Err(Error::Input(self.diagnostic(["along".into()], &message)));
+        };
+        let start = match spec.start {
+            None => Quat::ONE,
+            Some(StartSpec { quaternion: Some(quaternion), rpy: None }) => Quat::from(quaternion),
+            Some(StartSpec { quaternion: None, rpy: Some(angles) }) => {
+                let turned = Pose::from_roll_pitch_yaw(Vec3::ZERO, angles.map(Angle::radians));
+                turned.map_err(|e| self.refused_at(["start".into()], &e))?.rotation()
+            }
+            Some(_) => {
+                let message = "`start` is a `quaternion` or `rpy`: one of both";
+                return Err(Error::Input(self.diagnostic(["start".into()], message)));
+            }
+        };
+        let motion = RationalMotion::along(&chain, start).map_err(|e| match e {
+            cyclide::Error::ZeroRotation { .. } => self.refused_at(["start".into()], &e),
+            _ => self.refused_at(["along".into()], &e),
+        })?;
+        self.body(spec, motion.into(), 1.0)
+    }
+
+    /// The motion of degree 3, at its own times between the first and the last.
+    fn cubic(&mut self, spec: &MotionSpec, poses: &[TimedPose], timed: bool) -> Result<MovingBody> {
+        let only: Vec<Pose> = poses.iter().map(|timed| timed.pose).collect();
+        let cubics = CubicMotions::new(&only).map_err(|e| self.pose_refused(&e))?;
+        let admissible = cubics.admissible();
+        let choice = spec.choice.unwrap_or(0);
+        // A cross-ratio that is none is refused with those that there are.
+        let cross_ratio = admissible.get(choice).copied().unwrap_or(f64::NAN);
+        if spec.choice.is_some() && choice >= admissible.len() && !admissible.is_empty() {
+            let message = format!("there is no motion {choice}: the poses have {}, from 0", admissible.len());
+            return Err(Error::Input(self.diagnostic(["choice".into()], &message)));
+        }
+        let ends = [poses[0].time, poses[3].time];
+        let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(&e))?;
+        if spec.choice.is_none() && admissible.len() > 1 {
+            let message = "two motions of degree 3 take these poses: the one of the smaller cross-ratio is taken; `choice` says which";
+            self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
+        }
+        if timed {
+            let message = "a cubic sets the times of the two poses in the middle, which the report has: those given for them are left aside";
+            self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
+        }
+        self.body(spec, motion.into(), ends[1] - ends[0])
+    }
+
+    /// The body with its tool, law and shape; it takes so long if the document does not say.
+    fn body(&mut self, spec: &MotionSpec, motion: Motion, duration: f64) -> Result<MovingBody> {
+        let tool = spec.tool.unwrap_or_default().point();
+        let pose_times = spec.times.unwrap_or_default();
+        let made = MovingBody::new(motion).with_pose_times(pose_times).with_tool(tool, spec.arm.unwrap_or(0.0));
+        let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
+        let made = made.map_err(|e| match e {
+            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(&e),
+            _ => self.refused(&e, None),
+        })?;
+        let counts = spec.law != TimeLaw::AsGiven || spec.times.is_some_and(|times| times != PoseTimes::Uniform);
+        if spec.arm.is_some_and(|arm| arm > 0.0) && !counts {
+            let message =
+                "`arm` has no effect: without a `law`, or `times`, that go by the way the times are those of the poses";
+            self.remark(NO_EFFECT, None, None, self.place_of([Step::from("arm")]), message.to_owned());
+        }
+        for warning in made.warnings() {
+            self.warn_at(if spec.along.is_some() { "along" } else { "poses" }, None, warning);
+        }
+        let Some(file) = &spec.mesh else { return Ok(made) };
+        let (name, mesh) = self.mesh_of_file(file)?;
+        if mesh.faces.iter().any(|face| face.len() > 4) {
+            let message = "faces of more than four corners are cut into triangles from their first corner";
+            self.remark("polygons-cut", None, None, Some(name), message.to_owned());
+        }
+        let fan = |face: &Vec<usize>| -> Vec<[usize; 3]> {
+            (2..face.len()).map(|k| [face[0], face[k - 1], face[k]]).collect()
+        };
+        let triangles = mesh.faces.iter().flat_map(fan).collect();
+        let shape = BodyMesh::new(mesh.points, triangles).map_err(|e| self.refused(&e, None))?;
+        Ok(made.with_mesh(shape))
+    }
+
+    /// What the kernel refused of the poses, at the one it is about.
+    pub(in crate::document) fn pose_refused(&self, error: &cyclide::Error) -> Error {
+        let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
+        let steps: Vec<Step> = match error.index().filter(|_| inline) {
+            Some(index) => vec!["poses".into(), index.into()],
+            None => vec!["poses".into()],
+        };
+        let words = match error {
+            cyclide::Error::ParametersNotIncreasing { index, value, before } => {
+                format!("the times do not rise: that of pose {index} is {value}, after {before}")
+            }
+            cyclide::Error::RepeatedParameter { first, second, value } => {
+                format!("the poses {first} and {second} have one time, {value}")
+            }
+            _ => return self.refused_at(steps, error),
+        };
+        self.refused_in_words(steps, error.reason(), words)
+    }
+
+    /// The motion that an object is made from.
+    pub(in crate::document) fn motion_source(&self) -> Result<&MovingBody> {
+        let source = self.sources.first().and_then(|source| source.item.motion());
+        source.ok_or_else(|| self.wrong_source("only a `motion` has trajectories and swept surfaces"))
+    }
+
+    /// Says within which bound the rational form of a motion is.
+    pub(in crate::document) fn remark_bound(&mut self, bound: f64) {
+        if bound > 0.0 {
+            let message = format!(
+                "points of this motion run on no rational curves, as it turns by slerp or runs on a curve by time: the form made is within {} {} of it",
+                ShortNumber(bound),
+                self.document.units.symbol()
+            );
+            self.remark("rational-within", None, None, self.place_of([Step::from("of")]), message);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Straight lines between two curves.
+
+pub(in crate::document) mod remedies;
+pub(in crate::document) mod sense;
+
+use cyclide::{EdgeCurve, RailSurface, ShortNumber, SurfaceObject};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::kinds::TypeWord;
+use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::kind::{Kind, Reference, Shape, rails};
+use crate::document::kinds::ruled::sense::Rulings;
+use crate::document::objects::Builder;
+use crate::document::objects::refuse::Blame;
+use crate::error::Result;
+
+/// Starts of a closed rail that are tried to see whether it runs the other way.
+const MOST_SHIFTS: usize = 64;
+
+/// Straight lines between two curves, from piece to piece at equal parameters.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "polyline", "points": [[0, 0], [5, 0]]}, "b": {"type": "polyline", "points": [[0, 2], [5, 2]]}, "s": {"type": "ruled", "rails": ["a", "b"]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 10.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct RuledSpec {
+    /// The word `ruled`.
+    #[schemars(with = "String", extend("const" = "ruled"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Names of the two curves, each of one contour and both of as many pieces; they may be construction geometry.
+    pub rails: [String; 2],
+    /// Of closed curves: by how many of its pieces the second one starts later than it is drawn. Default 0.
+    #[serde(default)]
+    pub shift: usize,
+}
+
+impl Kind for RuledSpec {
+    fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
+        at.ruled(self).map(Shape::Surfaces)
+    }
+
+    fn references(&self) -> Vec<Reference<'_>> {
+        rails(&self.rails)
+    }
+
+    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
+        use cyclide::{Error as E, ErrorItem as I};
+        Some(match error {
+            E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
+                Blame::Field(name.word())
+            }
+            _ => Blame::Field("rails"),
+        })
+    }
+
+    fn words(&self, error: &cyclide::Error) -> Option<String> {
+        let cyclide::Error::CoincidentPoints { distance, limit, .. } = error else { return None };
+        Some(format!(
+            "a piece of one curve is that of the other, {} apart at most: there is no surface between what is no more than {} apart",
+            ShortNumber(*distance),
+            ShortNumber(*limit)
+        ))
+    }
+}
+
+impl Builder<'_> {
+    /// Straight lines between two curves.
+    pub(in crate::document) fn ruled(&mut self, spec: &RuledSpec) -> Result<Vec<SurfaceObject>> {
+        let ([first, second], closed) = self.pieces_of_rails()?;
+        if spec.shift > 0 && !closed {
+            return Err(self.unfit("`shift` goes with closed curves: open ones start where they are drawn"));
+        }
+        let second = rotated(&second, spec.shift);
+        let made = RailSurface::ruled([&first, &second], closed).map_err(|e| match e {
+            cyclide::Error::RulingsCross { piece, .. } if closed => {
+                match self.start_of_rail([&first, &second], spec.shift) {
+                    Some(remedy) => {
+                        let words = format!("the straight lines between piece {piece} of both curves cross: {remedy}");
+                        self.refused_in_words(["rails".into()], e.reason(), words)
+                    }
+                    None => self.refused(&e, None),
+                }
+            }
+            e => self.refused(&e, None),
+        })?;
+        self.check_sense([&first, &second], closed, spec.shift)?;
+        Ok(self.between(made))
+    }
+
+    /// Refuses a ruled surface that goes through itself because one curve runs the other way, and remarks curves that seem to.
+    fn check_sense(&mut self, [first, second]: [&[EdgeCurve]; 2], closed: bool, shift: usize) -> Result<()> {
+        if closed && let Some(remedy) = self.rail_to_reverse([first, second], shift) {
+            let words = format!("the surface of straight lines goes through itself: {remedy}");
+            return Err(self.refused_in_words(["rails".into()], "rulings-cross", words));
+        }
+        let given = Rulings::of([first, second], closed);
+        let reversed: Vec<EdgeCurve> = second.iter().rev().map(EdgeCurve::reversed).collect();
+        let shifts = if closed && given.opposite() { reversed.len().min(MOST_SHIFTS) } else { usize::from(!closed) };
+        let other_way = |by: usize| Rulings::of([first, &rotated(&reversed, by)], closed);
+        if (0..shifts).any(|by| given.are_longer_than(&other_way(by))) {
+            let message = "the straight lines between both curves are much shorter where the second one is taken the other way: if no twist is meant, take its points in reverse order, \
+                           or a `transform` of it with the steps `[\"reverse\"]`";
+            self.remark("rails-opposite", None, None, self.place_of(["rails".into()]), message.to_owned());
+        }
+        Ok(())
+    }
+}
+
+/// The pieces of a closed curve from another one on.
+pub(in crate::document) fn rotated(pieces: &[EdgeCurve], by: usize) -> Vec<EdgeCurve> {
+    let mut pieces = pieces.to_vec();
+    if !pieces.is_empty() {
+        let count = pieces.len();
+        pieces.rotate_left(by % count);
+    }
+    pieces
+}
