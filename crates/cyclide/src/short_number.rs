@@ -14,6 +14,21 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShortNumber(pub f64);
 
+/// More than a number may change where its digits are cut.
+const CUT: f64 = 1e-4;
+
+impl ShortNumber {
+    /// A number that is to be typed as a lower limit: what is shown is no less than the value.
+    pub(crate) fn no_less(value: f64) -> Self {
+        Self(value + CUT * value.abs())
+    }
+
+    /// A number that is to be typed as an upper limit: what is shown is no more than the value.
+    pub(crate) fn no_more(value: f64) -> Self {
+        Self(value - CUT * value.abs())
+    }
+}
+
 impl fmt::Display for ShortNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = *self;
@@ -49,6 +64,14 @@ fn trimmed(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::ShortNumber;
+
+    #[test]
+    fn numbers_to_type_keep_to_their_side() {
+        for value in [3.42148, 6.48194, 0.012_345_67, 9.999_99e-4, 123_456.789] {
+            let shown = |number: ShortNumber| number.to_string().parse::<f64>().unwrap();
+            assert!(shown(ShortNumber::no_less(value)) >= value && shown(ShortNumber::no_more(value)) <= value);
+        }
+    }
 
     #[test]
     fn numbers_are_short() {

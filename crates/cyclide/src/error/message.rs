@@ -620,7 +620,7 @@ impl std::fmt::Display for Error {
                 f,
                 "no arcs within the tolerance keep `{name}` {}: at point {vertex} it takes {}; a larger tolerance, or a smaller limit",
                 ShortNumber(*limit),
-                ShortNumber(*value)
+                ShortNumber::no_more(*value)
             ),
             Self::ToleranceNotReached { points, deviation, tolerance } => write!(
                 f,

@@ -141,7 +141,8 @@ impl std::fmt::Display for Warning {
             ),
             Self::PosesNoisier { turning, sigma, tolerance, needed } => {
                 let (of, unit) = in_place_or_angle(*turning);
-                let [sigma, tolerance, needed] = [sigma, tolerance, needed].map(|value| ShortNumber(*value));
+                let [sigma, tolerance] = [sigma, tolerance].map(|value| ShortNumber(*value));
+                let needed = ShortNumber::no_less(*needed);
                 write!(
                     f,
                     "the tolerance in {of} of {tolerance}{unit} is below what the noise of the poses makes of the farthest one: its standard deviation is about {sigma}{unit} in one \
@@ -328,7 +329,7 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*limit),
                 if *held { ": it is held to places on the edges too" } else { "" },
                 if *has_target {
-                    "if the edges are meant, the target `polyline` keeps to all of them"
+                    "if the edges are meant, the target `polyline` keeps to all of them; points that scatter are smoothed first"
                 } else {
                     "if the points have corners, give a corner angle"
                 }

@@ -404,3 +404,86 @@ fn a_closed_slot_has_the_radii_of_its_samples() {
         }
     }
 }
+
+/// Polygons of irregular stars: radii and steps of the angle at random.
+fn irregular(random: &mut Random) -> Vec<Point3> {
+    let n = whole(random, 12, 28);
+    let at = |k: usize, random: &mut Random| {
+        let angle = std::f64::consts::TAU * (k as f64 + between(random, -0.3, 0.3)) / n as f64;
+        let radius = between(random, 8.0, 40.0);
+        Point3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+    };
+    (0..n).map(|k| at(k, random)).collect()
+}
+
+#[test]
+fn limits_of_machines_do_not_bend_the_sides_of_an_outline() {
+    let mut random = Random(77);
+    let mut kept = 0;
+    for _ in 0..60 {
+        let points = irregular(&mut random);
+        let free = closed(0.05);
+        let Ok(plain) = ArcFit::new(&points, &free) else { continue };
+        if plain.certificate().polyline_deviation > 0.05 {
+            continue;
+        }
+        let limit = between(&mut random, 0.3, 3.0);
+        for limited in [
+            ArcFitOptions { min_arc_length: Some(limit), ..free.clone() },
+            ArcFitOptions { min_radius: Some(limit), ..free.clone() },
+        ] {
+            match ArcFit::new(&points, &limited) {
+                // A little more than without the limit, which may cost half the tolerance.
+                Ok(fit) => {
+                    assert!(fit.certificate().polyline_deviation <= 0.075, "{}", fit.certificate().polyline_deviation);
+                    kept += 1;
+                }
+                Err(error) => assert_eq!(error.reason(), "arc-limit-not-kept"),
+            }
+        }
+    }
+    assert!(kept >= 10, "{kept}");
+}
+
+#[test]
+fn a_fit_that_swings_out_between_noisy_points_says_so() {
+    let mut random = Random(5);
+    let (mut far, mut all) = (0, 0);
+    for _ in 0..24 {
+        let made = slot(&mut random);
+        let noise = between(&mut random, 0.5, 1.0);
+        // Even steps of 1 along the outline, with noise in the plane.
+        let dense = resampled(&made.points, 1.0);
+        let points: Vec<Point3> = dense
+            .iter()
+            .map(|p| Point3::new(p[0] + noise * random.next(), p[1] + noise * random.next(), 0.0))
+            .collect();
+        let tolerance = 1.3 * noise;
+        let Ok(fit) = ArcFit::new(&points, &closed(tolerance)) else { continue };
+        all += 1;
+        let longest = (0..points.len()).map(|i| points[i].distance(points[(i + 1) % points.len()])).fold(0.0, f64::max);
+        // No smooth curve leaves an edge between two samples by more than 0.146 of it.
+        if fit.certificate().polyline_deviation > tolerance + 0.146 * longest {
+            far += 1;
+            assert!(fit.warnings().iter().any(|w| w.reason() == "swings-out"), "{:?}", fit.warnings());
+        }
+    }
+    assert!(all >= 12 && far >= 1, "{far} of {all}");
+}
+
+/// Places on a closed polygon, a step apart.
+fn resampled(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
+    let n = points.len();
+    let mut places = Vec::new();
+    let mut left = 0.0;
+    for i in 0..n {
+        let (a, b) = (points[i], points[(i + 1) % n]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        while left < length {
+            places.push([0, 1].map(|d| a[d] + (b[d] - a[d]) * left / length));
+            left += step;
+        }
+        left -= length;
+    }
+    places
+}

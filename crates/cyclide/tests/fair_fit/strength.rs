@@ -192,3 +192,28 @@ fn outliers_of_straight_runs_are_left_out_within_a_tolerance_too() {
     assert!(fit.warnings().iter().any(is_named), "{:?}", fit.warnings());
     assert!(closest_point(fit.spline(), at(12)).distance < 0.06);
 }
+
+#[test]
+fn short_edges_of_exact_outlines_are_kept() {
+    let outline = |points: &[[f64; 2]]| points.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect::<Vec<_>>();
+    for k in 1..12 {
+        let thin = 0.1 * f64::from(k);
+        let strip = outline(&[[0.0, 0.0], [300.0, 0.0], [300.0, thin], [0.0, thin]]);
+        // A plate with a slit that is as wide.
+        let slit = outline(&[
+            [0.0, 0.0],
+            [120.0, 0.0],
+            [120.0, 80.0],
+            [60.0 + thin, 80.0],
+            [60.0 + thin, 30.0],
+            [60.0, 30.0],
+            [60.0, 80.0],
+            [0.0, 80.0],
+        ]);
+        for points in [strip, slit] {
+            let options = FairFitOptions { closed: true, ..FairFitOptions::by_noise(Noise::Estimated) };
+            let fit = FairFit::new(&points, &options).unwrap();
+            assert!(fit.certificate().polyline_deviation < 1e-9, "{}", fit.certificate().polyline_deviation);
+        }
+    }
+}

@@ -132,6 +132,20 @@ pub(super) fn certify(pieces: &[Piece], trace: &Trace, target: FitTarget, planar
     }
 }
 
+/// The largest distance over an edge of the trace beyond what is allowed for one of its length: that distance, and what is allowed.
+pub(super) fn farthest_over_edge(
+    pieces: &[Piece],
+    trace: &Trace,
+    planar: bool,
+    allowed: impl Fn(f64) -> f64,
+) -> Option<(f64, f64)> {
+    let mut sheet = Sheet { over_edges: Some(Vec::new()), ..Sheet::new() };
+    pieces.iter().for_each(|piece| sheet.add(piece, trace, planar));
+    let over =
+        sheet.over_edges.into_iter().flatten().map(|(index, distance)| (distance, allowed(trace.edge_at(index))));
+    over.filter(|(distance, limit)| distance > limit).max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)))
+}
+
 /// The deviation of one planar piece; `None` if it does not run with its part of the trace.
 pub(super) fn deviation_of(piece: &Piece, trace: &Trace, target: FitTarget) -> Option<f64> {
     let mut sheet = Sheet::new();
@@ -146,6 +160,8 @@ struct Sheet {
     bound: (f64, usize),
     polyline: (f64, usize),
     monotone: bool,
+    /// The distance over each edge of the trace, with the place where it begins, if that is asked for.
+    over_edges: Option<Vec<(usize, f64)>>,
 }
 
 fn raise(largest: &mut (f64, usize), value: f64, vertex: usize) {
@@ -156,7 +172,7 @@ fn raise(largest: &mut (f64, usize), value: f64, vertex: usize) {
 
 impl Sheet {
     fn new() -> Self {
-        Self { vertex: (0.0, 0), bound: (0.0, 0), polyline: (0.0, 0), monotone: true }
+        Self { vertex: (0.0, 0), bound: (0.0, 0), polyline: (0.0, 0), monotone: true, over_edges: None }
     }
 
     /// The deviation the tolerance binds, and where.
@@ -180,6 +196,7 @@ impl Sheet {
         });
         let matched = [end(from, 0.0, arc.start())].into_iter().chain(inside).chain([end(to, 1.0, arc.end())]);
         let mut before: Option<(Point3, f64, f64)> = None;
+        let mut begins = from.index;
         // Whether the edge up to the next place is bound.
         let mut bound = false;
         for (place, p, foot) in matched {
@@ -203,12 +220,16 @@ impl Sheet {
                     largest + 0.5 * length * (0.25 * turn).tan()
                 };
                 raise(&mut self.polyline, edge.max(largest), vertex);
+                if let Some(all) = &mut self.over_edges {
+                    all.push((begins % n, edge.max(largest)));
+                }
                 if bound {
                     raise(&mut self.bound, edge.max(largest), vertex);
                 }
             }
             before = Some((p, foot.t, foot.distance));
             bound = trace.bound[place.index % n];
+            begins = place.index;
         }
     }
 }

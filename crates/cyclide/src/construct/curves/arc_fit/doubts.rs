@@ -1,11 +1,13 @@
 //! Warnings about data that do not suit the tolerance or the target (`docs/math/arc-fitting.md#limits`).
 
+use super::certificate::farthest_over_edge;
 use super::corners::{sagitta_quantile, sagittas};
 use super::options::{ArcFitOptions, FitTarget};
 use super::piece::Piece;
 use super::trace::Trace;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
+use crate::construct::curves::outline::SAMPLE_SAGITTA;
 use crate::warning::Warning;
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
@@ -46,6 +48,21 @@ pub(super) fn swing(
     let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
     let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
     (distance > limit).then_some(Warning::SwingsOut { distance, limit, held: false, has_target: true })
+}
+
+/// The same edge by edge: no smooth curve leaves an edge by more than a part of its length.
+pub(super) fn swing_over_edge(
+    pieces: &[Piece],
+    trace: &Trace,
+    options: &ArcFitOptions,
+    planar: bool,
+) -> Option<Warning> {
+    if options.target != FitTarget::Points {
+        return None;
+    }
+    let allowed = |edge: f64| options.tolerance + SAMPLE_SAGITTA * edge;
+    let (distance, limit) = farthest_over_edge(pieces, trace, planar, allowed)?;
+    Some(Warning::SwingsOut { distance, limit, held: false, has_target: true })
 }
 
 /// A tolerance of the size of the figure's own bends keeps no shape.

@@ -15,6 +15,9 @@ const MERGE_TOLERANCE: f64 = 0.01;
 /// rounded otherwise.
 const MERGE_EDGE: f64 = 0.01;
 const MERGE_WITHIN: f64 = 0.2;
+/// Without a tolerance short edges are what was drawn, but for those below this part of the usual one, and for a closing edge that is
+/// the only short one.
+const MERGE_ROUNDED: f64 = 1e-5;
 /// Off-plane distances up to this times the diameter are rounding.
 const PLANE_LIMIT: f64 = 1e-9;
 /// Off-plane distances up to this times the tolerance do not matter.
@@ -63,7 +66,10 @@ impl Distinct {
         let mut edges: Vec<f64> = points.windows(2).map(|w| w[0].distance(w[1])).collect();
         let usual = *edges.select_nth_unstable_by(points.len() / 2 - usize::from(points.len() < 3), f64::total_cmp).1;
         let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
-        let limit = limit.max((MERGE_EDGE * usual).min(MERGE_WITHIN * tolerance));
+        let near = (MERGE_EDGE * usual).min(MERGE_WITHIN * tolerance);
+        let is_drawn = tolerance.is_infinite() && edges.iter().any(|edge| *edge > limit && *edge <= near);
+        let at_seam = limit.max(if is_drawn { MERGE_ROUNDED * usual } else { near });
+        let limit = limit.max(if tolerance.is_infinite() { MERGE_ROUNDED * usual } else { near });
         let mut source = vec![0];
         for (i, p) in points.iter().enumerate().skip(1) {
             if p.distance(points[source[source.len() - 1]]) > limit {
@@ -75,7 +81,7 @@ impl Distinct {
         let kept = source.len();
         let mut tail = (points.len(), 0);
         if closed {
-            while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= limit {
+            while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= at_seam {
                 tail.0 = source.pop().unwrap_or(0);
             }
         } else if source.len() > 1 && source[kept - 1] != last {
@@ -177,6 +183,16 @@ mod tests {
         // The rounding of 1 + 1e-10.
         assert!((merged.moved - 1e-10).abs() < 1e-16);
         assert_eq!(Distinct::new(&points, false, 1e-10).unwrap().source, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn short_edges_of_an_outline_stay_where_there_is_no_tolerance() {
+        // A strip of 300 by 0.5: its short edges are less than a hundredth of the others.
+        let strip = [[0.0, 0.0], [300.0, 0.0], [300.0, 0.5], [0.0, 0.5]].map(|[x, y]| Point3::new(x, y, 0.0));
+        let kept = |points: &[Point3]| Distinct::new(points, true, f64::INFINITY).unwrap().points.len();
+        assert_eq!(kept(&strip), 4);
+        let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [0.005, 0.0]];
+        assert_eq!(kept(&square.map(|[x, y]| Point3::new(x, y, 0.0))), 4);
     }
 
     #[test]

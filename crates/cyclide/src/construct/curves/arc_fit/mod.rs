@@ -53,6 +53,9 @@ const ROUNDING_MARGIN: f64 = 1e-9;
 /// A tolerance above this part of the figure's size is tried again with it where the search dies.
 const WIDE_TUBE: f64 = 0.05;
 
+/// With the limits of a machine a path that is outside the tolerance of its polyline may be this many times as far from it as without.
+const FARTHER: f64 = 1.5;
+
 /// A fitted chain of arcs and lines with its certificate.
 ///
 /// ```
@@ -90,8 +93,24 @@ impl ArcFit {
                 let fit = Self::in_any_tube(points, &free).map_err(|_| died)?;
                 fit.missed(points, limits).map_or(Ok(fit), Err)
             }
+            Ok(fit) if options.min_radius.or(options.min_arc_length).is_some() => fit.if_near(points, options),
             fit => fit,
         }
+    }
+
+    /// It, unless without the limits of a machine the path keeps to the polyline where this one leaves it: then the place where it
+    /// misses them.
+    fn if_near(self, points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+        let distance = self.certificate.polyline_deviation;
+        if distance <= options.tolerance {
+            return Ok(self);
+        }
+        let free = ArcFitOptions { min_radius: None, min_arc_length: None, ..options.clone() };
+        let Ok(free) = Self::in_any_tube(points, &free) else { return Ok(self) };
+        if distance <= FARTHER * free.certificate.polyline_deviation {
+            return Ok(self);
+        }
+        free.missed(points, options.limits()).map_or(Ok(free), Err)
     }
 
     /// The arc that misses a limit by most, as an error with the point nearest to its middle.
@@ -212,10 +231,15 @@ impl ArcFit {
             Some(frame) => {
                 match planar::fit(data, outline, frame, room, options, effort) {
                     Ok((trace, chains)) => {
-                        let found = planar_pieces(&trace, &chains, frame)?;
+                        let mut found = planar_pieces(&trace, &chains, frame)?;
                         let mut pieces = found.clone();
                         straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
-                        let pieces = if options.limits_kept(&pieces) { pieces } else { found };
+                        let pieces = if options.limits_kept(&pieces) {
+                            pieces
+                        } else {
+                            straighten::sides_only(&mut found, &trace, room);
+                            found
+                        };
                         let polished = polish::polished(pieces.clone(), &trace, frame, room, options);
                         let better = || {
                             let sheet = certify(&polished, &trace, options.target, true);
@@ -259,7 +283,8 @@ impl ArcFit {
         warnings.extend(kept_corners(corners, &distinct.source));
         warnings.extend(doubts::coarse_samples(data, options));
         let distance = certificate.polyline_deviation;
-        let swing = doubts::swing(data, corners, options, distance);
+        let swing = doubts::swing(data, corners, options, distance)
+            .or_else(|| doubts::swing_over_edge(&pieces, &trace, options, plane.is_some()));
         warnings.extend(swing.or_else(|| {
             let is_read = options.target == FitTarget::Points;
             is_read.then(|| outline.read_as_curve(data, options.closed, tolerance, distance, true)).flatten()

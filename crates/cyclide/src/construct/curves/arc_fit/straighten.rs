@@ -67,6 +67,20 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
     }
 }
 
+/// Pieces between two corners whose data are within the tolerance of their chord are sides: these alone become lines.
+pub(super) fn sides_only(pieces: &mut [Piece], trace: &Trace, tolerance: f64) {
+    let n = pieces.len();
+    for i in 0..n {
+        let is_side = !pieces[i].smooth && !pieces[(i + 1) % n].smooth;
+        if is_side
+            && data_height(pieces[i].span, trace) <= tolerance
+            && let Ok(line) = Arc::segment(pieces[i].arc.start(), pieces[i].arc.end())
+        {
+            pieces[i].arc = line;
+        }
+    }
+}
+
 /// Do the data say line: within a little, or no farther from one than from the arc?
 fn is_line(piece: &Piece, trace: &Trace, target: FitTarget, limit: f64) -> bool {
     let height = data_height(piece.span, trace);

@@ -47,6 +47,15 @@ impl Trace {
         }
     }
 
+    /// Length of the edge between vertices in which the place with this index is, or which begins there.
+    pub fn edge_at(&self, index: usize) -> f64 {
+        let n = self.points.len();
+        let is_vertex = |i: &usize| self.vertex[i % n].is_some();
+        let from = (0..n).map(|k| index + n - k).find(is_vertex).unwrap_or(index);
+        let to = (1..=n).map(|k| index + k).find(is_vertex).unwrap_or(index);
+        self.point(from).distance(self.point(to))
+    }
+
     /// A vertex, and the slack of the edge that ends there.
     pub fn push(&mut self, point: Point3, vertex: usize, bulge: f64) {
         self.points.push(point);

@@ -7,6 +7,7 @@ use super::parts::PieceFit;
 use super::removal::Stop;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::corners::sagitta_quantile;
+use crate::construct::curves::outline::SAMPLE_SAGITTA;
 use crate::curve::{CircleSpline, length};
 use crate::rational::RationalBezier;
 use crate::warning::Warning;
@@ -21,9 +22,6 @@ const POINTS_TO_A_NODE: usize = 6;
 const FEW_POINTS: usize = 24;
 /// A curve shorter than this part of the length of the smoothed points has lost shape.
 const LENGTH_KEPT: f64 = 0.8;
-/// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
-/// none has between two (`docs/math/arc-fitting.md#outlines`).
-const SAMPLE_SAGITTA: f64 = 0.146;
 /// Feet step back by less than this part of a closed curve.
 const BACK: f64 = 0.25;
 /// Steps in which the curve over an edge is looked at.

@@ -17,6 +17,9 @@ use predicted::unpredicted;
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
+/// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
+/// none has between two (`docs/math/arc-fitting.md#outlines`).
+pub(super) const SAMPLE_SAGITTA: f64 = 0.146;
 /// Turns above this may be corners.
 pub(super) const CORNER_ANGLE: f64 = PI / 6.0;
 /// A turn above this is a reversal: no smooth curve turns so far from one sample to the next.
