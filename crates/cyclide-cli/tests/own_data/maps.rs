@@ -231,6 +231,9 @@ fn feet_are_known_wherever_they_are_said() {
             assert_eq!(unit.map(|found| found.unit.symbol()), Some(symbol), "{text}");
             assert!(found.unit_hints.iter().all(|(_, unit)| unit.symbol() == symbol), "{text}");
             assert!(found.remarks.is_empty(), "{:?}\n{text}", found.remarks);
+            let of_title = head.contains("Coordinates in") || head.contains("Units: ");
+            let note = format!("the coordinates are in {symbol}, as `");
+            assert_eq!(found.notes.iter().any(|own| own.starts_with(&note)), of_title, "{:?}\n{text}", found.notes);
         }
     }
 }

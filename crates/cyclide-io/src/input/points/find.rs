@@ -80,7 +80,10 @@ fn by_names(table: &Table<'_>, sampled: &Sampled, roles: &[Role]) -> Result<Opti
         }
     }
     if let [Some(x), Some(y)] = map {
-        let (height, remark) = height(table, sampled, roles, z);
+        // The `H` of a Hochwert is no height.
+        let beside: Vec<Role> =
+            roles.iter().enumerate().map(|(i, role)| if i == x || i == y { Role::Other } else { *role }).collect();
+        let (height, remark) = height(table, sampled, &beside, z);
         let height = height.or_else(|| letter_column(table, "u").filter(|i| sampled.is_of_numbers(*i)));
         let all: Vec<usize> = [x, y].into_iter().chain(height.filter(|z| *z != y)).collect();
         let is_letter = |i: &usize| words_of(table.header[*i].text).0[0].len() == 1 && roles[*i] != Role::Axis;

@@ -183,12 +183,21 @@ impl<'a> Table<'a> {
         Ok(Self { source, delimiter, header, units, unit_words, titles, said, width, first, start })
     }
 
-    /// The unit of a column of coordinates: that of its name, of the line of units, of a convention, or of a title.
+    /// The unit of a column of coordinates: its own, else that of a title.
     pub(super) fn unit(&self, column: usize) -> Option<UnitWord> {
+        self.own_unit(column).or(self.said.map(|(unit, _)| unit))
+    }
+
+    /// That of the name of a column, of the line of units, or of a convention.
+    fn own_unit(&self, column: usize) -> Option<UnitWord> {
         let name = self.header.get(column).map(|field| field.text);
         let below = || self.units.get(column).copied().flatten();
-        let said = || self.said.map(|(unit, _)| unit);
-        name.and_then(unit_in_name).or_else(below).or_else(|| name.and_then(unit_of_convention)).or_else(said)
+        name.and_then(unit_in_name).or_else(below).or_else(|| name.and_then(unit_of_convention))
+    }
+
+    /// True if one of some columns has a unit of its own.
+    pub(super) fn columns_have_units(&self, columns: &[usize]) -> bool {
+        columns.iter().any(|column| self.own_unit(*column).is_some())
     }
 
     /// True if a mark that may separate thousands is in the data: a look at the bytes, which costs little.

@@ -113,6 +113,14 @@ fn letters_of_the_map_beside_the_name_of_a_system_are_known() {
         let table = read(&format!("Nr.;{header};H\n1;900.5;545.5;100\n2;906.5;543.5;101\n")).unwrap();
         assert_eq!(first(&table).to_vec(), [545.5, 900.5, 100.0], "{header}");
     }
+    // The `H` of a Hochwert is no height, and takes the place of none.
+    for header in ["GK_H;GK_R;Elev", "Hochwert;Rechtswert;H", "H;R;Elev"] {
+        let table = read(&format!("Nr.;{header}\n1;900.5;545.5;100\n2;906.5;543.5;101\n")).unwrap();
+        assert_eq!(first(&table).to_vec(), [545.5, 900.5, 100.0], "{header}");
+    }
+    // A radius and a height have the same letters, and no name of a system beside them: the only numbers, which is said.
+    let pipe = read("Nr;Rohr_H;Rohr_R\n1;0.5;2.5\n2;0.6;2.7\n").unwrap();
+    assert_eq!((first(&pipe), remark(&pipe, "columns-taken").is_empty()), ([0.5, 2.5, 0.0], false));
     // Accuracies and differences are no coordinates.
     let table = read("Point,Easting,Northing,Delta E,Delta N\n1,10,20,0.1,0.2\n2,11,21,0.2,0.1\n").unwrap();
     assert_eq!(first(&table).to_vec(), [10.0, 20.0, 0.0]);
