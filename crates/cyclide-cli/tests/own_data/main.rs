@@ -10,6 +10,7 @@ mod common;
 mod fairness;
 mod files;
 mod invariance;
+mod maps;
 mod meshes;
 mod moves;
 mod outlines;

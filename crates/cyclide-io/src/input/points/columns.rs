@@ -8,7 +8,7 @@ use super::find::found;
 use super::names::{Role, words_of};
 use super::sampled::Sampled;
 use super::table::Table;
-use super::unit::{UnitWord, unit_in_name, unit_of_convention};
+use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// The columns that are read, as indices.
@@ -71,7 +71,10 @@ impl Chosen {
     /// Units that the names of the coordinates speak of.
     pub(super) fn unit_hints(&self, table: &Table<'_>) -> Vec<(String, Units)> {
         let known = |(i, word): (usize, UnitWord)| match word {
-            UnitWord::Known(unit) => Some((table.header.get(i)?.text.to_owned(), unit)),
+            UnitWord::Known(unit) => {
+                let said = || table.said.map(|(_, line)| line.trim());
+                Some((table.header.get(i).map(|field| field.text).or_else(said)?.to_owned(), unit))
+            }
             UnitWord::Other => None,
         };
         self.unit_words(table).into_iter().filter_map(known).collect()
@@ -91,14 +94,9 @@ impl Chosen {
         })
     }
 
-    /// The coordinates whose names, or whose cell of a line of units, speak of a unit.
+    /// The coordinates of whose unit the file speaks.
     fn unit_words(&self, table: &Table<'_>) -> Vec<(usize, UnitWord)> {
-        let below = |i: usize| table.units.get(i).copied().flatten();
-        let word = |i: usize| {
-            let name = table.header.get(i)?.text;
-            unit_in_name(name).or(below(i)).or_else(|| unit_of_convention(name)).map(|word| (i, word))
-        };
-        self.coordinates.iter().filter_map(|&i| word(i)).collect()
+        self.coordinates.iter().filter_map(|&i| table.unit(i).map(|word| (i, word))).collect()
     }
 
     /// Refuses coordinates in several units: no model has them.
@@ -139,6 +137,7 @@ fn label(table: &Table<'_>, taken: &[usize]) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::unit::unit_in_name;
     use super::*;
 
     #[test]
@@ -161,8 +160,20 @@ mod tests {
         ] {
             assert_eq!(unit_in_name(name), unit.map(UnitWord::Known), "{name}");
         }
-        for name in ["x_us-ft", "x [ftUS]", "x (US survey feet)", "X_USFT", "E (US ft)"] {
+        for name in [
+            "x_us-ft",
+            "x [ftUS]",
+            "x (US survey feet)",
+            "X_USFT",
+            "E (US ft)",
+            "E (ft (US survey))",
+            "N ft US",
+            "x_us-survey-feet",
+        ] {
             assert_eq!(unit_in_name(name), Some(UnitWord::Known(Units::UsSurveyFoot)), "{name}");
+        }
+        for name in ["x (int ft)", "E (ft (int))", "N ft (Intl.)"] {
+            assert_eq!(unit_in_name(name), Some(UnitWord::Known(Units::Foot)), "{name}");
         }
         for name in ["x_um", "x [km]", "x (\u{b5}m)", "x (\u{3bc}m)", "X_YD"] {
             assert_eq!(unit_in_name(name), Some(UnitWord::Other), "{name}");

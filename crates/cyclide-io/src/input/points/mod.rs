@@ -13,6 +13,7 @@
 
 mod clock;
 mod columns;
+mod compass;
 mod decimals;
 mod find;
 mod groups;
@@ -33,6 +34,7 @@ mod sampled;
 mod strings;
 mod table;
 mod unit;
+mod unit_said;
 mod unread;
 
 use std::collections::HashMap;
@@ -107,7 +109,7 @@ pub struct PointTable {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
-    /// Stable kebab-case name: `columns-taken`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
+    /// Stable kebab-case name: `columns-taken`, `northing-first`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
     /// `blank-lines`, `units-assumed`.
     pub reason: &'static str,
     /// The sentence.
@@ -180,6 +182,11 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         remark("decimal-pairs", message);
     } else if let Some(message) = chosen.remark.clone() {
         remark("columns-taken", message);
+    }
+    if columns.coordinates.is_some()
+        && let Some(message) = compass::asked_for_mirrored(&table, &chosen.coordinates)
+    {
+        remark("northing-first", message);
     }
     let not_read = chosen.not_read(&table).filter(|_| columns.coordinates.is_none());
     let strings = match &not_read {

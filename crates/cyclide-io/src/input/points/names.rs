@@ -1,4 +1,4 @@
-//! What the name of a column says: the words of surveying, maps and CAD in English, German, French, Italian and Spanish.
+//! What the name of a column says: the words of surveying, maps and CAD in English, German, French, Italian, Spanish and Portuguese.
 
 use super::height_words::{height_in, is_height, is_system};
 use super::table::Field;
@@ -32,8 +32,10 @@ pub(super) enum Role {
     Unknown,
 }
 
-const EAST: &str = "e me east easting eastings rechtswert rechtsw rechts rw ost ostwert ostkoordinate est este oest";
-const NORTH: &str = "n mn north northing northings hochwert hochw hoch hw nord nordwert nordkoordinate norden norte";
+const EAST: &str = "e me east easting eastings rechtswert rechtsw rechts rw ost ostwert ostkoordinate osten ostlich oestlich est este oest leste lest \
+    oost oostelijk rechtswerte";
+const NORTH: &str = "n mn north northing northings hochwert hochw hoch hw nord nordwert nordkoordinate norden nordlich noerdlich norte \
+    noord noordelijk hochwerte";
 const ABSCISSA: &str = "abscissa abscisse abscisses ascissa abscisa abszisse";
 const ORDINATE: &str = "ordinate ordonnee ordonnees ordinata ordenada";
 
@@ -46,6 +48,9 @@ const LABEL: &str = "no nr nro num numb nums number numbers numero numeros numme
     nome label labels etiquette etiqueta etichetta tag marker target ziel ref reference referenz referencia riferimento \
     site waypoint wp wpt feature object objekt record rec sample measurement messung mesure sr sl serial ser item shot peg \
     borne piquet picchetto estaca mojon p sno marke stutz grenz fest satz zeile ligne linea riga fila vermessungs pose ponto pontos";
+
+/// Bytes of the longest word that is looked through for them.
+const LONGEST_LABEL: usize = 100;
 
 /// Words that stand beside them and say nothing.
 const FILLERS: &str = "of de du des di del della delle the der le la el il d";
@@ -69,7 +74,10 @@ const BESIDE_MAP: &str = "utm grid map gk lambert nad nn nhn mga ngf igm ign loc
     ortho u ue uber ueber m nap false state plane reduced msl amsl ahd gauss kruger boaga";
 
 /// Words before the last one of a unit.
-const BEFORE_UNIT: &str = "us u s survey international intl in";
+const BEFORE_UNIT: &str = "us u s survey international intl int in";
+
+/// Words behind a unit that say which foot it is: `ft (US survey)`.
+const BEHIND_UNIT: &str = "us u s survey international intl int";
 
 /// Words beside the letter of an axis: `point_x`, `x coordinate`.
 const BESIDE: &str = "coord coords coordinate coordinates coor coordenada coordonnee coordinata koordinate koord wert value valor valeur \
@@ -100,14 +108,8 @@ impl Role {
         {
             return Self::Label;
         }
-        let words = folded(raw);
-        let unit = words.len() > 1 && unit_in_name(raw).is_some();
-        let mut count = words.len() - usize::from(unit);
-        // `(US survey ft)`, `in m`: more than one word of the unit.
-        while unit && count > 1 && is_among(BEFORE_UNIT, &words[count - 1]) {
-            count -= 1;
-        }
-        let words: Vec<&str> = words[..count].iter().map(String::as_str).collect();
+        let (words, unit) = words_of(raw);
+        let words: Vec<&str> = words[..words.len() - usize::from(unit)].iter().map(String::as_str).collect();
         let has_digit = |word: &str| word.chars().any(|c| c.is_ascii_digit());
         let beside =
             |word: &str| is_among(BESIDE, word) || is_among(BESIDE_MAP, word) || is_system(word) || has_digit(word);
@@ -159,11 +161,17 @@ impl Role {
     }
 }
 
+/// True for a word that names a grid or a reference system, or has its number.
+pub(super) fn is_of_system(word: &str) -> bool {
+    is_among(BESIDE_MAP, word) || is_among(BESIDE, word) || word.chars().any(|c| c.is_ascii_digit())
+}
+
 /// True if words are those of numbers and names of points.
 fn is_label(words: &[&str]) -> bool {
     let own: Vec<&str> = words.iter().copied().filter(|word| !is_among(FILLERS, word)).collect();
-    // `P1`, the name of a point, is no name of a column of them.
-    !own.is_empty() && own.iter().all(|word| is_made_of_labels(word))
+    // `P1`, the name of a point, is no name of a column of them; long words would take long.
+    let short = own.iter().all(|word| word.len() <= LONGEST_LABEL);
+    !own.is_empty() && short && own.iter().all(|word| is_made_of_labels(word))
 }
 
 /// True if a word is one of those of labels, or several of them joined.
@@ -202,15 +210,24 @@ pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
     }
 }
 
-/// The words of a column's name in small letters without accents, and whether the last is a unit.
+/// The words of a column's name in small letters without accents, and whether the last is a unit: one word of it, where it has several.
 pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
-    let words = folded(name);
+    let mut words = folded(name);
     let unit = words.len() > 1 && unit_in_name(name).is_some();
+    if unit {
+        while words.len() > 2 && words.last().is_some_and(|word| is_among(BEHIND_UNIT, word)) {
+            words.pop();
+        }
+        // `(US survey ft)`, `in m`.
+        while words.len() > 2 && is_among(BEFORE_UNIT, &words[words.len() - 2]) {
+            words.remove(words.len() - 2);
+        }
+    }
     (words, unit)
 }
 
 /// The words of a name in small letters, without accents.
-fn folded(name: &str) -> Vec<String> {
+pub(super) fn folded(name: &str) -> Vec<String> {
     let words = name.split(|c: char| !c.is_alphanumeric() && !is_accent(c)).filter(|word| !word.is_empty());
     words
         .flat_map(by_capitals)
@@ -233,9 +250,10 @@ pub(super) fn by_capitals(word: &str) -> Vec<&str> {
     words
 }
 
-/// True if a name is this letter alone.
+/// True if a name is this letter alone, or with its unit.
 pub(super) fn is_letter(letter: &str, field: &Field<'_>) -> bool {
-    matches!(folded(field.text).as_slice(), [only] if only == letter)
+    let (words, unit) = words_of(field.text);
+    words.len() == 1 + usize::from(unit) && words[0] == letter
 }
 
 /// Accents that stand behind their letter.
@@ -364,10 +382,32 @@ mod tests {
             "Coord. Este",
             "Easting_ETRS89",
             "UTM East",
+            "Leste",
+            "Coord. Est",
+            "Östlich",
+            "Oestlich [m]",
+            "Osten",
+            "Oost",
+            "Easting (ft (US survey))",
+            "East (int ft)",
         ] {
             assert_eq!(role(name), Role::East { clear: true }, "{name}");
         }
-        for name in ["Northing", "Hochwert", "Hochwert X", "Nord", "Norte", "Coordenada Norte", "North_ft"] {
+        for name in [
+            "Northing",
+            "Hochwert",
+            "Hochwert X",
+            "Nord",
+            "Norte",
+            "Coordenada Norte",
+            "North_ft",
+            "Nördlich",
+            "NOERDLICH",
+            "Norden",
+            "Coordonnée Nord",
+            "Northing (US survey ft)",
+            "North ft (int)",
+        ] {
             assert_eq!(role(name), Role::North { clear: true }, "{name}");
         }
         for name in [

@@ -6,7 +6,7 @@ use cyclide::Units;
 
 use super::sampled::Sampled;
 use super::table::Table;
-use super::unit::{UnitWord, unit_in_name};
+use super::unit::UnitWord;
 
 /// Which of two coordinates of a map stands first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,11 +37,8 @@ const ZONE: f64 = 1e6;
 
 /// Which of two columns that are to be x and y stands first.
 pub(super) fn northing_first(table: &Table<'_>, sampled: &Sampled, [first, second]: [usize; 2]) -> Order {
-    let unit = |i: usize| {
-        let name = table.header.get(i).and_then(|field| unit_in_name(field.text));
-        name.or(table.units.get(i).copied().flatten())
-    };
-    let in_metres = [first, second].iter().all(|i| unit(*i).is_none_or(|unit| unit == UnitWord::Known(Units::Metre)));
+    let in_metres =
+        [first, second].iter().all(|i| table.unit(*i).is_none_or(|unit| unit == UnitWord::Known(Units::Metre)));
     let (Some(first), Some(second)) = (sampled.range(first), sampled.range(second)) else { return Order::Plain };
     if in_metres { order(first, second) } else { Order::Plain }
 }

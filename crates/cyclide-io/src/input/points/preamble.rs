@@ -4,6 +4,7 @@ use super::decimals::is_number;
 use super::names::Role;
 use super::table::{Delimiter, Field, LONGEST_LINE, about, split};
 use super::unit::{UnitWord, unit_alone};
+use super::unit_said::unit_said_by;
 use crate::text::lines::lines;
 use crate::text::place::{Diagnostic, Source};
 
@@ -23,6 +24,8 @@ pub(super) struct Preamble<'a> {
     pub(super) unit_words: Vec<Field<'a>>,
     /// Where the lines that are passed over start.
     pub(super) titles: Vec<usize>,
+    /// The unit that a title or a remark says the coordinates are in, with that line.
+    pub(super) said: Option<(UnitWord, &'a str)>,
     /// The first line of data, and where it starts.
     pub(super) first: Vec<Field<'a>>,
     pub(super) start: usize,
@@ -80,9 +83,15 @@ impl<'a> Preamble<'a> {
         // The last remark before the data that could be a header.
         let mut remark: Vec<Field<'a>> = Vec::new();
         let mut text: Vec<Line<'a>> = Vec::new();
+        let mut remarks: Vec<&'a str> = Vec::new();
         let mut fields = Vec::new();
         for (start, line) in lines(source.text) {
             if let Some(rest) = line.trim_start().strip_prefix('#') {
+                if let Some(names) = numbered(delimiter, start, line, rest).filter(|_| !text.iter().any(is_names)) {
+                    text.push(Line { start, fields: names });
+                    continue;
+                }
+                remarks.push(rest);
                 let mut names = Vec::new();
                 if rest.len() <= LONGEST_LINE
                     && delimiter.split(rest, start + line.len() - rest.len(), &mut names).is_ok()
@@ -109,6 +118,7 @@ impl<'a> Preamble<'a> {
                 units: Vec::new(),
                 unit_words: Vec::new(),
                 titles: Vec::new(),
+                said: None,
                 first: fields,
                 start,
             };
@@ -116,6 +126,9 @@ impl<'a> Preamble<'a> {
             if preamble.header.is_empty() && remark.len() == preamble.first.len() {
                 preamble.header = remark;
             }
+            let title = |start: &usize| lines(&source.text[*start..]).next().map(|(_, line)| line);
+            remarks.extend(preamble.titles.iter().filter_map(title));
+            preamble.said = unit_said_by(&remarks);
             return Ok(preamble);
         }
         Err(empty())
@@ -166,6 +179,28 @@ impl<'a> Preamble<'a> {
         }
         Ok(())
     }
+}
+
+/// True for a line of names: of several columns it says what they are.
+fn is_names(line: &Line<'_>) -> bool {
+    line.fields.iter().filter(|field| !field.text.is_empty() && Role::of(field).is_of_points()).count() > 1
+}
+
+/// The names of a line whose first one is `#`, that of the numbers of the points: `#;N [m];E [m]`. `rest` is what stands behind the `#`.
+fn numbered<'a>(delimiter: Delimiter, start: usize, line: &'a str, rest: &'a str) -> Option<Vec<Field<'a>>> {
+    let Delimiter::Char(separator) = delimiter else { return None };
+    if rest.len() > LONGEST_LINE || !rest.trim_start_matches(' ').starts_with(separator) {
+        return None;
+    }
+    let at = line.len() - rest.len();
+    let mut fields = Vec::new();
+    delimiter.split(rest, start + at, &mut fields).ok()?;
+    let sign = Field { text: &line[at - 1..at], start: start + at - 1 };
+    if let Some(first) = fields.first_mut() {
+        *first = sign;
+    }
+    let named = fields.iter().filter(|field| !field.text.is_empty()).count() > 2;
+    (named && !fields.iter().any(is_number)).then_some(fields)
 }
 
 /// True for a line of text above the data: it has no number, or it is a title with some (`Project;17`, `Survey of 12 March`) over a
@@ -325,7 +360,10 @@ mod tests {
             ("Survey of the yard\n1 2\n3 4\n", &[], &[], 1, &["1", "2"]),
             ("x,y\nn/a,n/a\n1,2\n", &["x", "y"], &[], 0, &["n/a", "n/a"]),
             ("Point #,Easting,Northing\nP1,1,2\n", &["Point #", "Easting", "Northing"], &[], 0, &["P1", "1", "2"]),
-            ("#,x,y\n1,1.5,2.5\n", &["", "x", "y"], &[], 0, &["1", "1.5", "2.5"]),
+            ("#;N [m];E [m]\n100;1;2\n", &["#", "N [m]", "E [m]"], &[], 0, &["100", "1", "2"]),
+            ("Survey\n #\tN\tE\n\t[m]\t[m]\n7\t1\t2\n", &["#", "N", "E"], &[false, true, true], 1, &["7", "1", "2"]),
+            ("N;E\n#;---;---\n1;2\n", &["N", "E"], &[], 0, &["1", "2"]),
+            ("#,x,y\n1,1.5,2.5\n", &["#", "x", "y"], &[], 0, &["1", "1.5", "2.5"]),
             ("P1 1,5 2,25\nP2 3,5 4\n", &[], &[], 0, &["P1", "1,5", "2,25"]),
         ] {
             let found = read(text);

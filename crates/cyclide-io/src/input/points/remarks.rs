@@ -8,6 +8,7 @@ use super::decimals::Decimals;
 use super::find::on_the_globe;
 use super::names::{Role, axis_kind};
 use super::table::{Field, Table};
+use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// Eastings and northings have six or seven figures before the point, wherever the grid begins.
@@ -109,6 +110,9 @@ pub(super) fn notes(
             several => format!("the first of {several} lines"),
         };
         notes.push(format!("line {} is passed over ({lines} above the names of the columns)", source.line_of(*start)));
+    }
+    if let Some((UnitWord::Known(unit), line)) = table.said.filter(|_| !table.columns_have_units(&chosen.coordinates)) {
+        notes.push(format!("the coordinates are in {}, as `{}` says", unit.symbol(), quoted(line.trim())));
     }
     if decimals.grouped {
         notes.push("thousands are separated in the numbers".to_owned());

@@ -1,8 +1,10 @@
 //! What the first lines of a table say about its columns: whether one of them numbers the points.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 use super::decimals::{has_decimal_comma, is_number};
+use super::groups::{Evidence, Groups};
 use super::remarks::{GRID, PART_OF_GRID};
 use super::table::{Field, Table};
 
@@ -56,11 +58,13 @@ impl Sampled {
     pub(super) fn of(table: &Table<'_>) -> Self {
         let start = Column { even: true, rises: true, ..Column::default() };
         let mut columns = vec![start; table.width];
+        let groups = groups_of(table);
         let mut left = LOOKED_AT;
         // What is wrong with a line is said where it is read.
         table.for_first_rows(|fields| {
             for (column, field) in columns.iter_mut().zip(fields) {
-                column.see(field.text);
+                let plain = groups.map_or(Cow::Borrowed(field.text), |groups| groups.without(field.text));
+                column.see(field.text, &plain);
             }
             left -= 1;
             left > 0
@@ -136,7 +140,7 @@ impl Sampled {
 
     /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
     pub(super) fn are_on_a_grid(&self, columns: [usize; 2]) -> bool {
-        let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.range));
+        let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.all_numbers));
         ranges.iter().all(|range| {
             range.is_some_and(|[low, high]| {
                 low.abs().min(high.abs()) > GRID && high - low < PART_OF_GRID * low.abs().min(high.abs())
@@ -155,7 +159,8 @@ impl Sampled {
 }
 
 impl Column {
-    fn see(&mut self, text: &str) {
+    /// Takes note of a field; `plain` is its text without separators of thousands.
+    fn see(&mut self, text: &str, plain: &str) {
         if self.fields > 0 && text != self.text {
             self.changes += 1;
         }
@@ -163,20 +168,20 @@ impl Column {
         self.text.clear();
         self.text.push_str(text);
         self.empty += usize::from(text.is_empty());
-        if let Some(number) = number_of(text) {
+        if let Some(number) = number_of(plain) {
             self.numbers += 1;
             self.nonzero |= number != 0.0;
             let [low, high] = self.all_numbers.unwrap_or([number; 2]);
             self.all_numbers = Some([low.min(number), high.max(number)]);
         }
-        let comma = has_decimal_comma(text);
-        let number = if comma { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
+        let comma = has_decimal_comma(plain);
+        let number = if comma { plain.replacen(',', ".", 1).parse::<f64>() } else { plain.parse() };
         let Ok(number) = number else {
             self.fractions = true;
             return;
         };
         self.lines += 1;
-        self.fractions |= !text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
+        self.fractions |= !plain.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
         self.repeats |= !self.seen.insert(number.to_bits());
         if let Some(last) = self.last {
             let step = number - last;
@@ -188,6 +193,19 @@ impl Column {
         let [low, high] = self.range.unwrap_or([number; 2]);
         self.range = Some([low.min(number), high.max(number)]);
     }
+}
+
+/// What separates thousands in the first lines of a table, if that is certain.
+fn groups_of(table: &Table<'_>) -> Option<Groups> {
+    let mut evidence = Evidence::default();
+    let mut left = LOOKED_AT;
+    table.for_first_rows(|fields| {
+        // Dates and codes are no numbers.
+        fields.iter().filter(|field| is_number(field)).for_each(|field| evidence.see(field.text));
+        left -= 1;
+        left > 0
+    });
+    evidence.groups()
 }
 
 /// A finite number in any form that tables have, roughly: what separates its thousands is left out.

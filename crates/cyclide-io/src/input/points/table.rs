@@ -2,7 +2,7 @@
 
 use super::decimals::has_decimal_comma;
 use super::preamble::Preamble;
-use super::unit::UnitWord;
+use super::unit::{UnitWord, unit_in_name, unit_of_convention};
 use crate::text::lines::lines;
 use crate::text::place::{Diagnostic, Source, quoted};
 use crate::text::suggest::did_you_mean;
@@ -154,6 +154,8 @@ pub(super) struct Table<'a> {
     pub(super) unit_words: Vec<Field<'a>>,
     /// Where lines of text above the header start, which are passed over.
     pub(super) titles: Vec<usize>,
+    /// The unit that a title or a remark above the data says the coordinates are in, with that line.
+    pub(super) said: Option<(UnitWord, &'a str)>,
     /// Number of columns of the header, else of the first line of data.
     pub(super) width: usize,
     /// The first line of data.
@@ -176,9 +178,26 @@ impl<'a> Table<'a> {
         known: fn(&Field<'_>) -> bool,
     ) -> Result<Self, Box<Diagnostic>> {
         let preamble = Preamble::read(source, wanted, known)?;
-        let Preamble { delimiter, header, units, unit_words, titles, first, start } = preamble;
+        let Preamble { delimiter, header, units, unit_words, titles, said, first, start } = preamble;
         let width = if header.is_empty() { first.len() } else { header.len() };
-        Ok(Self { source, delimiter, header, units, unit_words, titles, width, first, start })
+        Ok(Self { source, delimiter, header, units, unit_words, titles, said, width, first, start })
+    }
+
+    /// The unit of a column of coordinates: its own, else that of a title.
+    pub(super) fn unit(&self, column: usize) -> Option<UnitWord> {
+        self.own_unit(column).or(self.said.map(|(unit, _)| unit))
+    }
+
+    /// That of the name of a column, of the line of units, or of a convention.
+    fn own_unit(&self, column: usize) -> Option<UnitWord> {
+        let name = self.header.get(column).map(|field| field.text);
+        let below = || self.units.get(column).copied().flatten();
+        name.and_then(unit_in_name).or_else(below).or_else(|| name.and_then(unit_of_convention))
+    }
+
+    /// True if one of some columns has a unit of its own.
+    pub(super) fn columns_have_units(&self, columns: &[usize]) -> bool {
+        columns.iter().any(|column| self.own_unit(*column).is_some())
     }
 
     /// True if a mark that may separate thousands is in the data: a look at the bytes, which costs little.
