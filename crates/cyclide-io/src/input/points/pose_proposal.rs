@@ -6,7 +6,7 @@ use super::civil_time::CivilTime;
 use super::names::{GLOBE, Role, speaks_of, words_of};
 use super::pose_clocks::speaks_of_clocks;
 use super::pose_columns::PoseColumns;
-use super::pose_names::{ANGLES, Meaning, POSITION, QUATERNION, TimeUnit};
+use super::pose_names::{ANGLES, Meaning, POSITION, QUATERNION, TimeUnit, meaning as own_meaning};
 use super::table::{Field, Table};
 use crate::text::place::{Source, quoted};
 
@@ -56,7 +56,7 @@ impl Proposal {
             let number = table.first.get(i).is_some_and(|field| number(field).is_some());
             let name = table.header[i].text;
             let is_time = speaks_of_clocks(name);
-            let may_rise = clocks.contains(&i) && !is_told(&table.header[i]);
+            let may_rise = clocks.contains(&i) && !is_no_time(&table.header[i]);
             rises |= may_rise || is_time && !timed;
             let aside = match is_time {
                 true => timed,
@@ -99,7 +99,7 @@ fn known(field: &Field<'_>, meaning: Meaning) -> String {
     let degrees = |unit: f64| if unit < 1.0 { "_deg" } else { "" };
     let own = match meaning {
         Meaning::Label => return ASIDE.to_owned(),
-        Meaning::Matrix(row, column) => return format!("m{}{}", row + 1, column + 1),
+        Meaning::Matrix(row, column) => format!("m{}{}", row + 1, column + 1),
         Meaning::Time(TimeUnit::Unsaid) => "t".to_owned(),
         Meaning::Time(TimeUnit::PerSecond(count)) => {
             let units: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e3), ("us", 1e6), ("ns", 1e9)];
@@ -111,14 +111,16 @@ fn known(field: &Field<'_>, meaning: Meaning) -> String {
         Meaning::Vector(axis, unit) => format!("rotvec_{}{}", POSITION[axis], degrees(unit)),
     };
     let shown = quoted(field.text);
-    let typed = shown == field.text && !shown.contains(|c: char| matches!(c, '"' | '\\') || c.is_control());
+    // Entries that count from 0, or have another letter, are such only beside each other.
+    let alone = !matches!(meaning, Meaning::Matrix(..)) || own_meaning(field) == Some(meaning);
+    let typed = alone && shown == field.text && !shown.contains(|c: char| matches!(c, '"' | '\\') || c.is_control());
     if typed { shown.into_owned() } else { own }
 }
 
 /// True for a name that says something else than the time.
-fn is_told(field: &Field<'_>) -> bool {
-    let role = Role::of(field);
-    !matches!(role, Role::Unknown | Role::Other) || GLOBE.iter().any(|words| speaks_of(words, field))
+fn is_no_time(field: &Field<'_>) -> bool {
+    !matches!(Role::of(field), Role::Unknown | Role::Other | Role::Label)
+        || GLOBE.iter().any(|words| speaks_of(words, field))
 }
 
 /// True for a name of what may be the height of the place.
