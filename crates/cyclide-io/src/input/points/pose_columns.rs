@@ -3,7 +3,7 @@
 use super::columns::Chosen;
 use super::names::words_of;
 use super::pose_clocks::{seconds_and_parts, take_clocks};
-use super::pose_entries::take_entries;
+use super::pose_entries::{is_entry, take_entries};
 use super::pose_names::{
     AMBIGUOUS, ANGLES, AXES, DEGREES, LOOK, MEANT, Meaning, NAMES, POSITION, QUATERNION, TimeUnit, meaning_with_unit,
 };
@@ -55,6 +55,14 @@ impl PoseColumns {
         take_clocks(table, &mut meanings);
         // What is not read could be what was meant.
         if let Some(other) = meanings.iter().position(Option::is_none) {
+            let field = &table.header[other];
+            if from_zero && is_entry(field.text) {
+                let name = quoted(field.text);
+                let message = format!(
+                    "`{name}` counts from 1, and other entries from 0: name all as m00 to m23, or all as m11 to m34"
+                );
+                return Err(field.refused(source, message));
+            }
             return Err(unknown(source, table, &meanings, other));
         }
         let only = |what: &str, fits: &dyn Fn(Meaning) -> bool| -> Result<Option<usize>, Box<Diagnostic>> {

@@ -15,6 +15,11 @@ fn entry(name: &str) -> Option<(String, [usize; 2])> {
     MATRICES.contains(&word.as_str()).then_some((word, [row, column]))
 }
 
+/// True for the name of an entry of a matrix.
+pub(super) fn is_entry(name: &str) -> bool {
+    entry(name).is_some()
+}
+
 /// Takes columns for entries of a matrix, where all nine of the rotation are there, or its numbers begin at 0; returns true where they do: `m11` is the middle
 /// entry then.
 pub(super) fn take_entries(table: &Table<'_>, meanings: &mut [Option<Meaning>]) -> bool {
