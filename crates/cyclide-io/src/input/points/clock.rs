@@ -3,10 +3,11 @@
 
 use cyclide::ShortNumber;
 
+use super::civil_time::{CivilKind, CivilTime};
 use super::decimals::Decimals;
 use super::pose_names::TimeUnit;
 use super::table::Field;
-use crate::text::place::{Diagnostic, Source};
+use crate::text::place::{Diagnostic, Source, quoted};
 
 /// Seconds between poses from which on another unit may be meant.
 const LONG_STEP: f64 = 1000.0;
@@ -20,6 +21,8 @@ pub(super) struct Clock {
     /// The first time, in whole units, where those are too large for a double: the others count from it.
     first: Option<i128>,
     begun: bool,
+    /// What the texts of the times say, where they are no numbers.
+    civil: Option<CivilKind>,
     /// The least and the most of the times in their unit, and how many there are.
     range: Option<[f64; 2]>,
     count: usize,
@@ -29,13 +32,13 @@ pub(super) struct Clock {
 
 impl Clock {
     pub(super) const fn new(unit: TimeUnit) -> Self {
-        Self { unit, first: None, begun: false, range: None, count: 0, note: None }
+        Self { unit, first: None, begun: false, civil: None, range: None, count: 0, note: None }
     }
 
     /// The time of a row in seconds, with its whole nanoseconds, if they have a column of their own.
     ///
     /// # Errors
-    /// As [`Decimals::read`] has them.
+    /// As [`Decimals::read`] has them; of dates and times of the day that are none, or that are not all alike.
     pub(super) fn read(
         &mut self,
         source: Source<'_>,
@@ -43,6 +46,9 @@ impl Clock {
         field: &Field<'_>,
         nanoseconds: Option<&Field<'_>>,
     ) -> Result<f64, Box<Diagnostic>> {
+        if field.text.contains(':') || self.civil.is_some() {
+            return self.read_civil(source, field);
+        }
         let value = decimals.read(source, field)?;
         let [low, high] = self.range.unwrap_or([value; 2]);
         self.range = Some([low.min(value), high.max(value)]);
@@ -81,6 +87,39 @@ impl Clock {
             }
             _ => value / per_second,
         })
+    }
+
+    /// The seconds of a text from the first.
+    fn read_civil(&mut self, source: Source<'_>, field: &Field<'_>) -> Result<f64, Box<Diagnostic>> {
+        let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(field.text))));
+        let Some(CivilTime { kind, nanoseconds }) = CivilTime::parse(field.text) else {
+            return refused(
+                "is no time: write seconds, or `10:00:00.25`, or `2026-11-28T10:00:00.25` with or without a zone (`Z`, `+01:00`), to nanoseconds",
+            );
+        };
+        let fresh = !self.begun && self.count == 0;
+        if self.civil != Some(kind) && !fresh {
+            return refused("does not say its time as the lines before do: write all times alike");
+        }
+        self.civil = Some(kind);
+        let first = *self.first.get_or_insert(nanoseconds);
+        if fresh {
+            self.begun = true;
+            self.count = 1;
+            let what = if kind == CivilKind::TimeOfDay { "times of the day" } else { "dates" };
+            self.note = Some(format!("the times are {what}; seconds count from the first, {}", quoted(field.text)));
+        }
+        Ok(nanoseconds.saturating_sub(first) as f64 / 1e9)
+    }
+
+    /// What to do where times of the day do not rise; nothing of others.
+    pub(super) const fn past_midnight(&self) -> &'static str {
+        match self.civil {
+            Some(CivilKind::TimeOfDay) => {
+                "; where they pass midnight, write them with their dates, as `2026-11-28T23:59:59`"
+            }
+            _ => "",
+        }
     }
 
     /// The sentence about times that are so far apart that they are hardly seconds, where nothing says their unit.
@@ -147,6 +186,14 @@ mod tests {
             }
             assert_eq!(clock.seconds_assumed().is_some(), said, "{times:?}");
         }
+        let mut clock = Clock::new(TimeUnit::Unsaid);
+        let (source, mut decimals) = (Source { name: "t", text: "" }, Decimals::default());
+        let mut at = |text| clock.read(source, &mut decimals, &Field { text, start: 0 }, None);
+        assert_eq!(at("2026-11-28T23:59:59.75Z").unwrap().to_bits(), 0.0_f64.to_bits());
+        assert!(at("3.5").is_err());
+        assert_eq!(at("2026-11-29T01:00:01+01:00").unwrap().to_bits(), 1.25_f64.to_bits());
+        assert!(at("2026-11-29T00:00:02").unwrap_err().message.contains("write all times alike"));
+        assert!(clock.note.unwrap().contains("dates; seconds count from the first, 2026-11-28T23:59:59.75Z"));
         let mut clock = Clock::new(TimeUnit::PerSecond(1.0));
         let source = Source { name: "t", text: "" };
         let mut decimals = Decimals::default();

@@ -37,12 +37,7 @@ pub(super) fn found(table: &Table<'_>, sampled: &Sampled, taken: &[Option<usize>
         return Ok(found);
     }
     if let Some(globe) = globe {
-        let message = format!(
-            "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
-             `cs2cs` do it), and name the columns x_m, y_m",
-            table.names(globe)
-        );
-        return Err(table.header_refused(message));
+        return Err(refused_on_the_globe(table, globe));
     }
     only_numbers(table, sampled, &roles, &free().collect::<Vec<_>>())
 }
@@ -53,6 +48,16 @@ pub(super) fn on_the_globe(table: &Table<'_>) -> Option<[usize; 2]> {
         [Some(lon), Some(lat)] => Some([lon, lat]),
         _ => None,
     }
+}
+
+/// The refusal of angles on the globe, with the remedy.
+pub(super) fn refused_on_the_globe(table: &Table<'_>, globe: [usize; 2]) -> Box<Diagnostic> {
+    let message = format!(
+        "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
+         `cs2cs` do it), and name the columns x_m, y_m",
+        table.names(globe)
+    );
+    table.header_refused(message)
 }
 
 /// Coordinates by their names.

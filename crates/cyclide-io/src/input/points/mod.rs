@@ -11,6 +11,7 @@
 //! that is a choice it is said, and where it would be a guess it is refused. Above the header there may be titles, below it a
 //! line of units; the text may be UTF-8, UTF-16 or Windows-1252.
 
+mod civil_time;
 mod clock;
 mod columns;
 mod compass;
@@ -24,9 +25,14 @@ mod heights;
 mod merge;
 mod names;
 mod northing;
+mod pose_clocks;
 mod pose_columns;
+mod pose_entries;
 mod pose_names;
+mod pose_places;
 mod pose_proposal;
+#[cfg(test)]
+mod pose_tests;
 mod poses;
 mod preamble;
 mod remarks;

@@ -2,10 +2,13 @@
 
 use super::columns::Chosen;
 use super::names::words_of;
+use super::pose_clocks::{seconds_and_parts, take_clocks};
+use super::pose_entries::{is_entry, take_entries};
 use super::pose_names::{
     AMBIGUOUS, ANGLES, AXES, DEGREES, LOOK, MEANT, Meaning, NAMES, POSITION, QUATERNION, TimeUnit, meaning_with_unit,
 };
-use super::pose_proposal::proposed;
+use super::pose_places::{refuse_globe, take_places};
+use super::pose_proposal::Proposal;
 use super::table::{Field, Table};
 use crate::text::place::{Diagnostic, Source, quoted};
 use crate::text::suggest::did_you_mean;
@@ -21,6 +24,8 @@ pub(super) struct PoseColumns {
     pub(super) rotation: RotationColumns,
     /// Names of coordinates and angles that no column has: they are 0.
     pub(super) absent: Vec<&'static str>,
+    /// What columns in other words were taken for.
+    pub(super) notes: Vec<String>,
 }
 
 /// How a table says rotations.
@@ -43,19 +48,22 @@ impl PoseColumns {
         let of = |(i, field): (usize, &Field<'_>)| meaning_with_unit(field, unit(i));
         let mut meanings: Vec<Option<Meaning>> = table.header.iter().enumerate().map(of).collect();
         leave_tangents(table, &mut meanings);
+        let from_zero = take_entries(table, &mut meanings);
+        let mut notes = Vec::new();
+        take_places(table, &mut meanings, &mut notes);
+        refuse_globe(table, &meanings)?;
+        take_clocks(table, &mut meanings);
         // What is not read could be what was meant.
         if let Some(other) = meanings.iter().position(Option::is_none) {
             let field = &table.header[other];
-            let known = ["t", "time"].into_iter().chain(POSITION).chain(QUATERNION).chain(ANGLES).chain(DEGREES);
-            let (words, _) = words_of(field.text);
-            let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
-            let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
-            let message = format!(
-                "`{}` is no column of poses, which are {NAMES}{hint}; or say what each column is (`-`: nothing of the pose), as in the document {}",
-                quoted(field.text),
-                proposed(table, &meanings)
-            );
-            return Err(field.refused(source, message));
+            if from_zero && is_entry(field.text) {
+                let name = quoted(field.text);
+                let message = format!(
+                    "`{name}` counts from 1, and other entries from 0: name all as m00 to m23, or all as m11 to m34"
+                );
+                return Err(field.refused(source, message));
+            }
+            return Err(unknown(source, table, &meanings, other));
         }
         let only = |what: &str, fits: &dyn Fn(Meaning) -> bool| -> Result<Option<usize>, Box<Diagnostic>> {
             let all: Vec<usize> = (0..meanings.len()).filter(|&i| meanings[i].is_some_and(fits)).collect();
@@ -74,7 +82,8 @@ impl PoseColumns {
         let is_angle = |m| matches!(m, Meaning::Angle(..));
         let is_vector = |m| matches!(m, Meaning::Vector(..));
         let is_matrix = |m| matches!(m, Meaning::Matrix(..));
-        let entry = |i: usize, j: usize| needed(&format!("m{}{}", i + 1, j + 1), &|m| m == Meaning::Matrix(i, j));
+        let from = usize::from(!from_zero);
+        let entry = |i: usize, j: usize| needed(&format!("m{}{}", i + from, j + from), &|m| m == Meaning::Matrix(i, j));
         // Beside a quaternion a matrix says the same again.
         let by_matrix = any(&is_matrix) && !any(&is_quaternion);
         let placed = any(&|m| matches!(m, Meaning::Position(_)));
@@ -150,7 +159,7 @@ impl PoseColumns {
             }
             (false, false) => RotationColumns::None,
         };
-        Ok(Self { position, time, nanoseconds, rotation, absent })
+        Ok(Self { position, time, nanoseconds, rotation, absent, notes })
     }
 
     /// The time, and whole nanoseconds beside seconds. Of several the stamp of the message counts, not when it was recorded.
@@ -172,10 +181,10 @@ impl PoseColumns {
         match times.as_slice() {
             [] => Ok((None, None)),
             [only] => Ok((Some(*only), None)),
-            [(seconds, TimeUnit::PerSecond(1.0)), (parts, TimeUnit::PerSecond(1e9))] => {
-                Ok((Some((*seconds, TimeUnit::PerSecond(1.0))), Some(*parts)))
-            }
             several => {
+                if let Some([seconds, parts]) = seconds_and_parts(several) {
+                    return Ok((Some((seconds, TimeUnit::PerSecond(1.0))), Some(parts)));
+                }
                 let names = table.names(several.iter().map(|(column, _)| *column));
                 Err(table.header_refused(format!("several columns are the time: {names}: leave one of them")))
             }
@@ -185,6 +194,22 @@ impl PoseColumns {
 
 /// A column of times and its unit.
 type TimeColumn = (usize, TimeUnit);
+
+/// The refusal of a column that is nothing known, with the columns to type instead; where those would be refused too, with that refusal, which says what
+/// to do.
+fn unknown(source: Source<'_>, table: &Table<'_>, meanings: &[Option<Meaning>], other: usize) -> Box<Diagnostic> {
+    let field = &table.header[other];
+    let known = ["t", "time"].into_iter().chain(POSITION).chain(QUATERNION).chain(ANGLES).chain(DEGREES);
+    let (words, _) = words_of(field.text);
+    let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
+    let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
+    let proposal = Proposal::new(table, meanings);
+    let remedy = match proposal.refusal(source, table) {
+        Some(refusal) => format!("; and the other columns are no table of poses yet: {refusal}"),
+        None => format!("; or say what each column is (`-`: nothing of the pose), as in the document {proposal}"),
+    };
+    field.refused(source, format!("`{}` is no column of poses, which are {NAMES}{hint}{remedy}", quoted(field.text)))
+}
 
 /// The radians of the unit of some angles.
 ///

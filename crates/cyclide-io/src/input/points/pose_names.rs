@@ -89,8 +89,8 @@ fn of_messages(words: &[&str]) -> Option<Meaning> {
         return unit_of_time(&words[stamp + 2..]).map(Meaning::Time);
     }
     // The heading of messages in the plane.
-    if let ["theta"] | ["field" | "pose", "theta"] = words {
-        return Some(Meaning::Angle(2, 1.0));
+    if let ["theta", unit @ ..] | ["field" | "pose", "theta", unit @ ..] = words {
+        return unit_of_angle(unit).map(|unit| Meaning::Angle(2, unit));
     }
     if let ["rotvec" | "rv" | "rvec", letter, unit @ ..] | ["rot" | "rotation", "vec" | "vector", letter, unit @ ..] =
         words
@@ -156,15 +156,35 @@ pub(super) fn meaning_with_unit(field: &Field<'_>, unit: &str) -> Option<Meaning
         .or_else(|| plain.filter(|_| field.text.contains(['[', '(', '_'])))
 }
 
+/// Units of time, and how many of them a second has.
+const TIME_UNITS: [(&str, f64); 5] = [
+    ("s sec secs second seconds sek sekunde sekunden seconde secondes secondo secondi segundo segundos", 1.0),
+    (
+        "ms msec msecs millis millisecond milliseconds millisekunde millisekunden milliseconde millisecondes millisecondi milisegundos",
+        1e3,
+    ),
+    (
+        "us usec usecs micros microsecond microseconds mikrosekunden microsecondes microsecondi microsegundos \u{b5}s \u{3bc}s",
+        1e6,
+    ),
+    (
+        "ns nsec nsecs nanos nanosec nanosecs nanosecond nanoseconds nanosekunden nanosecondes nanosecondi nanosegundos",
+        1e9,
+    ),
+    ("min minute minutes minuten", 1.0 / 60.0),
+];
+
+/// How many of a unit of time a second has.
+fn per_second(word: &str) -> Option<f64> {
+    let is_of = |words: &str| words.split(' ').any(|own| own == word);
+    TIME_UNITS.iter().find(|(words, _)| is_of(words)).map(|(_, count)| *count)
+}
+
 /// The unit of a time, by the words beside its name.
-fn unit_of_time(words: &[&str]) -> Option<TimeUnit> {
+pub(super) fn unit_of_time(words: &[&str]) -> Option<TimeUnit> {
     let per_second = match words {
         [] => return Some(TimeUnit::Unsaid),
-        ["s" | "sec" | "secs" | "second" | "seconds"] => 1.0,
-        ["ms" | "msec" | "millisecond" | "milliseconds"] => 1e3,
-        ["us" | "usec" | "microsecond" | "microseconds" | "\u{b5}s" | "\u{3bc}s"] => 1e6,
-        ["ns" | "nsec" | "nsecs" | "nanosec" | "nanosecond" | "nanoseconds"] => 1e9,
-        ["min" | "minute" | "minutes"] => 1.0 / 60.0,
+        [word] => per_second(word)?,
         _ => return None,
     };
     Some(TimeUnit::PerSecond(per_second))
@@ -187,12 +207,18 @@ pub(super) fn meaning(field: &Field<'_>) -> Option<Meaning> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     // The sign is no letter, and not among the words.
     let degrees = field.text.contains('\u{b0}');
-    match of_messages(&path.iter().map(String::as_str).collect::<Vec<_>>()) {
-        Some(Meaning::Vector(axis, unit)) => {
-            let beside = words.get(path.len()..).unwrap_or_default();
+    let in_brackets = |unit: f64| match (words.get(path.len()..).unwrap_or_default(), degrees) {
+        ([], false) => Some(unit),
+        (beside, _) => {
             let beside = if degrees { Some(DEGREE) } else { unit_of_angle(beside) };
-            return beside.map(|beside| Meaning::Vector(axis, unit * beside));
+            // `theta_deg [deg]` says it twice.
+            beside.filter(|beside| unit.total_cmp(&1.0).is_eq() || unit.total_cmp(beside).is_eq())
         }
+    };
+    match of_messages(&path.iter().map(String::as_str).collect::<Vec<_>>()) {
+        // Their unit may stand in brackets.
+        Some(Meaning::Vector(axis, unit)) => return in_brackets(unit).map(|unit| Meaning::Vector(axis, unit)),
+        Some(Meaning::Angle(angle, unit)) => return in_brackets(unit).map(|unit| Meaning::Angle(angle, unit)),
         Some(found) => return Some(found),
         None => {}
     }
@@ -301,6 +327,12 @@ mod tests {
             ("field.twist.twist.linear.x", Some(Meaning::Label)),
             ("field.pose.covariance", Some(Meaning::Label)),
             ("field.theta", Some(Meaning::Angle(2, 1.0))),
+            ("theta_deg", Some(Meaning::Angle(2, DEGREE))),
+            ("theta [deg]", Some(Meaning::Angle(2, DEGREE))),
+            ("theta_deg [deg]", Some(Meaning::Angle(2, DEGREE))),
+            ("pose.theta (\u{b0})", Some(Meaning::Angle(2, DEGREE))),
+            ("theta_deg [rad]", None),
+            ("theta_dot", None),
             ("field.pose.covariance0", None),
             ("field.header.stamp", Some(Meaning::Time(TimeUnit::Unsaid))),
             ("field.header.frame_id", Some(Meaning::Label)),

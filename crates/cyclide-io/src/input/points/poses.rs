@@ -75,7 +75,8 @@ pub(crate) fn read_poses(
     let mut notes: Vec<String> =
         decoded.encoding.map(|name| format!("the text is read as {name}")).into_iter().collect();
     let columns_taken = name_columns(&mut table, columns, &mut notes)?;
-    let PoseColumns { position, time, nanoseconds, rotation, absent } = PoseColumns::new(source, &table)?;
+    let PoseColumns { position, time, nanoseconds, rotation, absent, notes: names } = PoseColumns::new(source, &table)?;
+    notes.extend(names);
     let mut decimals = Decimals::of(source, &table, None)?;
     let mut clock = time.map(|(_, unit)| Clock::new(unit));
     let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
@@ -102,7 +103,8 @@ pub(crate) fn read_poses(
         if let (Some(time), Some(before), Some((column, _)), true) = (time, before, at, rising)
             && time <= before
         {
-            let message = format!("the times do not rise: {time} seconds, after {before}");
+            let hint = clock.as_ref().map_or("", Clock::past_midnight);
+            let message = format!("the times do not rise: {time} seconds, after {before}{hint}");
             return Err(row.fields[column].refused(source, message).with_reason("parameters-not-increasing"));
         }
         // Lines are counted where they are told.

@@ -142,7 +142,7 @@ impl Delimiter {
 }
 
 /// A text whose header and first line of data have been read.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Table<'a> {
     source: Source<'a>,
     pub(super) delimiter: Delimiter,
