@@ -21,8 +21,14 @@ MODELS = {
     "pipe": ({"run": RUN, "o": {"type": "pipe", "of": "run", "radius": 8}}, {"plane": 2, "cylinder": 3, "torus": 2}),
     "hollow": ({"run": RUN, "o": {"type": "pipe", "of": "run", "radius": 8, "wall": 2}}, {"plane": 2, "cylinder": 6, "torus": 4}),
     "torus": ({"o": {"type": "cyclide", "a": 30, "c": 0, "mu": 10}}, {"torus": 1}),
+    "sphere": (
+        {"a": {"type": "arc", "through": [[0, 0, -5], [3, 0, 4], [0, 0, 5]], "construction": True}, "o": {"type": "revolution", "of": "a"}},
+        {"sphere": 1},
+    ),
 }
-VOLUMES = {"pipe": math.pi * 64 * LENGTH, "hollow": math.pi * (64 - 36) * LENGTH, "torus": 2 * math.pi**2 * 30 * 100}
+VOLUMES = {"pipe": math.pi * 64 * LENGTH, "hollow": math.pi * (64 - 36) * LENGTH, "torus": 2 * math.pi**2 * 30 * 100, "sphere": 4 / 3 * math.pi * 125}
+
+HALVED = ("torus", "sphere")
 
 
 def volume(shape):
@@ -43,9 +49,9 @@ def test_each_surface_is_one_face_of_a_valid_solid(program, tmp_path, name):
     # As for booleans: curves and surfaces at equal parameters.
     assert step.valid and step.exactly_valid and step.tolerance <= 1e-7 and len(step.solids) == 1
     assert volume(shape) == pytest.approx(VOLUMES[name], rel=1e-9)
-    # The half of the torus, and what of the pipe is beyond a plane across its first leg.
-    box = BRepPrimAPI_MakeBox(gp_Pnt(-200, -200, -200), gp_Pnt(0 if name == "torus" else 40, 200, 200)).Shape()
+    # The half of the torus or sphere, and what of the pipe is beyond a plane across its first leg.
+    box = BRepPrimAPI_MakeBox(gp_Pnt(-200, -200, -200), gp_Pnt(0 if name in HALVED else 40, 200, 200)).Shape()
     cut = BRepAlgoAPI_Cut(shape, box).Shape()
     assert BRepCheck_Analyzer(cut).IsValid()
-    rest = 0.5 if name == "torus" else (LENGTH - 40) / LENGTH
+    rest = 0.5 if name in HALVED else (LENGTH - 40) / LENGTH
     assert volume(cut) == pytest.approx(rest * VOLUMES[name], rel=1e-7)

@@ -3,8 +3,8 @@
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
-    Arc, Body, EdgeCurve, EllipseBridge, Error, FaceSurface, Point3, RailSurface, RationalBezier, Vec3, Warning,
-    surface_joints,
+    Arc, Body, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface, ParamSurface as _, Point3, RailSurface,
+    RationalBezier, Vec3, Warning, surface_joints,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -72,6 +72,77 @@ fn arcs_that_touch_their_neighbours_are_refused() {
     assert!(both(Vec3::new(1.0, 1.0, 0.0)).is_ok());
     let Err(Error::ArcsCross { at: [s, t], .. }) = both(Vec3::new(1.0, -1.0, 0.0)) else { panic!("folds at 0") };
     assert!(s < 0.05 && (0.05..0.5).contains(&t), "{s} {t}");
+}
+
+fn circle(normal: Vec3) -> Circle {
+    Circle::from_center(Point3::new(1.0, 2.0, 3.0), normal, Point3::new(21.0, 2.0, 3.0)).unwrap()
+}
+
+/// A closed polygon above the circle, its corners given from the middle of the circle.
+fn polygon(corners: &[[f64; 2]]) -> Vec<EdgeCurve> {
+    let at = |k: usize| {
+        let [x, y] = corners[k % corners.len()];
+        Point3::new(1.0 + x, 2.0 + y, 43.0)
+    };
+    (0..corners.len()).map(|k| Arc::segment(at(k), at(k + 1)).unwrap().into()).collect()
+}
+
+/// From round to oval each section is an ellipse, whose semi-axes are between those of both ends.
+#[test]
+fn a_circle_is_cut_as_the_ellipse_beside_it() {
+    let oval = Ellipse::new(Point3::new(1.0, 2.0, 43.0), Vec3::Z, None, [25.0, 12.0]).unwrap();
+    let oval: Vec<EdgeCurve> =
+        oval.to_nurbs(0.0, 2.0 * PI).unwrap().to_beziers().into_iter().map(EdgeCurve::from).collect();
+    let cut = RailSurface::cut_circle(&circle(Vec3::Z), &oval).unwrap();
+    assert_eq!((cut.len(), cut[0].start()), (4, circle(Vec3::Z).start()));
+    let duct = RailSurface::ruled([&cut, &oval], true).unwrap();
+    assert!(duct.warnings().is_empty(), "{:?}", duct.warnings());
+    for face in duct.body().outer.faces() {
+        for k in 0..=8 {
+            let p = face.surface.point(f64::from(k) / 8.0, 0.5);
+            let on = ((p.x - 1.0) / 22.5).powi(2) + ((p.y - 2.0) / 16.0).powi(2);
+            assert!((p.z - 23.0).abs() < 1e-13 && (on - 1.0).abs() < 1e-13, "{p:?}");
+        }
+    }
+}
+
+#[test]
+fn a_circle_is_cut_where_the_corners_beside_it_are() {
+    let corners = [[15.0, 10.0], [-15.0, 10.0], [-15.0, -10.0], [15.0, -10.0]];
+    let moved = corners.map(|[x, y]| [x + 100.0, y - 30.0]);
+    let clockwise = [corners[0], corners[3], corners[2], corners[1]];
+    for (given, normal, sign) in
+        [(corners, Vec3::Z, 1.0), (moved, Vec3::Z, 1.0), (clockwise, -Vec3::Z, 1.0), (clockwise, Vec3::Z, -1.0)]
+    {
+        let cut = RailSurface::cut_circle(&circle(normal), &polygon(&given)).unwrap();
+        for (k, piece) in cut.iter().enumerate() {
+            // Against the run of the polygon its corners come in reverse order, from the same first one.
+            let [x, y] = if sign > 0.0 { given[k] } else { given[(4 - k) % 4] };
+            let [x, y] = if given == moved { [x - 100.0, y + 30.0] } else { [x, y] };
+            let expected = Vec3::new(x, y, 0.0) * (20.0 / x.hypot(y));
+            let found = piece.start() - circle(normal).center();
+            assert!((found - expected).length() < 1e-13, "{k}: {found:?} {expected:?}");
+            let arc = piece.arc().unwrap();
+            assert!((arc.radius().unwrap() / 20.0 - 1.0).abs() < 1e-14);
+            assert!(arc.normal().unwrap().dot(normal) > 1.0 - 1e-14);
+        }
+        let turn: f64 = cut.iter().filter_map(EdgeCurve::arc).map(Arc::angle).sum();
+        assert!((turn - 2.0 * PI).abs() < 1e-13);
+    }
+    // Across the axis no corner has a direction of its own: equal arcs from the start.
+    let upright: Vec<EdgeCurve> = (0..4)
+        .map(|k| {
+            let at = |k: usize| {
+                Point3::from([[30.0, 0.0, 0.0], [31.0, 0.0, 0.0], [31.0, 0.0, 1.0], [30.0, 0.0, 1.0]][k % 4])
+            };
+            Arc::segment(at(k), at(k + 1)).unwrap().into()
+        })
+        .collect();
+    let cut = RailSurface::cut_circle(&circle(Vec3::Z), &upright).unwrap();
+    assert_eq!(cut[0].start(), circle(Vec3::Z).start());
+    assert!(cut.iter().all(|piece| (piece.arc().unwrap().angle() - 0.5 * PI).abs() < 1e-14));
+    let one = RailSurface::cut_circle(&circle(Vec3::Z), &upright[..1]);
+    assert_eq!(one.unwrap_err().reason(), "too-few-points");
 }
 
 /// Twice the area between an arc with this start tangent and its chord, positive left of it.

@@ -95,6 +95,24 @@ fn pipes_of_any_run_have_a_face_for_each_leg_bend_and_end() {
 fn whole_tori_and_spheres_are_one_face() {
     let torus = File::of(&json!({"ring": {"type": "cyclide", "a": 30.0, "c": 0.0, "mu": 10.0}}), "");
     assert_eq!((torus.faces(), torus.count("EDGE_CURVE"), torus.count("VERTEX_POINT")), ([1, 0, 0, 1], 2, 1));
+    // Spheres of profiles with one arc and with four, off the origin, about a tilted axis: one face, and a seam from pole to pole.
+    let arc =
+        |middle: [f64; 3]| json!({"type": "arc", "through": [[0, 0, -5], middle, [0, 0, 5]], "construction": true});
+    let ball = |of: &str| json!({"type": "revolution", "of": of});
+    let bow = json!({"type": "arc-spline", "points": [[0, 0, -5], [3, 0, -4], [5, 0, 0], [3, 0, 4], [0, 0, 5]],
+        "tangents": [[1, 0, 0], [4, 0, 3], [0, 0, 1], [-4, 0, 3], [-1, 0, 0]], "construction": true});
+    let moved = json!({"type": "transform", "of": "ball",
+        "steps": [{"rotation": {"angle": {"degrees": 40}, "axis": [1, 2, 3]}}, {"translation": [70, -20, 9]}]});
+    for objects in [
+        json!({"a": arc([5.0, 0.0, 0.0]), "ball": ball("a")}),
+        json!({"a": arc([3.0, 0.0, 4.0]), "ball": ball("a")}),
+        json!({"a": bow, "ball": ball("a")}),
+        json!({"a": arc([5.0, 0.0, 0.0]), "ball": {"type": "revolution", "of": "a", "construction": true}, "moved": moved}),
+    ] {
+        let ball = File::of(&objects, "");
+        let counts = ["ADVANCED_FACE", "SPHERICAL_SURFACE", "EDGE_CURVE", "ORIENTED_EDGE", "VERTEX_POINT"];
+        assert_eq!(counts.map(|entity| ball.count(entity)), [1, 1, 1, 2, 2], "{objects}");
+    }
 }
 
 #[test]

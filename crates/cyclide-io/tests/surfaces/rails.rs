@@ -98,3 +98,45 @@ fn surfaces_between_two_curves_and_what_refuses_them() {
         assert!(error.contains(place) && error.contains(message), "{place} {message}: {error}");
     }
 }
+
+#[test]
+fn a_circle_has_the_pieces_of_the_closed_curve_beside_it() {
+    let made = |fields: &str, rails: &str, more: &str| {
+        build(&format!(
+            r#""k": {{"type": "circle", "center": [0, 0, 0], "radius": 5, "construction": true}},
+            "o": {{{fields}, "construction": true}}, "s": {{"type": "ruled", "rails": {rails}{more}}}"#
+        ))
+    };
+    // As wide as the circle, the ellipse makes a cylinder.
+    let round = r#""type": "ellipse", "center": [0, 0, 7], "semi_axes": [5, 5]"#;
+    for rails in [r#"["k", "o"]"#, r#"["o", "k"]"#] {
+        let duct = surface(&made(round, rails, "").unwrap());
+        assert_eq!(duct.patches, 4);
+        assert!((duct.area.unwrap() / (std::f64::consts::TAU * 5.0 * 7.0) - 1.0).abs() < 1e-12);
+    }
+    for (fields, patches) in [
+        (r#""type": "ellipse", "center": [1, 0, 7], "semi_axes": [6, 3]"#, 4),
+        (r#""type": "polyline", "closed": true, "points": [[-4, -4, 7], [4, -4, 7], [4, 4, 7], [-4, 4, 7]]"#, 4),
+        (
+            r#""type": "fair-spline", "closed": true, "points": [[6, 0, 7], [4, 4, 7], [-4, 4, 7], [-5, -4, 7], [4, -4, 7]]"#,
+            5,
+        ),
+    ] {
+        for rails in [r#"["k", "o"]"#, r#"["o", "k"]"#] {
+            assert_eq!(surface(&made(fields, rails, "").unwrap()).patches, patches, "{fields}");
+        }
+    }
+    // The other way round: the remedy is for the curve that is written, and works.
+    let clockwise = r#""type": "polyline", "closed": true, "points": [[-4, 4, 7], [4, 4, 7], [4, -4, 7], [-4, -4, 7]]"#;
+    let error = made(clockwise, r#"["k", "o"]"#, "").unwrap_err();
+    assert!(
+        error.contains(r#"take a `transform` of it with the steps `["reverse"]`, so that it begins at (-4, 4, 7)"#),
+        "{error}"
+    );
+    let turned = r#""type": "transform", "of": "p", "steps": ["reverse"]"#;
+    let document = format!(
+        r#""p": {{{clockwise}, "construction": true}}, "o": {{{turned}, "construction": true}},
+        "k": {{"type": "circle", "center": [0, 0, 0], "radius": 5, "construction": true}}, "s": {{"type": "ruled", "rails": ["k", "o"]}}"#
+    );
+    assert_eq!(surface(&build(&document).unwrap()).patches, 4);
+}

@@ -1,6 +1,6 @@
 //! Flat patterns of panels that are bent from a flat sheet.
 
-use super::nearest::NearestSurfaces;
+use super::nearest::{EXACT, NearSurface, NearestSurfaces, PanelPoints};
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
@@ -12,8 +12,6 @@ use crate::topology::{Shell, Side};
 const MOST_ARCS: u32 = 64;
 /// Places between the ends of an arc at which it is compared with what is unrolled.
 const PLACES: u32 = 8;
-/// A side of a panel that lies on its surface is one arc within this part of the size of the panel.
-const EXACT: f64 = 1e-11;
 
 /// The outline of the flat sheet from which a panel is bent.
 ///
@@ -52,20 +50,17 @@ pub struct FlatPattern {
 }
 
 impl FlatPattern {
-    /// The pattern of a panel within a tolerance of a plane, a cylinder or a cone, the first of them that is; `None` if none is, or
-    /// if a side would need more than 64 arcs to be within the tolerance.
+    /// The pattern of a panel within a tolerance of a plane, a cylinder or a cone; `None` if it is near none of them, or
+    /// if a side would need more than 64 arcs to be within the tolerance. A panel that lies on one of
+    /// them is unrolled from that one, whatever the tolerance; of the others the first that is within the tolerance is taken.
     ///
     /// # Errors
     /// `tolerance-not-positive`; what [`Shell::known_area`] says of panels with corners near infinity.
     pub fn new(patch: &CyclidePatch, tolerance: f64) -> Result<Option<Self>> {
         check_tolerance(tolerance)?;
-        let near = NearestSurfaces::new(patch);
-        let bent = [Some(near.plane), near.cylinder, near.cone];
-        let Some(near) = bent.into_iter().flatten().find(|near| near.max_distance <= tolerance) else {
-            return Ok(None);
-        };
+        let Some(near) = unrolled_from(patch, tolerance) else { return Ok(None) };
         let Some(unrolled) = Unrolled::new(patch, &near.surface) else { return Ok(None) };
-        // A panel that is on the surface has sides that are arcs; then nothing is gained by the tolerance.
+        // A panel that is on the surface has sides that are single arcs; then nothing is gained by the tolerance.
         let exact = EXACT * patch.size();
         let limit = if near.max_distance <= exact { exact } else { tolerance };
         let mut deviation: f64 = 0.0;
@@ -98,6 +93,15 @@ impl FlatPattern {
             length_change,
         }))
     }
+}
+
+/// The surface that a panel is unrolled from: the one that it lies on, else the first within the tolerance.
+fn unrolled_from(patch: &CyclidePatch, tolerance: f64) -> Option<NearSurface> {
+    let near = NearestSurfaces::new(patch);
+    let bent = [Some(near.plane), near.cylinder, near.cone];
+    let within = |limit: f64| bent.into_iter().flatten().find(|near| near.max_distance <= limit);
+    let exact = PanelPoints::new(patch).rounding().min(tolerance);
+    within(exact).or_else(|| within(tolerance))
 }
 
 /// The patch with the map of its surface to the plane, made so that the first corner is at the origin.

@@ -68,7 +68,12 @@ pub struct Mould {
 ///
 /// With a larger tolerance the same panels need no more moulds of cylinders and spheres. But kinds change: a panel that becomes simpler may need a mould
 /// of that kind, when the one it had is still needed by others. So the kinds of smaller tolerances are tried too, in steps that hang on the
-/// size of the panels, and the fewest moulds are taken; a panel may then be on a mould that is less simple than it could be. Fewer moulds at a larger
+/// size of the panels, and the fewest moulds are taken; a panel may then be on a mould that is less simple than it could be.
+///
+/// A panel that is exactly on a cone is on a cone, not on a cylinder that is within the tolerance, unless that needs fewer moulds: both are
+/// rolled from a sheet, and the cone has no deviation. The same holds for tori and spheres. A flat sheet is kept wherever it is within the tolerance.
+///
+/// Fewer moulds at a larger
 /// tolerance are the rule by that, and not proved: cones and tori are led, and steps are four.
 ///
 /// ```
@@ -132,6 +137,15 @@ fn compare(a: &[f64], b: &[f64]) -> std::cmp::Ordering {
 /// The kinds of moulds, the simplest first.
 const KINDS: [Bend; 5] = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus];
 
+/// How panels of a kind are made: cut from a flat sheet, rolled from one, or formed.
+const fn making(bend: Bend) -> u8 {
+    match bend {
+        Bend::Plane => 0,
+        Bend::Cylinder | Bend::Cone => 1,
+        Bend::Sphere | Bend::Torus => 2,
+    }
+}
+
 /// What was found of panels on moulds, by the panel and the numbers of the mould.
 type KnownMembers = HashMap<(usize, [u64; 3]), Option<MouldMember>>;
 
@@ -140,6 +154,8 @@ struct Workshop<'a> {
     panels: &'a [CyclidePatch],
     /// By the places of [`KINDS`].
     fits: Vec<[Option<PanelFit>; KINDS.len()]>,
+    /// The kind of the surface that a panel lies on to rounding.
+    exact: Vec<Option<Bend>>,
     tolerance: f64,
     /// What was found already: rungs of the ladder differ in few panels. Members by panel and mould, ranges by panel and kind.
     members: RefCell<KnownMembers>,
@@ -183,25 +199,31 @@ impl<'a> Workshop<'a> {
         let fits = |panel: &CyclidePatch| {
             let points = PanelPoints::new(panel);
             let limit = tolerance / points.unit.size;
+            let exact = points.exact();
             let mut is_found = false;
-            KINDS.map(|bend| {
-                // Of no use where a simpler one is within every tolerance for kinds.
-                let fit = if is_found { None } else { points.fit(bend, limit) };
+            let fits = KINDS.map(|bend| {
+                // Of no use where a simpler one is within every tolerance for kinds, unless the panel lies on it.
+                let fit = if is_found && exact != Some(bend) { None } else { points.fit(bend, limit) };
                 is_found |= fit.is_some_and(|fit| fit.max_distance <= strictest);
                 fit.filter(|fit| fit.max_distance <= tolerance)
-            })
+            });
+            let exact = exact.filter(|exact| fits.iter().flatten().any(|fit| fit.shape.bend == *exact));
+            (fits, exact)
         };
-        let fits = panels.iter().map(fits).collect();
-        Self { panels, fits, tolerance, members: RefCell::default(), ranges: RefCell::default() }
+        let (fits, exact) = panels.iter().map(fits).unzip();
+        Self { panels, fits, exact, tolerance, members: RefCell::default(), ranges: RefCell::default() }
     }
 
     /// The fewest moulds that the kinds of some rung of the ladder need.
     fn fewest_moulds(&self) -> Option<Moulds> {
         let mut rungs: Vec<Vec<Option<Bend>>> = Vec::new();
         for strict in ladder(self.panels, self.tolerance) {
-            let kinds = self.kinds(strict);
-            if !rungs.contains(&kinds) {
-                rungs.push(kinds);
+            let simplest = self.kinds(strict);
+            // Of as many moulds the earlier rung is taken: that without a deviation.
+            for kinds in [self.made_exact(&simplest), simplest] {
+                if !rungs.contains(&kinds) {
+                    rungs.push(kinds);
+                }
             }
         }
         // Those of the fewest kinds first: what they need is the limit for the others.
@@ -237,6 +259,15 @@ impl<'a> Workshop<'a> {
             within.or_else(nearest).map(|fit| fit.shape.bend)
         };
         self.fits.iter().map(kind).collect()
+    }
+
+    /// The kinds with that of the surface that a panel lies on, where it is made in the same way.
+    fn made_exact(&self, kinds: &[Option<Bend>]) -> Vec<Option<Bend>> {
+        let exact = |(kind, exact): (&Option<Bend>, &Option<Bend>)| match (kind, exact) {
+            (Some(kind), Some(exact)) if making(*kind) == making(*exact) => Some(*exact),
+            _ => *kind,
+        };
+        kinds.iter().zip(&self.exact).map(exact).collect()
     }
 
     /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.

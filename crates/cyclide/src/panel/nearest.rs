@@ -19,6 +19,10 @@ const ROUNDS: usize = 5;
 /// Angles of cones below this are those of cylinders.
 const FLAT: f64 = 1e-6;
 
+/// A panel lies on a surface within this part of its size, and so many roundings of its place.
+pub(super) const EXACT: f64 = 1e-11;
+const ROUNDINGS: f64 = 16.0;
+
 /// A simple surface near a panel, and how far the panel is from it.
 ///
 /// ```
@@ -139,6 +143,20 @@ impl PanelPoints {
         let limit = tolerance / self.unit.size;
         let all = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus].into_iter();
         all.filter_map(|bend| self.fit(bend, limit)).find(|fit| fit.max_distance <= tolerance)
+    }
+
+    /// The distance within which the panel lies on a surface: what rounding of its corners does.
+    pub(super) fn rounding(&self) -> f64 {
+        let far = self.unit.origin.to_array().into_iter().fold(0.0, |far: f64, x| far.max(x.abs()));
+        EXACT * self.unit.size + ROUNDINGS * f64::EPSILON * far
+    }
+
+    /// The simplest family that has a surface on which the panel lies: fits start with it.
+    pub(super) fn exact(&self) -> Option<Bend> {
+        let limit = self.rounding() / self.unit.size;
+        let is_on = |shape: &BentPlane| self.points.iter().all(|p| shape.distance(*p).abs() <= limit);
+        let mut all = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus].into_iter();
+        all.find(|bend| self.starts(*bend).map(BentPlane::tidy).any(|shape| shape.has_radii() && is_on(&shape)))
     }
 
     /// The nearest surface of a family, if there is one with radii; anything if the least mean of distances is above `limit`.

@@ -1,4 +1,4 @@
-use crate::shapes::{Random, cone, cylinder, general, plane, sphere, torus};
+use crate::shapes::{Random, cone, cylinder, general, narrow_cone, plane, sphere, torus};
 use cyclide::{
     Conformal, CyclidePatch, FlatPattern, PanelMeasures, ParamCurve, ParamSurface, PatchKind, Point3, Side, Vec3,
 };
@@ -69,6 +69,23 @@ fn a_panel_near_a_cylinder_is_laid_on_it() {
     assert!(matches!(flat.surface, PatchKind::Cylinder { .. }) && flat.surface_distance <= 2e-3);
     // Lengths change by distance times curvature at most, and areas twice that; the tube has radius 1.
     assert!(flat.deviation <= 2e-3 && flat.length_change < 2e-3 && flat.area_change.abs() < 4e-3, "{flat:?}");
+}
+
+/// Within the tolerance of a cylinder, even of a plane, and on a cone: a sector of a ring, whose radii are the distances from the apex.
+#[test]
+fn a_panel_on_a_cone_is_a_sector_at_any_tolerance() {
+    let sine = (1.0_f64 / 20.0).atan().sin();
+    for tolerance in [1e-9, 1e-3, 0.1, 1.0] {
+        let flat = FlatPattern::new(&narrow_cone(0.0), tolerance).unwrap().unwrap();
+        assert!(matches!(flat.surface, PatchKind::Cone { .. }), "{tolerance}");
+        assert!(flat.length_change < 1e-12 && flat.area_change.abs() < 1e-12 && flat.deviation < 1e-11, "{flat:?}");
+        for (side, radius) in [(Side::Bottom, Some(2.0 / sine)), (Side::Top, Some(2.05 / sine)), (Side::Left, None)] {
+            let [arc] = flat.sides[side as usize].arcs() else { panic!("one arc") };
+            // Its sagitta is 3e-3: rounding of the plane's coordinates is 1e-13 of it.
+            assert_eq!(arc.radius().is_some(), radius.is_some(), "{side:?}");
+            assert!(arc.radius().zip(radius).is_none_or(|(r, is)| (r / is - 1.0).abs() < 1e-10), "{arc:?}");
+        }
+    }
 }
 
 #[test]

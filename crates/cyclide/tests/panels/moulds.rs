@@ -1,4 +1,4 @@
-use crate::shapes::{Random, cone, cylinder, general, grid_distance, plane, radii, ring, sphere, torus};
+use crate::shapes::{Random, cone, cylinder, general, grid_distance, narrow_cone, plane, radii, ring, sphere, torus};
 use cyclide::{Conformal, CyclidePatch, MouldShape, Moulds, PatchKind};
 
 /// The numbers of a mould's form.
@@ -76,6 +76,27 @@ fn radii_are_compared_over_the_panel() {
         check(panels, &moulds, tolerance);
         assert_eq!(moulds.count(), expected, "{tolerance}");
     }
+}
+
+/// A cylinder is within the tolerance of each, and the cone has no deviation: it is the mould unless there are more cones than cylinders.
+#[test]
+fn panels_on_a_cone_are_made_on_it_unless_cylinders_are_fewer() {
+    let panels: Vec<CyclidePatch> = (0..4).map(|k| narrow_cone(f64::from(k))).collect();
+    for tolerance in [1e-9, 1e-4, 1e-3, 3e-3] {
+        let moulds = Moulds::new(&panels, tolerance).unwrap();
+        check(&panels, &moulds, tolerance);
+        assert_eq!(moulds.count(), 1, "{tolerance}");
+        let MouldShape::Cone { half_angle } = moulds.moulds[0].shape else { panic!("{tolerance}: {moulds:?}") };
+        assert!((half_angle - (1.0_f64 / 20.0).atan()).abs() < 1e-12);
+        assert!(moulds.moulds[0].members.iter().all(|member| member.near.max_distance < 1e-13));
+    }
+    // A flat sheet needs no mould.
+    assert_eq!(Moulds::new(&panels, 0.1).unwrap().moulds[0].shape, MouldShape::Plane);
+    // The cylinder of one joins that of the other, which the cone does not.
+    let with_cylinder = [narrow_cone(0.0), cylinder()];
+    let moulds = Moulds::new(&with_cylinder, 3e-2).unwrap();
+    assert_eq!(moulds.count(), 1);
+    assert!(matches!(moulds.moulds[0].shape, MouldShape::Cylinder { .. }));
 }
 
 #[test]

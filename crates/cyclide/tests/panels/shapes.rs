@@ -51,6 +51,14 @@ pub fn cone() -> CyclidePatch {
     CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::new(0.4_f64.sin(), 0.0, 0.4_f64.cos())).unwrap()
 }
 
+/// A part of the cone of radius `2 + z/20` about z, half a radian wide, from height `z`: near to a cylinder.
+pub fn narrow_cone(z: f64) -> CyclidePatch {
+    let at = |a: f64, z: f64| Point3::new((2.0 + z / 20.0) * a.cos(), (2.0 + z / 20.0) * a.sin(), z);
+    let corners = [at(0.0, z), at(0.5, z), at(0.0, z + 1.0), at(0.5, z + 1.0)];
+    let ruling = Vec3::new(1.0, 0.0, 20.0).unit().unwrap();
+    CyclidePatch::from_corners_and_frame(corners, Vec3::Y, ruling).unwrap()
+}
+
 /// A part of the sphere of the given radius: from any four points of a circle on it, with any frame.
 pub fn sphere(radius: f64) -> CyclidePatch {
     let at = |a: f64| Point3::new(0.4 * radius * a.cos(), 0.4 * radius * a.sin(), 0.84_f64.sqrt() * radius);

@@ -34,7 +34,7 @@ pub struct CircularSurfaceSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Names of the two curves, each of one contour and both of as many pieces; they may be construction geometry.
+    /// Names of the two curves, each of one contour and both of as many pieces; a whole circle takes those of the other closed curve. They may be construction geometry.
     pub rails: [String; 2],
     /// The direction in which the arcs leave the first curve: one for all, or a list with one for each point between its pieces and at its
     /// ends, linear in between.

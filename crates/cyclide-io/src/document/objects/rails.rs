@@ -1,6 +1,6 @@
 //! Surfaces between two curves.
 
-use cyclide::{CurveObject, EdgeCurve, RailSurface, SurfaceObject};
+use cyclide::{Circle, CurveObject, EdgeCurve, RailSurface, SurfaceObject};
 
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::{Error, Result};
@@ -23,11 +23,28 @@ impl Builder<'_> {
         vec![SurfaceObject::Body(made.into_body())]
     }
 
-    /// The pieces of the two curves, and whether both are closed.
+    /// The pieces of the two curves, and whether both are closed. A whole circle has as many as the other closed curve.
     pub(in crate::document) fn pieces_of_rails(&self) -> Result<([Vec<EdgeCurve>; 2], bool)> {
-        let [first, second] = self.rails()?.map(|curve| curve.exact_pieces().map_err(|e| self.refused(&e, None)));
+        let curves = self.rails()?;
+        let [first, second] = curves.map(|curve| curve.exact_pieces().map_err(|e| self.refused(&e, None)));
         let ((first, a), (second, b)) = (first?, second?);
-        Ok(([first, second], a && b))
+        let closed = a && b;
+        if !closed || first.len() == second.len() {
+            return Ok(([first, second], closed));
+        }
+        let beside =
+            |circle: &Circle, other: &[EdgeCurve]| circle_beside(circle, other).map_err(|e| self.refused(&e, None));
+        Ok((
+            match curves {
+                [CurveObject::Circle(circle), _] => beside(circle, &second)?,
+                [_, CurveObject::Circle(circle)] => {
+                    let [second, first] = beside(circle, &first)?;
+                    [first, second]
+                }
+                _ => [first, second],
+            },
+            closed,
+        ))
     }
 
     /// The two curves that an object is spanned between.
@@ -44,4 +61,13 @@ impl Builder<'_> {
         };
         Ok([rail(0)?, rail(1)?])
     }
+}
+
+/// The pieces of a whole circle and of the closed curve beside it, which has two at least.
+fn circle_beside(circle: &Circle, other: &[EdgeCurve]) -> cyclide::Result<[Vec<EdgeCurve>; 2]> {
+    let other = match other {
+        [one] => <[EdgeCurve; 2]>::from(one.split(0.5)?).to_vec(),
+        _ => other.to_vec(),
+    };
+    Ok([RailSurface::cut_circle(circle, &other)?, other])
 }

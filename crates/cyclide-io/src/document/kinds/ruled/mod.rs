@@ -40,7 +40,7 @@ pub struct RuledSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Names of the two curves, each of one contour and both of as many pieces; they may be construction geometry.
+    /// Names of the two curves, each of one contour and both of as many pieces; a whole circle takes those of the other closed curve. They may be construction geometry.
     pub rails: [String; 2],
     /// Of closed curves: by how many of its pieces the second one starts later than it is drawn. Default 0.
     #[serde(default)]

@@ -65,7 +65,8 @@ pub(super) fn framings(
     let mut found: Vec<PatchKind> = axes.into_iter().filter_map(about).collect();
     // Others carry curves in the parameters: the fewer, the better.
     let others = |kind: &PatchKind| border.iter().filter(|arc| !is_parameter_line(kind, arc)).count();
-    found.retain(|kind| others(kind) < border.len());
+    // A whole sphere has no border that an axis could suit.
+    found.retain(|kind| border.is_empty() || others(kind) < border.len());
     found.sort_by_key(others);
     found.extend(free(shell, region, &border, (center, radius)).and_then(about));
     found
