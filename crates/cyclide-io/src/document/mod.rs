@@ -33,6 +33,7 @@ pub use angle::Angle;
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 pub use kinds::ObjectSpec;
 pub use objects::contours::{ContourFacts, Fitted};
+pub use objects::facts::{InterpolationFacts, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane};
 pub use objects::idle::NO_EFFECT;
 pub use objects::remark::Remark;
 pub use objects::{BuiltObject, ModelBuilder};

@@ -3,7 +3,7 @@
 use cyclide::ShortNumber;
 use serde::Serialize;
 
-use crate::document::kinds::RoundedPolyhedron;
+use crate::document::RoundedPolyhedron;
 
 /// A polyhedron, and the measures of its offset by Steiner's formulas: volume `V + A r + M r² + 4 pi r³/3` and area
 /// `A + 2 M r + 4 pi r²`, `M` half the sum of the lengths of the edges times their angles.

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::text::{Line, plural, short};
 use crate::document::BuiltObject;
-use crate::document::kinds::UnrolledPlane;
+use crate::document::UnrolledPlane;
 
 /// Samples of the distance from the torus on each span of the rational form.
 const SAMPLES: usize = 16;

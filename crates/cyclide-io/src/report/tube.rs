@@ -4,7 +4,8 @@ use cyclide::{Exactness, ShortNumber};
 use serde::Serialize;
 
 use super::RangeReport;
-use crate::document::kinds::{RadiusOf, TubeFacts};
+use crate::document::TubeFacts;
+use crate::document::kinds::RadiusOf;
 
 /// What is known of a tube.
 ///

@@ -11,10 +11,10 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, ContourFacts, Fitted, Made};
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 

@@ -7,10 +7,10 @@ use serde::Deserialize;
 use crate::document::coordinates::{Lists, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made};
 use crate::document::objects::idle::{Idle, found, is_same};
+use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 

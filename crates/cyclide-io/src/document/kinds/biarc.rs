@@ -7,9 +7,8 @@ use serde::Deserialize;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// Two arcs from one point and direction to another, tangent-continuous at their joint.

@@ -6,9 +6,9 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// The surface of the centres of all balls that touch the two pipes of a crossing, round the way of those that make its blend: an exact patch of degree (2, 2).

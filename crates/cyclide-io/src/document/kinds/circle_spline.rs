@@ -8,11 +8,11 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made, corners};
 use crate::document::objects::idle::{Idle, NO_CORNER, NO_ENDS, found, has_no_corner};
-use crate::document::objects::refuse::{Blame, blame_ends};
+use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::refuse::blame_ends;
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 

@@ -7,9 +7,8 @@ use serde::Deserialize;
 use crate::document::coordinates::{Coordinates, Directions};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, rails};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
 use crate::error::Result;
 
 /// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.

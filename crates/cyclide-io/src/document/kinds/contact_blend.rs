@@ -10,10 +10,9 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::kinds::plate_with_neck::PlateSpec;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// A cylinder or a cone blended with a `sphere` about the origin, or with a `plate` whose upper side is z = 0, by a ball that rolls round it: a strut on a node, a nozzle on a

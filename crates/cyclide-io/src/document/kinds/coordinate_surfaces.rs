@@ -6,10 +6,10 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
 use crate::document::objects::idle::NO_EFFECT;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Surfaces inside blocks on which one parameter is constant, as patches; or the outer boundary of all blocks as a solid.

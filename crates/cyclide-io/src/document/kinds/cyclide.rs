@@ -1,6 +1,6 @@
 //! A whole Dupin cyclide.
 
-use cyclide::{DupinCyclide, SurfaceObject};
+use cyclide::{DupinCyclide, SurfaceObject, Torus};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -8,9 +8,9 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::frame_of_axes;
-use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// Patches of a whole cyclide round the hole and round the tube.
@@ -64,6 +64,16 @@ pub struct CyclideSpec {
 impl Kind for CyclideSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
         at.cyclide(self).map(Shape::Surfaces)
+    }
+
+    fn torus(&self, at: &Builder<'_>, name: &str) -> Option<Result<Torus>> {
+        if self.c != 0.0 {
+            let c = self.c;
+            return Some(Err(at.no_torus(format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0"))));
+        }
+        let made = frame_of_axes(self.center, self.axis, self.x_direction)
+            .and_then(|frame| Torus::new(frame, self.a, self.mu));
+        Some(made.map_err(|e| at.refused_at([Step::from("torus")], &e)))
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {

@@ -10,9 +10,9 @@ use crate::document::kinds::cyclide::SEGMENTS;
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::{FrameSpec, frame_of_axes, volume_frame};
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
 /// With `mu` less below `c` than this part of `a` a cyclide has one node.

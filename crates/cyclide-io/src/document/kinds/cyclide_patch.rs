@@ -8,8 +8,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::{direction, frame_words};
-use crate::document::kinds::kind::{Kind, Shape};
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 

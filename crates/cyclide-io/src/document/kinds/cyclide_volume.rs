@@ -9,9 +9,9 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::{FrameSpec, volume_frame};
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
 /// How far a last corner that is given may be from the one that follows, relative to the size.

@@ -8,8 +8,8 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
 /// Part of the radius that the tolerance of a helix is if none is given.

@@ -6,9 +6,8 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.

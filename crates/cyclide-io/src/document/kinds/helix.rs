@@ -8,8 +8,8 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::ellipse::TOLERANCE;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
 /// A helix: a spring, a thread, a coil. Two of `pitch`, `height` and `turns` say how it rises.

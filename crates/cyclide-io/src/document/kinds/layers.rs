@@ -7,9 +7,9 @@ use serde::Deserialize;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Most layers that a number asks for.

@@ -22,7 +22,6 @@ mod fair_fit;
 mod fair_spline;
 pub(in crate::document) mod fields;
 mod helix;
-pub(in crate::document) mod kind;
 mod layers;
 mod moebius_spline;
 mod motion;
@@ -55,7 +54,7 @@ mod unrolled;
 
 use schemars::JsonSchema;
 
-use kind::Kind;
+use crate::document::objects::kind::Kind;
 
 pub use fields::*;
 

@@ -1,6 +1,8 @@
 //! A local smooth curve through points that Möbius maps keep.
 
-use cyclide::{CircleSpline, CircleSplineOptions, CurveObject, MoebiusSplineOptions, QbSpline, WaverRemedy};
+use cyclide::{
+    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, QbSpline, Vec3, WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -8,13 +10,12 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::parameters::{ParametersSpec, node_parameters, tangents};
+use crate::document::kinds::fields::parameters::{ParametersSpec, given_count, node_parameters};
 use crate::document::kinds::fields::torus_numbers::FreeOr;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made, corners};
 use crate::document::objects::idle::{Idle, NO_CORNER, found, has_no_corner};
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -146,4 +147,13 @@ pub(in crate::document) fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Cont
         ),
         ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
     ])
+}
+
+fn tangents(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> cyclide::Result<Vec<Option<Vec3>>> {
+    let Some(given) = &spec.tangents else { return Ok(Vec::new()) };
+    let needed = given_count(at);
+    if given.len() != needed {
+        return Err(cyclide::Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
+    }
+    Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|FreeOr(t)| t.map(Coordinates::vector)).collect())
 }

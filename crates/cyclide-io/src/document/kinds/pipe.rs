@@ -9,11 +9,10 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::kinds::ruled::remedies::MOST_TRIED;
 use crate::document::objects::Builder;
 use crate::document::objects::idle::{Idle, NO_ENDS, found};
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Tolerances of a fit that are tried, in radii of the pipe; and the part of them that the arcs along it may take.

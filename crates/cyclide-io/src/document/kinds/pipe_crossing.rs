@@ -10,10 +10,9 @@ use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::kinds::pipe_tee::TeeRadiusSpec;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// Two pipes that pass each other, cylinders or cones, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.

@@ -7,9 +7,8 @@ use serde::Deserialize;
 use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
 /// A pipe on a plate with a rounded neck between them, that of a ball rolling round the pipe; an open surface, or with a

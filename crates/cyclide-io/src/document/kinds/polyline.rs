@@ -8,9 +8,9 @@ use crate::document::coordinates::PointSource;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::radii::RadiiSpec;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made};
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::Result;
 
 /// Segments through points, with corners that arcs round.

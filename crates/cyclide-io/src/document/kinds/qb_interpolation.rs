@@ -8,10 +8,10 @@ use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::parameters::{ParametersSpec, node_parameters, vectors};
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made};
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::facts::InterpolationFacts;
+use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -44,28 +44,6 @@ pub struct QbInterpolationSpec {
     pub parameters: ParametersSpec,
     /// Derivatives by the parameter: for each point a list of the first, the second and so on, `[]` for none. Default: none at all.
     pub derivatives: Option<Vec<Vec<Coordinates>>>,
-}
-
-/// What is known of a curve of lowest degree through points.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2], [5, 1], [6, 0]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let found = built[0].contours[0].interpolation.as_ref().expect("by its type");
-/// assert!(found.reach < 3.0 && found.parameters[4] == 1.0);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct InterpolationFacts {
-    /// Degree of its quaternion polynomials; half of that of its rational form.
-    pub degree: usize,
-    /// The parameters of its points.
-    pub parameters: Vec<f64>,
-    /// Largest distance from the middle of the points, relative to theirs.
-    pub reach: f64,
-    /// The least that is left of the curve's weight at a point, of 1.
-    pub attainability: f64,
 }
 
 impl Kind for QbInterpolationSpec {

@@ -8,10 +8,9 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// An angle in radians that leaves less of a whole turn than this may be one, typed with three digits or more.

@@ -11,9 +11,10 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::SmoothChoice;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
@@ -132,26 +133,6 @@ impl<'de> Deserialize<'de> for NormalsSpec {
         }
         deserializer.deserialize_any(NormalsVisitor)
     }
-}
-
-/// What was chosen for a smooth mesh.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let choice = built[0].smooth.expect("it is a smooth mesh");
-/// assert_eq!((choice.normals, choice.polygons), ("sphere", 8));
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SmoothChoice {
-    /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`.
-    pub normals: &'static str,
-    /// The angle above which edges are creases, radians.
-    pub crease_angle: Option<f64>,
-    /// Polygons of the mesh as given.
-    pub polygons: usize,
 }
 
 /// Polygons as they are given.

@@ -8,9 +8,10 @@ use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::RoundedPolyhedron;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::points::inline_points;
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
@@ -72,26 +73,6 @@ pub struct SmoothPolyhedronSpec {
     /// of an STL or GLB file the rounding of its numbers, 5e-7 of the largest coordinate.
     #[schemars(range(min = 0.0))]
     pub flatness: Option<f64>,
-}
-
-/// A polyhedron and the radius of its rounding.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let rounded = built[0].polyhedron.as_ref().expect("it is one");
-/// assert_eq!((rounded.polyhedron.faces().len(), rounded.radius), (6, 1.0));
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct RoundedPolyhedron {
-    /// The polyhedron.
-    pub polyhedron: ConvexPolyhedron,
-    /// The radius.
-    pub radius: f64,
-    /// How far its surface is from the points and faces given, at most.
-    pub moved: f64,
 }
 
 /// Points and faces as they are given.

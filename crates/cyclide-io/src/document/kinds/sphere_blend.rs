@@ -7,9 +7,9 @@ use serde::Deserialize;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
 /// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners: given by a point

@@ -6,8 +6,8 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// The edges of another surface as arcs: what carries a skin.

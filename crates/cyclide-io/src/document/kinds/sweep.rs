@@ -8,10 +8,10 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
 use crate::document::objects::idle::NO_EFFECT;
+use crate::document::objects::kind::{Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
 /// Part of the size of a section that the tolerance is if none is given.

@@ -6,10 +6,10 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::kinds::sweep::SweepEnds;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
 /// Planes that are off that across the path of their middle by no more than this are across it, radians: two degrees.

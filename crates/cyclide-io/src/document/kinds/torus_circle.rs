@@ -1,6 +1,6 @@
 //! A circle of a torus.
 
-use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus};
+use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusSpline};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,10 +9,9 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{NEAR, TorusFields, TorusSource, blame_on_torus, place};
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::ContourFacts;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::Result;
 
 /// A circle of a torus through a point of it.
@@ -100,6 +99,14 @@ impl Kind for TorusCircleSpec {
 
     fn references(&self) -> Vec<Reference<'_>> {
         self.torus.reference()
+    }
+
+    fn circle_of_torus(&self, at: &Builder<'_>) -> Option<Result<TorusSpline>> {
+        let spline = at.torus(&self.torus).and_then(|torus| {
+            let (place, _) = at.place_of_circle(self, &torus)?;
+            TorusSpline::circle(&torus, self.family.into(), place).map_err(|e| at.refused(&e, None))
+        });
+        Some(spline)
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {

@@ -8,9 +8,8 @@ use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::Result;
 
 /// A torus knot: the closed curve that runs evenly round the axis and round the tube of a torus.

@@ -8,11 +8,10 @@ use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::kinds::torus_circle::FamilySpec;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
 /// A closed quartic of a torus of one of its six types: it runs once round two families of circles, along both at once.

@@ -7,10 +7,9 @@ use serde::Deserialize;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.

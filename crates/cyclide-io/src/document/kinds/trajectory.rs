@@ -7,9 +7,9 @@ use serde::Deserialize;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::kinds::motion::AT_REST;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// The path of a point of a moving body: an exact rational curve.

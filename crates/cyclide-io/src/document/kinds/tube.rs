@@ -7,16 +7,18 @@ use cyclide::{
     TaperedTube, Tube,
 };
 use schemars::JsonSchema;
+use serde::Deserialize;
 use serde::de::{Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize};
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::Builder;
+use crate::document::objects::facts::TubeFacts;
 use crate::document::objects::idle::{Idle, NO_ENDS, found};
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
+
+pub use crate::document::objects::facts::RadiusOf;
 
 /// Part of the least radius that the tolerance is if none is given; and where arcs are followed as they are and circles lie across them, whose error is of fourth order.
 const TOLERANCE: f64 = 1e-3;
@@ -81,26 +83,6 @@ pub struct TubeSpec {
     /// least radius; a hundred thousandth along arcs with a radius of sections.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-}
-
-/// What has the radius of a tube along a curve.
-///
-/// ```
-/// use cyclide_io::kinds::RadiusOf;
-/// let word: RadiusOf = serde_json::from_str("\"balls\"")?;
-/// assert_eq!((word, RadiusOf::default()), (RadiusOf::Balls, RadiusOf::Sections));
-/// # Ok::<(), serde_json::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(inline)]
-pub enum RadiusOf {
-    /// The circles in which planes across the curve cut the tube.
-    #[default]
-    Sections,
-    /// Balls that roll along the curve: the tube is their envelope. Where the radius changes its circles lie beside their centres, and it does not end where the
-    /// curve does.
-    Balls,
 }
 
 /// The radius along a curve, as fractions of its length and radii there.
@@ -204,27 +186,6 @@ impl<'de> Visitor<'de> for LawVisitor {
         let spaced = even.into_iter().enumerate().map(|(k, radius)| [k as f64 / steps, radius]);
         Ok(RadiusLawSpec { values: if at.is_empty() { spaced.collect() } else { at } })
     }
-}
-
-/// What is known of a tube besides its body.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// assert_eq!(built[0].tubes[0].within, cyclide::Exactness::Exact);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TubeFacts {
-    /// The least and the largest radius.
-    pub radii: [f64; 2],
-    /// What has these.
-    pub radius_of: RadiusOf,
-    /// Pieces that it consists of, arcs of balls or of sections.
-    pub arcs: usize,
-    /// How far it is from the tube of the law along the curve, and what that rests on.
-    pub within: Exactness,
 }
 
 /// A tube of either kind.

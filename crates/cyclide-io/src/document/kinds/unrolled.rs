@@ -8,9 +8,9 @@ use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::facts::UnrolledPlane;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
@@ -52,32 +52,6 @@ pub struct UnrolledSpec {
     /// Adds the rectangle of the unrolled torus.
     #[serde(default)]
     pub border: bool,
-}
-
-/// What became of a curve of a torus when it was laid flat, over all its contours.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
-/// let built = document.build()?;
-/// let plane = built[1].unrolled.expect("it is laid flat");
-/// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UnrolledPlane {
-    /// The map.
-    pub map: TorusMap,
-    /// Width and height of the plane of the whole torus.
-    pub size: [f64; 2],
-    /// How often the curve was cut.
-    pub cuts: usize,
-    /// The least and the largest factor by which the map multiplies lengths round the axis, on the curve.
-    pub stretch: [f64; 2],
-    /// Length of the curve on the torus, and of all lines in the plane.
-    pub lengths: [f64; 2],
-    /// Distance within which arcs stand for the curve in the plane.
-    pub tolerance: f64,
 }
 
 impl Kind for UnrolledSpec {

@@ -4,9 +4,9 @@ use cyclide::{Body, CyclideVolume};
 
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::frame::{FrameSpec, frame_words};
-use crate::document::kinds::kind::Shape;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::kind::Shape;
 use crate::error::{Error, Result};
 
 /// Most blocks of one object: with their faces they take ten kilobytes each, a gigabyte together.

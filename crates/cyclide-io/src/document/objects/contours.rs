@@ -3,7 +3,7 @@
 use cyclide::{CurveObject, ErrorItem, FairFitCertificate, FitCertificate, Torus, Warning, corners_by_angle};
 
 use crate::document::angle::Angle;
-use crate::document::kinds::qb_interpolation::InterpolationFacts;
+use crate::document::objects::facts::InterpolationFacts;
 use crate::input::points::PointList;
 
 /// What is known about a contour besides its curve.

@@ -27,7 +27,7 @@ impl Builder<'_> {
         if !is_its_vertices(curve) {
             return Some(SMALLEST_IN_PLACE);
         }
-        if !self.spec.kind().is_image() || matches!(curve, CurveObject::Circle(_)) {
+        if !self.kind.is_image() || matches!(curve, CurveObject::Circle(_)) {
             return None;
         }
         let original = self.sources.first().and_then(|source| source.item.curves().get(contour));

@@ -4,7 +4,9 @@ pub(in crate::document) mod blocks;
 pub(in crate::document) mod contours;
 pub(in crate::document) mod curve_places;
 pub(in crate::document) mod cusps;
+pub(in crate::document) mod facts;
 pub(in crate::document) mod idle;
+pub(in crate::document) mod kind;
 pub(in crate::document) mod points;
 pub(in crate::document) mod polygon_mesh;
 pub(in crate::document) mod rails;
@@ -23,16 +25,16 @@ use cyclide::{
 };
 
 use super::Document;
-use super::kinds::cyclidic_net::build::MeshNames;
-use super::kinds::kind::Shape;
-use super::kinds::transform::Unmapped;
-use super::kinds::{InterpolationFacts, ObjectSpec, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane};
 use super::locate::{Step, path_text, span_of};
+use crate::document::objects::facts::{
+    InterpolationFacts, MeshNames, RoundedPolyhedron, SmoothChoice, TubeFacts, Unmapped, UnrolledPlane,
+};
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
 use contours::ContourFacts;
+use kind::{Kind, Shape};
 use references::{References, State};
 use remark::Remark;
 
@@ -173,7 +175,9 @@ impl<'a> ModelBuilder<'a> {
                 let builder = Builder {
                     document,
                     name,
-                    spec,
+                    kind: spec.kind(),
+                    type_word: spec.type_word(),
+                    construction: spec.is_construction(),
                     sources,
                     folder,
                     read,
@@ -246,8 +250,11 @@ fn nodes_within(curves: &[CurveObject], contours: &[ContourFacts]) -> Vec<Point3
 pub(in crate::document) struct Builder<'a> {
     pub(in crate::document) document: &'a Document,
     pub(in crate::document) name: &'a str,
-    pub(in crate::document) spec: &'a ObjectSpec,
-    /// The objects it is made from, in the order of [`ObjectSpec::references`].
+    /// What it is by its kind, and the word of that.
+    pub(in crate::document) kind: &'a dyn Kind,
+    pub(in crate::document) type_word: &'static str,
+    pub(in crate::document) construction: bool,
+    /// The objects it is made from, in the order of [`Kind::references`].
     pub(in crate::document) sources: Vec<&'a BuiltObject>,
     pub(in crate::document) folder: &'a Path,
     pub(in crate::document) read: Read<'a>,
@@ -307,8 +314,8 @@ pub(in crate::document) struct Builder<'a> {
 
 impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
-        let (spec, source) = (self.spec.kind(), self.sources.first().copied());
-        let shape = spec.build(&mut self)?;
+        let (kind, source) = (self.kind, self.sources.first().copied());
+        let shape = kind.build(&mut self)?;
         let bodies = match &shape {
             Shape::Curves(curves) => {
                 for (contour, (curve, _)) in curves.iter().enumerate() {
@@ -323,8 +330,8 @@ impl Builder<'_> {
             Shape::Blocks(volumes, _) => self.block_bodies(volumes)?,
             Shape::Motion(_) => Vec::new(),
         };
-        spec.remark_on(&mut self, &shape, &bodies);
-        let tolerance = spec.tolerance().or(self.bound);
+        kind.remark_on(&mut self, &shape, &bodies);
+        let tolerance = kind.tolerance().or(self.bound);
         let (mut contours, mut places) = (Vec::new(), None);
         let geometry = match shape {
             Shape::Curves(made) => {
@@ -340,8 +347,8 @@ impl Builder<'_> {
             Shape::Motion(body) => (*body).into(),
         };
         let item = Item::new(self.name, geometry);
-        let construction = self.spec.is_construction();
-        let (skin, panels) = (spec.skin(source), spec.has_panels(source));
+        let construction = self.construction;
+        let (skin, panels) = (kind.skin(source), kind.has_panels(source));
         let Self {
             data,
             grids,
@@ -365,18 +372,8 @@ impl Builder<'_> {
             ..
         } = self;
         let nodes = nodes_within(item.curves(), &contours);
-        let provenance = Provenance {
-            kind: self.spec.type_word(),
-            data,
-            nodes,
-            point_names,
-            places,
-            names,
-            given,
-            field,
-            skin,
-            panels,
-        };
+        let provenance =
+            Provenance { kind: self.type_word, data, nodes, point_names, places, names, given, field, skin, panels };
         Ok(BuiltObject {
             item,
             provenance,

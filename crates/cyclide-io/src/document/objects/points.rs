@@ -71,7 +71,7 @@ impl Builder<'_> {
         let mut idle: Option<Vec<Idle>> = None;
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
-            if !closed && !self.spec.kind().keeps_repeated_points() && list.ends_meet() {
+            if !closed && !self.kind.keeps_repeated_points() && list.ends_meet() {
                 let message =
                     "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
                 let last = list.points.len() - 1;
@@ -81,7 +81,7 @@ impl Builder<'_> {
             // Places are looked up in the list as given, so before the merge drops entries.
             let given_offsets = points.lists[contour].offsets.clone();
             let given_labels = points.lists[contour].labels.clone();
-            let merged = if self.spec.kind().keeps_repeated_points() {
+            let merged = if self.kind.keeps_repeated_points() {
                 Merged::nothing(&points.lists[contour])
             } else {
                 merge_repeated(&mut points.lists[contour], closed)
@@ -98,14 +98,14 @@ impl Builder<'_> {
             let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
             let (curve, facts, mut warnings) = made_of_points;
             // A field that one contour needs has an effect.
-            let here = self.spec.kind().idle_fields(&at, &curve);
+            let here = self.kind.idle_fields(&at, &curve);
             idle =
                 Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
-            if let Some(rule) = self.spec.kind().wavers() {
+            if let Some(rule) = self.kind.wavers() {
                 warnings.extend(rule.warnings(&curve, &at.list.points));
             }
             let marked = at.list.corners.len();
-            if let Some(first) = at.list.corners.first().filter(|_| !self.spec.kind().keeps_corners()) {
+            if let Some(first) = at.list.corners.first().filter(|_| !self.kind.keeps_corners()) {
                 let given = points.kept[contour].get(*first).copied();
                 let place = given.map(|i| self.place(&points, contour, i));
                 let message = format!(

@@ -2,24 +2,15 @@
 
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
+use super::kind::Blame;
 use crate::document::angle::Angle;
-use crate::document::kinds::kind::Kind;
 use crate::document::locate::{Step, path_text, span_of};
 use crate::document::objects::Builder;
+use crate::document::objects::kind::Kind;
 use crate::document::objects::points::{Origin, Points};
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, of_contour};
 use crate::text::place::Source;
-
-/// The value of an object that an error is about.
-pub(in crate::document) enum Blame {
-    Field(&'static str),
-    Entry(&'static str, usize),
-    /// A field of an entry.
-    FieldOfEntry(&'static str, usize, &'static str),
-    Point(usize),
-    Object,
-}
 
 impl Builder<'_> {
     /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
@@ -33,10 +24,10 @@ impl Builder<'_> {
                 format!("{error} (repeated points count once)")
             }
             cyclide::Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, .. } => {
-                let written = self.spec.kind().corner_angle();
+                let written = self.kind.corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
-            _ => self.spec.kind().words(error).unwrap_or_else(|| error.to_string()),
+            _ => self.kind.words(error).unwrap_or_else(|| error.to_string()),
         }
     }
 
@@ -66,7 +57,7 @@ impl Builder<'_> {
     pub(in crate::document) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
         let blame = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
             Some(point) => Blame::Point(point),
-            None => blame(self.spec.kind(), error),
+            None => blame(self.kind, error),
         };
         let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
         let path = self.path([]);

@@ -71,7 +71,7 @@ impl Builder<'_> {
     }
 
     fn warn_of_wavers_of(&mut self, field: &str, contour: Option<usize>, curve: &CurveObject) {
-        let rule = self.spec.kind().wavers();
+        let rule = self.kind.wavers();
         for warning in rule.into_iter().flat_map(|rule| rule.warnings(curve, &[])) {
             self.warn_at(field, contour, warning);
         }

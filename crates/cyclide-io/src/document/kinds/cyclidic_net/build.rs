@@ -8,14 +8,13 @@ use cyclide::{
 };
 
 use crate::document::coordinates::Coordinates;
-use crate::document::kinds::ObjectSpec;
 use crate::document::kinds::cyclidic_net::hints::{hint, seam_words};
-use crate::document::kinds::cyclidic_net::make_circular::MakeCircularSpec;
 use crate::document::kinds::cyclidic_net::{CyclidicNetSpec, GridSource, LaidGrid, MeshFile};
 use crate::document::kinds::fields::frame::{FrameSpec, direction, frame_words};
 use crate::document::kinds::smooth_mesh::{merged_vertices, turned_faces};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::MeshNames;
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
 use crate::export::given_surface::GivenSurface;
@@ -28,15 +27,6 @@ pub(in crate::document) const ROW_BY_ROW: &str = "points are given row by row, a
 
 /// What is said where such a grid is told whether it is closed.
 const CLOSED_OF_ITSELF: &str = "`closed` goes with a grid inline: a `principal-grid` says itself what is closed";
-
-/// A grid of a file, and what the file calls its points.
-pub(in crate::document) struct MeshNames {
-    /// The file.
-    name: String,
-    grid: QuadGrid,
-    /// The number of each point of the grid.
-    numbers: Vec<usize>,
-}
 
 impl<'a> Builder<'a> {
     /// The net over a grid.
@@ -69,7 +59,7 @@ impl<'a> Builder<'a> {
                 NetFrame::First(v1, v2)
             }
         };
-        let net = CyclidicNet::new(grid, frame).map_err(|e| self.refused_in_grid(&given, &e))?;
+        let net = CyclidicNet::new(grid, frame).map_err(|e| self.refused_in_grid(spec, &given, &e))?;
         Ok(vec![SurfaceObject::Net(net)])
     }
 
@@ -255,28 +245,33 @@ impl<'a> Builder<'a> {
     }
 
     /// The message for what the kernel said about a quad, a vertex or the frame of a net.
-    pub(in crate::document) fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
-        match (error, self.spec) {
-            (KernelError::FrameNotOrthonormal { .. }, ObjectSpec::CyclidicNet(net)) => {
+    pub(in crate::document) fn refused_in_grid(
+        &self,
+        net: &CyclidicNetSpec,
+        grid: &QuadGrid,
+        error: &KernelError,
+    ) -> Error {
+        match error {
+            KernelError::FrameNotOrthonormal { .. } => {
                 let words = match net.frame {
                     FrameSpec::First(frame) => frame_words(frame),
                     FrameSpec::Auto => error.to_string(),
                 };
                 return self.refused_in_words([Step::from("frame")], error.reason(), words);
             }
-            (KernelError::NotFinite { what: ErrorItem::FrameVector, .. }, _) => {
+            KernelError::NotFinite { what: ErrorItem::FrameVector, .. } => {
                 return self.refused_at([Step::from("frame")], error);
             }
             _ => {}
         }
         if let KernelError::NotConverged { .. } = error {
             let hint = "a border that may move leaves more room: `free`, or sides on curves";
-            let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
+            let bound = !net.make_circular.border_is_free();
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::ShapeLost { .. } = error {
-            let laid = matches!(self.spec, ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(_), .. }));
+            let laid = matches!(net.grid, GridSource::Laid(_));
             let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on a mesh)" };
             let words =
                 format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
@@ -290,19 +285,15 @@ impl<'a> Builder<'a> {
         if let KernelError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. } = error {
             return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
-        let moved = match self.spec {
-            ObjectSpec::CyclidicNet(net) => &net.make_circular,
-            _ => &MakeCircularSpec::Switch(false),
-        };
-        let words = hint(error, grid, moved).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
+        let words = hint(error, grid, &net.make_circular).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
         match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
-                self.refused_at_vertices(grid, &[*second, *first], error.reason(), error.to_string())
+                self.refused_at_vertices(net, grid, &[*second, *first], error.reason(), error.to_string())
             }
             (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::CrossingQuad { .. }) => {
-                self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
+                self.refused_at_quad(net, grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
             }
-            (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), words),
+            (_, Some(quad)) => self.refused_at_quad(net, grid, quad, error.reason(), words),
             (_, None) => self.refused_in_words([Step::from("grid")], error.reason(), words),
         }
     }
@@ -310,17 +301,25 @@ impl<'a> Builder<'a> {
     /// The message at a quad: where its first corner stands.
     pub(in crate::document) fn refused_at_quad(
         &self,
+        net: &CyclidicNetSpec,
         grid: &QuadGrid,
         quad: usize,
         reason: &'static str,
         words: String,
     ) -> Error {
         let columns = grid.quads()[0];
-        self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), reason, words)
+        self.refused_at_vertices(net, grid, &grid.corners(quad % columns, quad / columns), reason, words)
     }
 
     /// The message at the first of some vertices; of a mesh in a file with the numbers of all of them.
-    fn refused_at_vertices(&self, grid: &QuadGrid, vertices: &[usize], reason: &'static str, words: String) -> Error {
+    fn refused_at_vertices(
+        &self,
+        net: &CyclidicNetSpec,
+        grid: &QuadGrid,
+        vertices: &[usize],
+        reason: &'static str,
+        words: String,
+    ) -> Error {
         if let Some(mesh) = &self.mesh {
             let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
             let words = format!("{words} (points {} of {})", numbers.join(", "), mesh.name);
@@ -328,7 +327,7 @@ impl<'a> Builder<'a> {
         }
         let columns = grid.size()[0];
         let [row, column] = [vertices[0] / columns, vertices[0] % columns];
-        if let ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::Laid(laid), .. }) = self.spec {
+        if let GridSource::Laid(laid) = &net.grid {
             let words = format!(
                 "{words} (at row {row}, column {column} of grid {} of `{}`)",
                 laid.piece.unwrap_or_default(),

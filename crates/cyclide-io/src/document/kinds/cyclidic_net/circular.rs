@@ -6,7 +6,6 @@ use cyclide::{
 };
 
 use super::build::ROW_BY_ROW;
-use crate::document::kinds::ObjectSpec;
 use crate::document::kinds::cyclidic_net::CyclidicNetSpec;
 use crate::document::kinds::cyclidic_net::make_circular::{BorderSpec, BorderWord, MakeCircularOptions};
 use crate::document::locate::Step;
@@ -26,10 +25,10 @@ impl<'a> Builder<'a> {
         let options = options(given, curves);
         let progress = &mut *self.progress;
         let mesh = make_circular(grid, &options, &mut |step| progress(words(step)));
-        let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
+        let mesh = mesh.map_err(|e| self.refused_in_grid(spec, grid, &e))?;
         self.remarks.extend(mesh.warnings().iter().cloned().map(Remark::from));
         if let [first, ..] = mesh.report.rejected_quads[..] {
-            return Err(self.rejected_quads(grid, first, &mesh.report));
+            return Err(self.rejected_quads(spec, grid, first, &mesh.report));
         }
         self.circular = Some(mesh.report);
         Ok(mesh.grid)
@@ -38,10 +37,10 @@ impl<'a> Builder<'a> {
     /// The same for all grids of a mesh, round its extraordinary vertices.
     pub(in crate::document) fn circular_layout(
         &mut self,
+        spec: &CyclidicNetSpec,
         given: &MakeCircularOptions,
         layout: &QuadLayout,
     ) -> Result<QuadLayout> {
-        let ObjectSpec::CyclidicNet(spec) = self.spec else { return Ok(layout.clone()) };
         let options = options(given, [None; 4]);
         let progress = &mut *self.progress;
         let made = make_layout_circular(layout, &options, &mut |step| progress(words(step)));
@@ -84,13 +83,19 @@ impl<'a> Builder<'a> {
     }
 
     /// The message about quads of the circular grid that no patch fits into, at the first of them.
-    fn rejected_quads(&self, grid: &QuadGrid, first: usize, report: &CircularMeshReport) -> Error {
+    fn rejected_quads(
+        &self,
+        net: &CyclidicNetSpec,
+        grid: &QuadGrid,
+        first: usize,
+        report: &CircularMeshReport,
+    ) -> Error {
         let (quads, steps, moved) = (&report.rejected_quads, report.steps, report.moves.max);
         if self.document.text.is_empty() {
             return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
         }
         let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
-        self.refused_at_quad(grid, first, CROSSING_QUAD, words)
+        self.refused_at_quad(net, grid, first, CROSSING_QUAD, words)
     }
 }
 

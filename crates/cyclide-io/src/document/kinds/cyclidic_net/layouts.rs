@@ -46,7 +46,7 @@ impl Builder<'_> {
             return Err(self.refused_in_words(place, "cells-unfit", words.to_owned()));
         }
         let layout = match spec.make_circular.options() {
-            Some(options) => self.circular_layout(&options, &given)?,
+            Some(options) => self.circular_layout(spec, &options, &given)?,
             None => given.clone(),
         };
         self.given = match self.followed(spec) {
@@ -129,7 +129,7 @@ impl Builder<'_> {
                 format!("{error}{hint}{}", points(&[*vertex]))
             }
             // What concerns the whole, as of a single grid.
-            _ => return self.refused_in_grid(&given.pieces()[0].grid, error),
+            _ => return self.refused_in_grid(spec, &given.pieces()[0].grid, error),
         };
         self.refused_in_words([Step::from("grid")], error.reason(), words)
     }

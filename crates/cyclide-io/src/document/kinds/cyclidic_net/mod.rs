@@ -17,8 +17,8 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::FrameSpec;
-use crate::document::kinds::kind::{Kind, Reference, Shape};
 use crate::document::locate::Step;
+use crate::document::objects::kind::{Kind, Reference, Shape};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 

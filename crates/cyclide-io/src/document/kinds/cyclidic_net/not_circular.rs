@@ -26,7 +26,12 @@ impl Builder<'_> {
     ///
     /// # Errors
     /// `not-built-in`, always.
-    pub(in crate::document) fn circular_layout(&self, _: &MakeCircularOptions, _: &QuadLayout) -> Result<QuadLayout> {
+    pub(in crate::document) fn circular_layout(
+        &self,
+        _: &CyclidicNetSpec,
+        _: &MakeCircularOptions,
+        _: &QuadLayout,
+    ) -> Result<QuadLayout> {
         Err(self.not_built_in())
     }
 

@@ -207,7 +207,7 @@ impl Builder<'_> {
             return Err(self.refused_in_words(field(0).into_iter().take(1), "cells-unfit", words));
         }
         let quality = grid.quality();
-        let at = if self.spec.kind().is_image() { "of" } else { "cells" };
+        let at = if self.kind.is_image() { "of" } else { "cells" };
         for warning in grid.warnings(&quality) {
             self.warn_at(at, None, warning);
         }

@@ -2,14 +2,12 @@
 
 use std::fmt;
 
-use cyclide::{ErrorItem, NodeParameters, Vec3};
+use cyclide::{NodeParameters, Vec3};
 use schemars::JsonSchema;
 use serde::de::{Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::document::coordinates::Coordinates;
-use crate::document::kinds::fields::torus_numbers::FreeOr;
-use crate::document::kinds::moebius_spline::MoebiusSplineSpec;
 use crate::document::objects::contours::Contour;
 
 /// Parameters by a rule, or one by one.
@@ -105,17 +103,8 @@ pub(in crate::document) fn node_parameters(spec: &ParametersSpec, at: &Contour<'
 }
 
 /// Points of the list as given, up to the last one that was kept.
-fn given_count(at: &Contour<'_>) -> usize {
+pub(in crate::document) fn given_count(at: &Contour<'_>) -> usize {
     at.kept.last().map_or(0, |last| last + 1)
-}
-
-pub(in crate::document) fn tangents(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> cyclide::Result<Vec<Option<Vec3>>> {
-    let Some(given) = &spec.tangents else { return Ok(Vec::new()) };
-    let needed = given_count(at);
-    if given.len() != needed {
-        return Err(cyclide::Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
-    }
-    Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|FreeOr(t)| t.map(Coordinates::vector)).collect())
 }
 
 pub(in crate::document) fn vectors(list: &[Coordinates]) -> Vec<Vec3> {

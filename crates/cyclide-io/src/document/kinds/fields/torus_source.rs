@@ -10,13 +10,10 @@ use serde::de::{Deserializer, MapAccess, Visitor};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::kinds::ObjectSpec;
-use crate::document::kinds::cyclide::CyclideSpec;
 use crate::document::kinds::fields::frame::frame_of_axes;
-use crate::document::kinds::transform::steps::map_of;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::Blame;
 use crate::error::{Error, Result};
 
 /// Distance within which points must be near the torus where nothing is said, as part of its major radius: more than the rounding
@@ -136,39 +133,19 @@ impl Builder<'_> {
     }
 
     /// The torus that an object is: a `cyclide` with `c` = 0, or its image under a `transform` that keeps it a torus.
-    fn named_torus(&self, name: &str) -> Result<Torus> {
-        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
-        let unfit = |message: String| Error::Input(self.diagnostic([Step::from("torus")], &message));
+    pub(in crate::document) fn named_torus(&self, name: &str) -> Result<Torus> {
         let named = self.document.objects.iter().find(|(other, _)| other == name).map(|(_, spec)| spec);
-        match named {
-            Some(ObjectSpec::Cyclide(CyclideSpec { a, c: 0.0, mu, center, axis, x_direction, .. })) => {
-                frame_of_axes(*center, *axis, *x_direction)
-                    .and_then(|frame| Torus::new(frame, *a, *mu))
-                    .map_err(refused)
-            }
-            Some(ObjectSpec::Cyclide(CyclideSpec { c, .. })) => {
-                Err(unfit(format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0")))
-            }
-            Some(ObjectSpec::Transform(spec)) => {
-                let mut torus = self.named_torus(&spec.of)?;
-                for (index, step) in spec.steps.iter().enumerate() {
-                    let map = map_of(step).map_err(refused)?;
-                    if !map.is_similarity() {
-                        return Err(unfit(format!(
-                            "step {index} of the `transform` `{name}` is no similarity: a torus stays one where it is moved, turned, scaled or mirrored"
-                        )));
-                    }
-                    torus = torus.similar(&map).map_err(refused)?;
-                }
-                Ok(torus)
-            }
-            other => {
-                let kind = other.map_or("", ObjectSpec::type_word);
-                Err(unfit(format!(
-                    "`{name}` is of type `{kind}`: a torus is a `cyclide` with `c` = 0, or a `transform` of one"
-                )))
-            }
-        }
+        named.and_then(|spec| spec.kind().torus(self, name)).unwrap_or_else(|| {
+            let word = named.map_or("", |spec| spec.type_word());
+            Err(self.no_torus(format!(
+                "`{name}` is of type `{word}`: a torus is a `cyclide` with `c` = 0, or a `transform` of one"
+            )))
+        })
+    }
+
+    /// The message about what was named as a torus.
+    pub(in crate::document) fn no_torus(&self, message: String) -> Error {
+        Error::Input(self.diagnostic([Step::from("torus")], &message))
     }
 
     /// Says that points were moved by more than rounding.
@@ -188,11 +165,8 @@ impl Builder<'_> {
     pub(in crate::document) fn splines_of_source(&self, needed: &str) -> Result<Vec<TorusSpline>> {
         let name = self.sources.first().map(|source| &source.item.name);
         let spec = self.document.objects.iter().find(|(other, _)| Some(other) == name).map(|(_, spec)| spec);
-        if let Some(ObjectSpec::TorusCircle(circle)) = spec {
-            let torus = self.torus(&circle.torus)?;
-            let (at, _) = self.place_of_circle(circle, &torus)?;
-            let spline = TorusSpline::circle(&torus, circle.family.into(), at);
-            return Ok(vec![spline.map_err(|e| self.refused(&e, None))?]);
+        if let Some(circle) = spec.and_then(|spec| spec.kind().circle_of_torus(self)) {
+            return Ok(vec![circle?]);
         }
         let source = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let on_torus = |curve: &CurveObject| match curve {

@@ -12,14 +12,14 @@ use serde::Deserialize;
 
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
+use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
-use crate::document::kinds::kind::{Kind, Reference, Shape};
-use crate::document::kinds::{ObjectSpec, TypeWord};
 use crate::document::locate::Step;
 use crate::document::matrix::{MatrixRows, matrix_rows};
 use crate::document::objects::Builder;
 use crate::document::objects::idle::NO_EFFECT;
+use crate::document::objects::kind::{Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
@@ -332,7 +332,7 @@ impl Builder<'_> {
             cyclide::Error::ParameterOutOfRange { name: ErrorItem::Tolerance | ErrorItem::Angle, .. } => {
                 self.refused_at(["tolerance".into()], &e)
             }
-            e => self.pose_refused(&e),
+            e => self.pose_refused(spec, &e),
         })?;
         self.through_poses(spec, motion)
     }
@@ -404,7 +404,7 @@ impl Builder<'_> {
                 DecoupledMotion::on_curve(poses, closing, curve)
             }
         };
-        let motion = motion.map_err(|e| self.pose_refused(&e))?;
+        let motion = motion.map_err(|e| self.pose_refused(spec, &e))?;
         self.through_poses(spec, motion.into())
     }
 
@@ -457,7 +457,7 @@ impl Builder<'_> {
     /// The motion of degree 3, at its own times between the first and the last.
     fn cubic(&mut self, spec: &MotionSpec, poses: &[TimedPose], timed: bool) -> Result<MovingBody> {
         let only: Vec<Pose> = poses.iter().map(|timed| timed.pose).collect();
-        let cubics = CubicMotions::new(&only).map_err(|e| self.pose_refused(&e))?;
+        let cubics = CubicMotions::new(&only).map_err(|e| self.pose_refused(spec, &e))?;
         let admissible = cubics.admissible();
         let choice = spec.choice.unwrap_or(0);
         // A cross-ratio that is none is refused with those that there are.
@@ -467,7 +467,7 @@ impl Builder<'_> {
             return Err(Error::Input(self.diagnostic(["choice".into()], &message)));
         }
         let ends = [poses[0].time, poses[3].time];
-        let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(&e))?;
+        let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(spec, &e))?;
         if spec.choice.is_none() && admissible.len() > 1 {
             let message = "two motions of degree 3 take these poses: the one of the smaller cross-ratio is taken; `choice` says which";
             self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
@@ -486,7 +486,7 @@ impl Builder<'_> {
         let made = MovingBody::new(motion).with_pose_times(pose_times).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| match e {
-            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(&e),
+            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(spec, &e),
             _ => self.refused(&e, None),
         })?;
         let counts = spec.law != TimeLaw::AsGiven || spec.times.is_some_and(|times| times != PoseTimes::Uniform);
@@ -513,8 +513,8 @@ impl Builder<'_> {
     }
 
     /// What the kernel refused of the poses, at the one it is about.
-    pub(in crate::document) fn pose_refused(&self, error: &cyclide::Error) -> Error {
-        let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
+    pub(in crate::document) fn pose_refused(&self, spec: &MotionSpec, error: &cyclide::Error) -> Error {
+        let inline = matches!(spec.poses, Some(PoseSource::Inline(_)));
         let steps: Vec<Step> = match error.index().filter(|_| inline) {
             Some(index) => vec!["poses".into(), index.into()],
             None => vec!["poses".into()],

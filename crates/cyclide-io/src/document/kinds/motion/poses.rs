@@ -91,7 +91,7 @@ impl Builder<'_> {
             (tool, arm) if spec.times.is_some() => spec.times.unwrap_or_default().of(&only, tool, arm),
             _ => PoseTimes::Uniform.of(&only, Point3::ORIGIN, 0.0),
         }
-        .map_err(|e| self.pose_refused(&e))?;
+        .map_err(|e| self.pose_refused(spec, &e))?;
         poses.iter_mut().zip(times).for_each(|(pose, time)| pose.time = time.unwrap_or(pose.time));
         Ok((poses, given > 0))
     }

@@ -18,9 +18,10 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
-use crate::document::kinds::kind::{Kind, Shape};
+use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
+
 pub use surface_sources::*;
 
 /// Regular grids along the lines of curvature of a surface: what a `cyclidic-net` with `make_circular` follows without losing the

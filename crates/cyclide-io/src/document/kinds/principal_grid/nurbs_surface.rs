@@ -12,7 +12,7 @@ use crate::document::kinds::principal_grid::surface_sources::NurbsSurfaceSpec;
 use crate::document::kinds::smooth_mesh::Given;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::Blame;
 use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
 

@@ -9,10 +9,9 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, rails};
 use crate::document::kinds::ruled::sense::Rulings;
 use crate::document::objects::Builder;
-use crate::document::objects::refuse::Blame;
+use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
 use crate::error::Result;
 
 /// Starts of a closed rail that are tried to see whether it runs the other way.

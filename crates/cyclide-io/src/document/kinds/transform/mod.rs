@@ -6,19 +6,20 @@ use std::ops::Range;
 
 use cyclide::{
     Body, Conformal as _, CurveObject, CyclideVolume, ErrorItem, HPoint, Mobius, Point3, Quat, ShortNumber,
-    SurfaceObject, TeeBlendFacts, Vec3, bounds, closest_point,
+    SurfaceObject, TeeBlendFacts, Torus, Vec3, bounds, closest_point,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
+use steps::map_of;
 
 use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::kind::{Kind, Reference, Shape, of};
 use crate::document::locate::Step;
+use crate::document::objects::facts::Unmapped;
+use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
-use steps::map_of;
 
 pub use steps::*;
 
@@ -64,15 +65,6 @@ pub struct TransformSpec {
     pub steps: Vec<StepSpec>,
 }
 
-/// What the curves of an image are images of, by one map: two of them make one, which doubles the degree of a rational curve once.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Unmapped {
-    curves: Vec<CurveObject>,
-    map: Mobius,
-    /// Maps in it that are no similarities.
-    inversions: usize,
-}
-
 impl Unmapped {
     /// With a run of maps after it, from these curves if there is none before, or with a run that is the same before and after a map: curves run
     /// backwards, or kept from their start to their end. `None` of other cuts, whose places a map moves, and where a step is no map.
@@ -98,6 +90,10 @@ impl Kind for TransformSpec {
 
     fn references(&self) -> Vec<Reference<'_>> {
         of(&self.of)
+    }
+
+    fn torus(&self, at: &Builder<'_>, name: &str) -> Option<Result<Torus>> {
+        Some(at.image_of_torus(self, name))
     }
 
     fn is_image(&self) -> bool {
@@ -139,6 +135,22 @@ impl Builder<'_> {
         } else {
             Shape::Surfaces(surfaces)
         })
+    }
+
+    /// The image of a torus under maps that keep it one.
+    fn image_of_torus(&self, spec: &TransformSpec, name: &str) -> Result<Torus> {
+        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
+        let mut torus = self.named_torus(&spec.of)?;
+        for (index, step) in spec.steps.iter().enumerate() {
+            let map = map_of(step).map_err(refused)?;
+            if !map.is_similarity() {
+                return Err(self.no_torus(format!(
+                    "step {index} of the `transform` `{name}` is no similarity: a torus stays one where it is moved, turned, scaled or mirrored"
+                )));
+            }
+            torus = torus.similar(&map).map_err(refused)?;
+        }
+        Ok(torus)
     }
 
     /// The images of curves.

@@ -1,13 +1,12 @@
 //! What a kind of object says of itself: all that the rest of the program asks about it.
 
-use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject};
+use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject, Torus, TorusSpline};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
 use crate::document::locate::Step;
 use crate::document::objects::contours::{Contour, ContourFacts};
 use crate::document::objects::idle::Idle;
-use crate::document::objects::refuse::Blame;
 use crate::document::objects::wavers::WaverRule;
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
@@ -86,6 +85,16 @@ pub(in crate::document) trait Kind {
         None
     }
 
+    /// The torus that it is, by the name that it has; `None` of what is none by its kind.
+    fn torus(&self, _: &Builder<'_>, _name: &str) -> Option<Result<Torus>> {
+        None
+    }
+
+    /// The spline of arcs on a torus that it is, if it is one circle of that.
+    fn circle_of_torus(&self, _: &Builder<'_>) -> Option<Result<TorusSpline>> {
+        None
+    }
+
     /// True for the image of another object.
     fn is_image(&self) -> bool {
         false
@@ -103,6 +112,16 @@ pub(in crate::document) trait Kind {
 
     /// Remarks on what was made.
     fn remark_on(&self, _: &mut Builder<'_>, _: &Shape, _: &[Body]) {}
+}
+
+/// The value of an object that an error is about.
+pub(in crate::document) enum Blame {
+    Field(&'static str),
+    Entry(&'static str, usize),
+    /// A field of an entry.
+    FieldOfEntry(&'static str, usize, &'static str),
+    Point(usize),
+    Object,
 }
 
 /// What a construction makes: curves, surfaces, blocks or a motion.

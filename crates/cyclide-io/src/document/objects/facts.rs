@@ -1,0 +1,152 @@
+//! What is known of objects of single kinds besides their geometry.
+
+use cyclide::{ConvexPolyhedron, CurveObject, Exactness, Mobius, QuadGrid, TorusMap};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What is known of a curve of lowest degree through points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2], [5, 1], [6, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let found = built[0].contours[0].interpolation.as_ref().expect("by its type");
+/// assert!(found.reach < 3.0 && found.parameters[4] == 1.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct InterpolationFacts {
+    /// Degree of its quaternion polynomials; half of that of its rational form.
+    pub degree: usize,
+    /// The parameters of its points.
+    pub parameters: Vec<f64>,
+    /// Largest distance from the middle of the points, relative to theirs.
+    pub reach: f64,
+    /// The least that is left of the curve's weight at a point, of 1.
+    pub attainability: f64,
+}
+
+/// A polyhedron and the radius of its rounding.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rounded = built[0].polyhedron.as_ref().expect("it is one");
+/// assert_eq!((rounded.polyhedron.faces().len(), rounded.radius), (6, 1.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoundedPolyhedron {
+    /// The polyhedron.
+    pub polyhedron: ConvexPolyhedron,
+    /// The radius.
+    pub radius: f64,
+    /// How far its surface is from the points and faces given, at most.
+    pub moved: f64,
+}
+
+/// What was chosen for a smooth mesh.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let choice = built[0].smooth.expect("it is a smooth mesh");
+/// assert_eq!((choice.normals, choice.polygons), ("sphere", 8));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothChoice {
+    /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`.
+    pub normals: &'static str,
+    /// The angle above which edges are creases, radians.
+    pub crease_angle: Option<f64>,
+    /// Polygons of the mesh as given.
+    pub polygons: usize,
+}
+
+/// What is known of a tube besides its body.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].tubes[0].within, cyclide::Exactness::Exact);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TubeFacts {
+    /// The least and the largest radius.
+    pub radii: [f64; 2],
+    /// What has these.
+    pub radius_of: RadiusOf,
+    /// Pieces that it consists of, arcs of balls or of sections.
+    pub arcs: usize,
+    /// How far it is from the tube of the law along the curve, and what that rests on.
+    pub within: Exactness,
+}
+
+/// What became of a curve of a torus when it was laid flat, over all its contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let plane = built[1].unrolled.expect("it is laid flat");
+/// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnrolledPlane {
+    /// The map.
+    pub map: TorusMap,
+    /// Width and height of the plane of the whole torus.
+    pub size: [f64; 2],
+    /// How often the curve was cut.
+    pub cuts: usize,
+    /// The least and the largest factor by which the map multiplies lengths round the axis, on the curve.
+    pub stretch: [f64; 2],
+    /// Length of the curve on the torus, and of all lines in the plane.
+    pub lengths: [f64; 2],
+    /// Distance within which arcs stand for the curve in the plane.
+    pub tolerance: f64,
+}
+
+/// What the curves of an image are images of, by one map: two of them make one, which doubles the degree of a rational curve once.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Unmapped {
+    pub(in crate::document) curves: Vec<CurveObject>,
+    pub(in crate::document) map: Mobius,
+    /// Maps in it that are no similarities.
+    pub(in crate::document) inversions: usize,
+}
+
+/// A grid of a file, and what the file calls its points.
+pub(in crate::document) struct MeshNames {
+    /// The file.
+    pub name: String,
+    pub grid: QuadGrid,
+    /// The number of each point of the grid.
+    pub numbers: Vec<usize>,
+}
+
+/// What has the radius of a tube along a curve.
+///
+/// ```
+/// use cyclide_io::kinds::RadiusOf;
+/// let word: RadiusOf = serde_json::from_str("\"balls\"")?;
+/// assert_eq!((word, RadiusOf::default()), (RadiusOf::Balls, RadiusOf::Sections));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum RadiusOf {
+    /// The circles in which planes across the curve cut the tube.
+    #[default]
+    Sections,
+    /// Balls that roll along the curve: the tube is their envelope. Where the radius changes its circles lie beside their centres, and it does not end where the
+    /// curve does.
+    Balls,
+}
