@@ -14,18 +14,19 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShortNumber(pub f64);
 
-/// More than a number may change where its digits are cut.
+/// More than a number may change where its digits are cut: five of them count, and three of very small and very large ones.
 const CUT: f64 = 1e-4;
+const CUT_OF_FEW: f64 = 1e-2;
 
 impl ShortNumber {
     /// A number that is to be typed as a lower limit: what is shown is no less than the value.
     pub(crate) fn no_less(value: f64) -> Self {
-        Self(value + CUT * value.abs())
+        Self(value + cut(value))
     }
 
     /// A number that is to be typed as an upper limit: what is shown is no more than the value.
     pub(crate) fn no_more(value: f64) -> Self {
-        Self(value - CUT * value.abs())
+        Self(value - cut(value))
     }
 }
 
@@ -54,6 +55,11 @@ impl fmt::Display for ShortNumber {
         let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
         write!(f, "{}{exponent}", trimmed(mantissa))
     }
+}
+
+fn cut(value: f64) -> f64 {
+    let size = value.abs();
+    size * if (2e-3..5e6).contains(&size) { CUT } else { CUT_OF_FEW }
 }
 
 /// Without zeros at the end of a fraction.

@@ -15,11 +15,11 @@ const NEARNESS: f64 = 0.4;
 /// and not nearer than this part of the size of the data.
 pub(super) const NEAREST: f64 = 1e-7;
 /// Where it cannot, this many times as near will do, so often, as long as that is at most so many deviations of the noise, or of
-/// the nearest.
+/// this many times the first.
 const RELAXED: f64 = 2.0;
 const RELAXATIONS: usize = 8;
 const OF_DEVIATION: f64 = 2.0;
-const OF_NEAREST: f64 = 32.0;
+const OF_FIRST: f64 = 32.0;
 /// Noise moves points by this many deviations.
 pub(super) const OF_NOISE: f64 = 3.0;
 /// Few points may be corners where their noise is above this part of what they are apart.
@@ -206,7 +206,7 @@ impl FairFit {
             centre: 0.0,
             ..options.clone()
         };
-        let widest = (OF_DEVIATION * found.deviation).max(OF_NEAREST * NEAREST * size);
+        let widest = (OF_DEVIATION * found.deviation).max(OF_FIRST * task.tolerance);
         let mut tries = 0;
         let mut fit = loop {
             match Self::near(&places, &task, Some(measured)) {
