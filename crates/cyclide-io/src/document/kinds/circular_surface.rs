@@ -9,6 +9,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
+use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
 /// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.
@@ -50,18 +51,15 @@ impl Kind for CircularSurfaceSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
-        Some(match error {
-            E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
-                Blame::Field(name.word())
-            }
+        use cyclide::Error as E;
+        blame_size(error).or(Some(match error {
             E::ZeroTangent { index } if self.tangent.0.len() > 1 => Blame::Entry("tangent", *index),
             E::ZeroTangent { .. }
             | E::OppositeTangents { .. }
             | E::TangentOpposesChord { .. }
             | E::CountDiffers { .. } => Blame::Field("tangent"),
             _ => Blame::Field("rails"),
-        })
+        }))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

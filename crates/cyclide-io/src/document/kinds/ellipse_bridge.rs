@@ -8,6 +8,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
 /// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.
@@ -74,13 +75,7 @@ impl Kind for EllipseBridgeSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
-        Some(match error {
-            E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
-                Blame::Field(name.word())
-            }
-            _ => Blame::Field("ellipses"),
-        })
+        blame_size(error).or(Some(Blame::Field("ellipses")))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

@@ -9,6 +9,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
 /// A pipe on a plate with a rounded neck between them, that of a ball rolling round the pipe; an open surface, or with a
@@ -135,17 +136,14 @@ impl Kind for PlateWithNeckSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
-        Some(match error {
-            E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
-                Blame::Field(name.word())
-            }
+        use cyclide::Error as E;
+        blame_size(error).or(Some(match error {
             E::RadiusNotPositive { .. } if self.pipe_radius <= 0.0 => Blame::Field("pipe_radius"),
             E::RadiusNotPositive { .. } | E::BallDoesNotFit { .. } | E::NeckFolds { .. } => Blame::Field("ball_radius"),
             E::AngleOutOfRange { .. } => Blame::Field("slope"),
             E::PlateTooSmall { .. } => Blame::Field("plate"),
             _ => Blame::Object,
-        })
+        }))
     }
 }
 

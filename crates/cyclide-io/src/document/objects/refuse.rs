@@ -179,6 +179,17 @@ fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
     })
 }
 
+/// Sizes that are fields of their own.
+pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
+            Some(Blame::Field(name.word()))
+        }
+        _ => None,
+    }
+}
+
 /// Directions of a curve with `ends`.
 pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
     use cyclide::{Error as E, ErrorItem as I};

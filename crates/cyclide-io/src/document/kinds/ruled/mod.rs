@@ -12,6 +12,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::ruled::sense::Rulings;
 use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
+use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
 /// Starts of a closed rail that are tried to see whether it runs the other way.
@@ -56,13 +57,7 @@ impl Kind for RuledSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
-        Some(match error {
-            E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
-                Blame::Field(name.word())
-            }
-            _ => Blame::Field("rails"),
-        })
+        blame_size(error).or(Some(Blame::Field("rails")))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
