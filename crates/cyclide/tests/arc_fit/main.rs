@@ -5,6 +5,7 @@ mod circuits;
 mod fits;
 mod one_arc;
 mod outlines;
+mod symmetry;
 
 use cyclide::{
     ArcFit, ArcFitOptions, Effort, Error, FitTarget, ParamCurve, Point2, Point3, Warning, certify_arc,

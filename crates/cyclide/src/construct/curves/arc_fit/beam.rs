@@ -12,12 +12,16 @@ use super::curvature_interval::{CurvatureSweep, JointFrame, curvature_to};
 use super::options::ArcLimits;
 use super::trace::Trace;
 use crate::base::planar::{Point2, Vec2};
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 /// Tangent angles tried at a free start.
 const START_ANGLES: usize = 81;
 /// No start tangent farther than this from the first edge: beyond, the sweep would soon pass half a turn.
 const MAX_START_ANGLE: f64 = 1.5;
+/// Places tried on an axis of symmetry, across the tube.
+const AXIS_PLACES: usize = 41;
+/// Largest sine of the angle between two directions that are one.
+const PARALLEL: f64 = 1e-12;
 /// Levels fan out over the last `3 + 0.34 (farthest reach - nearest state)` end vertices.
 const WINDOW_BASE: f64 = 3.0;
 const WINDOW_SLOPE: f64 = 0.34;
@@ -41,6 +45,26 @@ impl Run {
             bulge: pick(&trace.bulge),
             straight_ahead: range.clone().map(|i| trace.straight_ahead[i % n]).collect(),
         }
+    }
+
+    /// The part between two places that are counted in half steps: at an odd one it begins or ends in the middle of an edge.
+    pub fn between(flat: &[Point2], trace: &Trace, halves: Range<usize>) -> Self {
+        let mut run = Self::new(flat, trace, halves.start.div_ceil(2)..=halves.end / 2);
+        let n = flat.len();
+        let middle = |half: usize| {
+            let (from, to) = (half / 2 % n, (half / 2 + 1) % n);
+            (flat[from] + (flat[to] - flat[from]) * 0.5, trace.bulge[to], trace.straight_ahead[from])
+        };
+        for (half, at) in
+            [(halves.end, run.points.len()), (halves.start, 0)].into_iter().filter(|(half, _)| half % 2 == 1)
+        {
+            let (point, slack, straight) = middle(half);
+            run.points.insert(at, point);
+            run.slack.insert(at, slack);
+            run.bulge.insert(at, slack);
+            run.straight_ahead.insert(at, straight);
+        }
+        run
     }
 
     pub fn tube(&self, tolerance: f64, limits: ArcLimits) -> Tube<'_> {
@@ -119,6 +143,14 @@ impl<'a> Tube<'a> {
         });
         fan.collect()
     }
+
+    /// States on an axis of symmetry through the first point: across it, as far out as the tolerance reaches.
+    pub fn axis_fan(&self, axis: JointFrame) -> Vec<JointFrame> {
+        let half = (AXIS_PLACES / 2) as f64;
+        let at = |i: usize| self.tolerance * (i as f64 / half - 1.0);
+        let place = |i: usize| JointFrame { joint: axis.joint + axis.tangent.left() * at(i), ..axis };
+        (0..AXIS_PLACES).map(place).collect()
+    }
 }
 
 /// How hard to search.
@@ -137,6 +169,8 @@ pub(super) enum Goal {
     Point,
     /// In this joint with this tangent; it belongs to the last vertex.
     Joint(JointFrame),
+    /// With this tangent anywhere on the axis of symmetry across it through this joint, which belongs to the last vertex.
+    Axis(JointFrame),
 }
 
 /// A joint of a chain; its arc is the one that ends here.
@@ -176,14 +210,14 @@ impl End {
 /// All states with the same number of arcs, and what each of them reaches.
 pub(super) struct Level {
     /// Indices into the arena.
-    pub nodes: std::ops::Range<usize>,
+    pub nodes: Range<usize>,
     ends: Vec<End>,
     /// Where the ends of each node begin; one more at the end.
     offsets: Vec<usize>,
 }
 
 impl Level {
-    fn new(tube: &Tube<'_>, arena: &[Node], nodes: std::ops::Range<usize>) -> Self {
+    fn new(tube: &Tube<'_>, arena: &[Node], nodes: Range<usize>) -> Self {
         let (mut ends, mut offsets) = (Vec::new(), vec![0]);
         for node in &arena[nodes.clone()] {
             let frame = node.at.frame;
@@ -223,13 +257,14 @@ pub(super) fn search(
         let finished = match goal {
             Goal::Point => end_in_point(tube, &arena, &level),
             Goal::Joint(target) => super::closing::end_in_joint(tube, &arena, &level, target),
+            Goal::Axis(axis) => end_on_axis(tube, &arena, &level, axis),
         };
         if let Some((node, tail)) = finished {
             return Ok(chain(&arena, node, tail));
         }
         let reach = |i: usize| arena[i].at.vertex + level.ends_of(i).len();
         let far = nodes.clone().map(reach).max().unwrap_or(0);
-        let children = next_level(tube, &arena, &level, far, size);
+        let children = next_level(tube, &arena, &level, goal, far, size);
         if children.is_empty() {
             return Err(far);
         }
@@ -265,6 +300,33 @@ fn end_in_point(tube: &Tube<'_>, arena: &[Node], level: &Level) -> Option<(usize
     Some((i, vec![ChainJoint { vertex: last, frame, straight: kappa == 0.0 }]))
 }
 
+/// The state whose arc across the axis lies deepest inside its interval; more straight segments win first. There is one arc from
+/// each state, along the middle of its tangent and the goal's.
+fn end_on_axis(tube: &Tube<'_>, arena: &[Node], level: &Level, axis: JointFrame) -> Option<(usize, Vec<ChainJoint>)> {
+    let last = tube.last();
+    let candidate = |i: usize| {
+        let node = &arena[i].at;
+        let end = level.ends_of(i).get(last - node.vertex - 1)?;
+        let from = &node.frame;
+        let chord = (from.tangent + axis.tangent).unit()?;
+        let length = (axis.joint - from.joint).dot(axis.tangent) / chord.dot(axis.tangent);
+        let joint = from.joint + chord * length;
+        let straight = from.tangent.cross(axis.tangent).abs() <= PARALLEL;
+        let kappa = if straight { 0.0 } else { curvature_to(from.local(joint)) };
+        let margin = end.margin(kappa);
+        let lines = arena[i].lines + u32::from(straight);
+        let allowed = length > 0.0 && margin >= 0.0 && tube.allows(kappa, length);
+        allowed.then_some((
+            i,
+            ChainJoint { vertex: last, frame: JointFrame { joint, ..axis }, straight },
+            lines,
+            margin,
+        ))
+    };
+    let best = level.nodes.clone().filter_map(candidate).max_by(|a, b| a.2.cmp(&b.2).then(a.3.total_cmp(&b.3)));
+    best.map(|(i, joint, ..)| (i, vec![joint]))
+}
+
 /// A child not yet made: its cell, its rank inside the cell (less is better), and what makes it.
 #[derive(Clone, Copy)]
 struct Candidate {
@@ -276,7 +338,7 @@ struct Candidate {
     lean: f64,
 }
 
-fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: BeamSize) -> Vec<Node> {
+fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, goal: Goal, far: usize, size: BeamSize) -> Vec<Node> {
     let nearest = level.nodes.clone().map(|i| arena[i].at.vertex).min().unwrap_or(0);
     let window = (WINDOW_BASE + WINDOW_SLOPE * (far - nearest) as f64) as usize;
     let highest = far.min(tube.last() - 1);
@@ -289,7 +351,7 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: 
             if vertex > node.at.vertex
                 && let Some(end) = level.ends_of(i).get(vertex - node.at.vertex - 1)
             {
-                fan_out(tube, node, i, end, vertex, size.samples, &mut candidates);
+                fan_out(tube, node, i, end, vertex, goal, size.samples, &mut candidates);
             }
         }
         candidates.sort_unstable_by_key(|c| (c.cell, c.rank, c.node));
@@ -325,6 +387,7 @@ fn fan_out(
     index: usize,
     end: &End,
     vertex: usize,
+    goal: Goal,
     samples: usize,
     out: &mut Vec<Candidate>,
 ) {
@@ -359,9 +422,10 @@ fn fan_out(
     if end.lo < 0.0 && end.hi > 0.0 {
         push(0.0, 0.5 - end.margin(0.0));
     }
-    if tube.straight_ahead[vertex]
-        && let Some(&ahead) = tube.directions.get(vertex + 1)
-    {
+    let straight = tube.directions.get(vertex + 1).filter(|_| tube.straight_ahead[vertex]).copied();
+    // Across an axis of symmetry a line must run as the goal says.
+    let at_goal = if let Goal::Axis(axis) = goal { Some(axis.tangent) } else { None };
+    for ahead in straight.into_iter().chain(at_goal) {
         let (cosine, sine) = (frame.tangent.dot(ahead), frame.tangent.cross(ahead));
         let kappa = sine / (x * cosine + y * sine);
         if end.margin(kappa) > 0.0 {

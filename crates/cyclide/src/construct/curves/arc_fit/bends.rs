@@ -47,13 +47,27 @@ pub(super) struct State {
     pub angle: f64,
 }
 
+/// What holds one end of a chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Hold {
+    Place,
+    PlaceAndAngle,
+    /// The angle, and an axis of symmetry across it, along which the end slides.
+    Axis,
+}
+
 /// What holds a chain at its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Ends {
-    /// Both are places, and each a direction too if it says so.
-    Held { start_angle: bool, end: State, end_angle: bool },
+    Held {
+        start: Hold,
+        end: Hold,
+        target: State,
+    },
     /// It closes smoothly after this turn.
-    Loop { turn: f64 },
+    Loop {
+        turn: f64,
+    },
 }
 
 #[derive(Debug, Clone)]
@@ -150,6 +164,12 @@ impl Bends {
         states
     }
 
+    /// What holds it where its ends are, and across axes of symmetry where they are said to be on one.
+    pub fn held(&self, axes: [bool; 2]) -> Option<Ends> {
+        let [start, end] = axes.map(|axis| if axis { Hold::Axis } else { Hold::Place });
+        Some(Ends::Held { start, end, target: *self.states().last()? })
+    }
+
     /// The point's foot on a piece continued beyond its ends.
     fn foot_on(&self, states: &[State], piece: usize, point: Matched) -> Foot {
         let (bend, state) = (&self.pieces[piece], states[piece]);
@@ -220,6 +240,9 @@ impl Bends {
         if is_loop {
             row.extend([direction.x, direction.y]);
         }
+        if self.slides_at_start() {
+            row.push(direction.dot(self.start.tangent().left()));
+        }
         // Turning about a center moves the place by left(at - center).
         let turning = |center: Point2| direction.dot((at - center).left());
         if self.has_free_start_angle() {
@@ -244,20 +267,26 @@ impl Bends {
     }
 
     fn has_free_start_angle(&self) -> bool {
-        !matches!(self.ends, Ends::Held { start_angle: true, .. })
+        matches!(self.ends, Ends::Loop { .. } | Ends::Held { start: Hold::Place, .. })
+    }
+
+    fn slides_at_start(&self) -> bool {
+        matches!(self.ends, Ends::Held { start: Hold::Axis, .. })
     }
 
     /// What the ends miss, and how that changes, row by row.
     fn misses(&self, states: &[State]) -> Vec<(f64, Vec<f64>)> {
         let n = self.pieces.len();
         let end = states[n];
-        let (target, with_angle) = match self.ends {
-            Ends::Held { end, end_angle, .. } => (end, end_angle),
-            Ends::Loop { turn } => (State { at: self.start.at, angle: self.start.angle + turn }, true),
+        let (target, hold) = match self.ends {
+            Ends::Held { end, target, .. } => (target, end),
+            Ends::Loop { turn } => (State { at: self.start.at, angle: self.start.angle + turn }, Hold::PlaceAndAngle),
         };
         let is_loop = matches!(self.ends, Ends::Loop { .. });
+        let held: &[Vec2] =
+            if hold == Hold::Axis { &[target.tangent()] } else { &[Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] };
         let mut rows = Vec::new();
-        for direction in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+        for &direction in held {
             let mut row = Vec::new();
             self.motion(states, (n, 0.0), end.at, direction, &mut row);
             if is_loop {
@@ -266,9 +295,9 @@ impl Bends {
             }
             rows.push((direction.dot(end.at - target.at), row));
         }
-        if with_angle {
+        if hold != Hold::Place {
             let mut row = vec![0.0; rows[0].1.len()];
-            let mut i = if is_loop { 2 } else { 0 };
+            let mut i = 2 * usize::from(is_loop) + usize::from(self.slides_at_start());
             if self.has_free_start_angle() {
                 row[i] = if is_loop { 0.0 } else { 1.0 };
                 i += 1;
@@ -293,6 +322,9 @@ impl Bends {
         if matches!(self.ends, Ends::Loop { .. }) {
             moved.start.at = moved.start.at + Vec2::new(next(), next());
         }
+        if self.slides_at_start() {
+            moved.start.at = moved.start.at + self.start.tangent().left() * next();
+        }
         if self.has_free_start_angle() {
             moved.start.angle += next();
         }
@@ -311,6 +343,9 @@ impl Bends {
         if matches!(self.ends, Ends::Loop { .. }) {
             units.extend([1.0, 1.0]);
         }
+        if self.slides_at_start() {
+            units.push(1.0);
+        }
         if self.has_free_start_angle() {
             units.push(self.pieces.iter().map(|b| b.length).sum());
         }
@@ -326,8 +361,9 @@ impl Bends {
     /// Steps of least norm until the ends are met; `None` if they are not.
     pub fn closed(mut self) -> Option<Self> {
         // Places are rounded as lengths are, the angle as a sum of radians is.
-        let sizes = [self.pieces.iter().map(|b| b.length).sum::<f64>(); 2];
-        let sizes = sizes.into_iter().chain([self.pieces.len() as f64]);
+        let length = self.pieces.iter().map(|b| b.length).sum::<f64>();
+        let held = if matches!(self.ends, Ends::Held { end: Hold::Axis, .. }) { 1 } else { 2 };
+        let sizes = std::iter::repeat_n(length, held).chain([self.pieces.len() as f64]);
         let largest = |rows: &[(f64, Vec<f64>)]| {
             rows.iter().zip(sizes.clone()).map(|(row, size)| row.0.abs() / size).fold(0.0, f64::max)
         };
@@ -434,14 +470,14 @@ mod tests {
     fn road(shift: f64) -> Bends {
         let start = State { at: Point2::new(1.0, 2.0), angle: 0.3 };
         let pieces = vec![bend(0.0, 10.0), bend(0.2, 8.0), bend(-0.1, 12.0), bend(0.0, 9.0)];
-        let ends = Ends::Held { start_angle: false, end: start, end_angle: false };
+        let ends = Ends::Held { start: Hold::Place, end: Hold::Place, target: start };
         let mut bends = Bends { start, pieces, ends, shortest: 0.0 };
         let states = bends.states();
         for (piece, state) in bends.pieces.iter_mut().zip(&states) {
             let Bend { curvature, length, .. } = *piece;
             piece.points = (0..20).map(|k| exact(state.along(curvature, length * f64::from(k) / 20.0).at)).collect();
         }
-        bends.ends = Ends::Held { start_angle: false, end: states[4], end_angle: false };
+        bends.ends = Ends::Held { start: Hold::Place, end: Hold::Place, target: states[4] };
         // Off by a little, with the same ends.
         bends.start.angle += 0.1 * shift;
         bends.pieces[1].curvature *= 1.0 + shift;

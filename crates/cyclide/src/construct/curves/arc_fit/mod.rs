@@ -21,6 +21,7 @@ mod single;
 mod space;
 mod space_tangents;
 mod straighten;
+mod symmetric;
 mod trace;
 mod turning;
 mod way_round;
@@ -241,15 +242,19 @@ impl ArcFit {
                             found
                         };
                         let polished = polish::polished(pieces.clone(), &trace, frame, room, options);
-                        let better = || {
-                            let sheet = certify(&polished, &trace, options.target, true);
-                            let judged = turning::Data::new(data, outline, options);
-                            let turning = turning::of_pieces(&polished, options.closed);
-                            let turns_on = turning <= judged.limit(&polished, &trace)
-                                || turning <= turning::of_pieces(&pieces, options.closed);
-                            sheet.deviation <= tolerance && sheet.monotone && turns_on && options.limits_kept(&polished)
+                        let judged = turning::Data::new(data, outline, options);
+                        let does = |found: &[Piece], instead_of: &[Piece]| {
+                            let sheet = certify(found, &trace, options.target, true);
+                            let turning = turning::of_pieces(found, options.closed);
+                            let turns_on = turning <= judged.limit(found, &trace)
+                                || turning <= turning::of_pieces(instead_of, options.closed);
+                            sheet.deviation <= tolerance && sheet.monotone && turns_on && options.limits_kept(found)
                         };
-                        let pieces = if better() { polished } else { pieces };
+                        let pieces = if does(&polished, &pieces) { polished } else { pieces };
+                        let corners = trace.positions_of(&indices);
+                        let symmetric =
+                            symmetric::Symmetric { trace: &trace, corners, frame, tolerance: room, options, effort };
+                        let pieces = symmetric.path(&pieces, |found| does(found, &pieces)).unwrap_or(pieces);
                         (trace, pieces)
                     }
                     // Wild samples: biarcs through the points take more arcs but nearly always exist.
@@ -341,7 +346,7 @@ fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<P
         };
         for i in 1..joints.len() {
             let (from, to) = (&joints[i - 1], &joints[i]);
-            let arc = Arc::from_bulge(place(i - 1), place(i), frame.z(), bulge(from, to))?;
+            let arc = Arc::from_bulge(place(i - 1), place(i), frame.z(), chain_bulge(from, to))?;
             let over = |joint: &ChainJoint| Place::over(chain.first + joint.vertex);
             pieces.push(Piece { arc, span: Span { from: over(from), to: over(to) }, smooth: i > 1 || loops });
         }
@@ -350,7 +355,7 @@ fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<P
 }
 
 /// Bulge of the arc between two joints, by the angle from its start tangent to the chord: `tan(sweep/4)`.
-fn bulge(from: &ChainJoint, to: &ChainJoint) -> f64 {
+fn chain_bulge(from: &ChainJoint, to: &ChainJoint) -> f64 {
     if to.straight {
         return 0.0;
     }

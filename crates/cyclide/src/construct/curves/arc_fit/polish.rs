@@ -5,7 +5,7 @@
 //! a chain within the tolerance, and then all pieces are moved to the least squares of their points. Short chains are moved as
 //! a whole; long ones in windows that keep their ends, each in the order of the chain.
 
-use super::bends::{Bend, Bends, Counted, Ends, Matched, State, Sum};
+use super::bends::{Bend, Bends, Counted, Ends, Hold, Matched, State, Sum};
 use super::certificate::certify;
 use super::options::{ArcFitOptions, FitTarget};
 use super::piece::{Piece, Place, Span, joined};
@@ -55,7 +55,30 @@ pub(super) fn polished(
     }
     starts.push(pieces.len());
     let runs = starts.windows(2).map(|w| &pieces[w[0]..w[1]]);
-    runs.flat_map(|run| polish.run(run, false).unwrap_or_else(|| run.to_vec())).collect()
+    runs.flat_map(|run| polish.run(run, Between::Places).unwrap_or_else(|| run.to_vec())).collect()
+}
+
+/// The same of pieces between two axes of symmetry (or a place that is none, as `axes` says), at which they slide.
+pub(super) fn polished_between(
+    pieces: Vec<Piece>,
+    axes: [bool; 2],
+    trace: &Trace,
+    frame: &Frame,
+    tolerance: f64,
+    options: &ArcFitOptions,
+) -> Vec<Piece> {
+    let polish = Polish { trace, frame, tolerance, options };
+    polish.run(&pieces, Between::Axes(axes)).unwrap_or(pieces)
+}
+
+/// What a run is between.
+#[derive(Clone, Copy, PartialEq)]
+enum Between {
+    Places,
+    /// Where it says so an axis of symmetry, else a place.
+    Axes([bool; 2]),
+    /// Its own seam.
+    Seam,
 }
 
 struct Polish<'a> {
@@ -78,7 +101,7 @@ impl Polish<'_> {
         let start = pieces[0].arc.start();
         let mut turned = pieces.to_vec();
         turned.rotate_left(pieces.iter().position(|piece| piece.arc.is_straight()).unwrap_or(0));
-        let mut found = self.run(&turned, true)?;
+        let mut found = self.run(&turned, Between::Seam)?;
         let away = |piece: &Piece| piece.arc.start().distance(start);
         let first = (0..found.len()).min_by(|a, b| away(&found[*a]).total_cmp(&away(&found[*b])))?;
         found.rotate_left(first);
@@ -86,8 +109,8 @@ impl Polish<'_> {
     }
 
     /// A run between corners or all round; `None` if it has too few pieces.
-    fn run(&self, pieces: &[Piece], is_loop: bool) -> Option<Vec<Piece>> {
-        if pieces.len() < if is_loop { 3 } else { 2 } {
+    fn run(&self, pieces: &[Piece], between: Between) -> Option<Vec<Piece>> {
+        if pieces.len() < if between == Between::Seam { 3 } else { 2 } {
             return None;
         }
         // One after the other, each in the lap of the one before it or the next.
@@ -98,7 +121,7 @@ impl Polish<'_> {
             let from = Place { index: piece.span.from.index + laps, ..piece.span.from };
             spans.push(Span { from, to: both.to });
         }
-        let mut chain = Spanned { bends: self.bends(pieces, is_loop)?, spans };
+        let mut chain = Spanned { bends: self.bends(pieces, between)?, spans };
         // What has moved may let others become one.
         for _ in 0..ROUNDS {
             let before = chain.spans.len();
@@ -117,7 +140,8 @@ impl Polish<'_> {
         self.pieces(&chain, Some(pieces)).map(|found| found.0)
     }
 
-    fn bends(&self, pieces: &[Piece], is_loop: bool) -> Option<Bends> {
+    fn bends(&self, pieces: &[Piece], between: Between) -> Option<Bends> {
+        let is_loop = between == Between::Seam;
         let first = &pieces[0].arc;
         let tangent = self.frame.vector_to_local(first.start_tangent()?);
         let start = State { at: self.frame.to_local(first.start()).0, angle: tangent.y.atan2(tangent.x) };
@@ -153,14 +177,12 @@ impl Polish<'_> {
             piece.tightest = limits.curvature.min(NO_TIGHTER * tightest);
         }
         let mut bends = Bends { start, pieces, ends: Ends::Loop { turn }, shortest: limits.length };
-        if is_loop {
+        bends.ends = match between {
             // Smooth all round: a whole number of turns.
-            let turn = std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
-            bends.ends = Ends::Loop { turn };
-        } else {
-            let end = *bends.states().last()?;
-            bends.ends = Ends::Held { start_angle: false, end, end_angle: false };
-        }
+            Between::Seam => Ends::Loop { turn: std::f64::consts::TAU * (turn / std::f64::consts::TAU).round() },
+            Between::Places => bends.held([false; 2])?,
+            Between::Axes(axes) => bends.held(axes)?,
+        };
         Some(bends)
     }
 
@@ -274,9 +296,13 @@ impl Polish<'_> {
         let mut points: Vec<_> = states.iter().map(|s| self.frame.to_world(s.at)).collect();
         if chain.is_loop() {
             points[count] = points[0];
-        } else if let Some([first, .., last]) = whole {
-            points[0] = first.arc.start();
-            points[count] = last.arc.end();
+        } else if let (Some([first, .., last]), Ends::Held { start, end, .. }) = (whole, bends.ends) {
+            if start == Hold::Place {
+                points[0] = first.arc.start();
+            }
+            if end == Hold::Place {
+                points[count] = last.arc.end();
+            }
         }
         let mut places: Vec<Place> = vec![spans[0].from];
         for i in 1..count {
@@ -325,12 +351,12 @@ impl Spanned {
     /// A part that keeps its ends, but for those of an open chain, which turn.
     fn part(&self, range: std::ops::Range<usize>) -> Self {
         let states = self.bends.states();
-        let turns = |at_end: bool| at_end && !self.is_loop();
-        let ends = Ends::Held {
-            start_angle: !turns(range.start == 0),
-            end: states[range.end],
-            end_angle: !turns(range.end == self.spans.len()),
-        };
+        let (mut start, mut end) = (Hold::PlaceAndAngle, Hold::PlaceAndAngle);
+        if let Ends::Held { start: first, end: last, .. } = self.bends.ends {
+            start = if range.start == 0 { first } else { start };
+            end = if range.end == self.spans.len() { last } else { end };
+        }
+        let ends = Ends::Held { start, end, target: states[range.end] };
         let pieces = self.bends.pieces[range.clone()].to_vec();
         let bends = Bends { start: states[range.start], pieces, ends, shortest: self.bends.shortest };
         Self { bends, spans: self.spans[range].to_vec() }

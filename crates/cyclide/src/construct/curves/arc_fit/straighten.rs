@@ -26,10 +26,26 @@ const OFFSETS: [f64; 3] = [0.5, 0.0, 1.0];
 
 /// Replaces what can be replaced; `normal` is the normal of the plane of all pieces.
 pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tolerance: f64, target: FitTarget) {
+    straighten_between(pieces, [None; 2], trace, normal, tolerance, target);
+}
+
+/// The same of a part of a path, whose first and last piece may end on an axis of symmetry: then it is half of an arc, and the line
+/// runs in the direction across the axis that is given.
+pub(super) fn straighten_between(
+    pieces: &mut [Piece],
+    axes: [Option<Vec3>; 2],
+    trace: &Trace,
+    normal: Vec3,
+    tolerance: f64,
+    target: FitTarget,
+) {
     let n = pieces.len();
     for i in 0..n {
         let arc = &pieces[i].arc;
-        let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+        let axis = Axis::of(i, n, axes);
+        // The whole arc bends four times as far from its chord.
+        let whole = if axis.is_some() { 4.0 } else { 1.0 };
+        let sagitta = whole * 0.5 * arc.chord().length() * arc.bulge_vector().length();
         // Neighbours that share a smooth joint; a fixed end or corner has none.
         let before = pieces[i].smooth.then_some((i + n - 1) % n);
         let after = Some((i + 1) % n).filter(|j| pieces[*j].smooth);
@@ -43,13 +59,17 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
         if !(curved(before) && curved(after)) || (n < 3 && before.is_some() && after.is_some()) {
             continue;
         }
-        let apex = arc.midpoint() - arc.start().midpoint(arc.end());
+        let apex = match axis {
+            Some(axis) => axis.reach(arc),
+            None => arc.midpoint() - arc.start().midpoint(arc.end()),
+        };
         for offset in OFFSETS {
             let shift = apex * offset;
             let triple = Triple {
                 before: before.map(|j| pieces[j]),
                 middle: pieces[i],
                 after: after.map(|j| pieces[j]),
+                axis,
                 wraps: trace.points.len(),
             };
             let Some(new) = triple.with_line(shift, normal, trace) else { continue };
@@ -64,6 +84,29 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
                 break;
             }
         }
+    }
+}
+
+/// An axis of symmetry at one end of a piece.
+#[derive(Clone, Copy)]
+struct Axis {
+    /// It is at the start.
+    at_start: bool,
+    /// Unit vector across it, along the path.
+    direction: Vec3,
+}
+
+impl Axis {
+    /// Of the first or the last of so many pieces.
+    fn of(i: usize, count: usize, axes: [Option<Vec3>; 2]) -> Option<Self> {
+        let at = |at_start: bool, direction: Option<Vec3>| direction.map(|direction| Self { at_start, direction });
+        let first = if i == 0 { at(true, axes[0]) } else { None };
+        first.or(if i + 1 == count { at(false, axes[1]) } else { None })
+    }
+
+    /// From its end on the axis, along it, to as far as the other end is.
+    fn reach(&self, arc: &Arc) -> Vec3 {
+        across(if self.at_start { arc.chord() } else { -arc.chord() }, self.direction)
     }
 }
 
@@ -99,6 +142,7 @@ struct Triple {
     before: Option<Piece>,
     middle: Piece,
     after: Option<Piece>,
+    axis: Option<Axis>,
     /// Points of the trace: what indices wrap by.
     wraps: usize,
 }
@@ -119,11 +163,24 @@ impl Triple {
     /// The middle piece as a line along its chord, moved by `shift` where its ends are free.
     fn with_line(&self, shift: Vec3, normal: Vec3, trace: &Trace) -> Option<Self> {
         let arc = &self.middle.arc;
-        let direction = arc.chord().unit()?;
-        let fixed = self.before.is_none() || self.after.is_none();
-        let on = arc.start() + if fixed { Vec3::ZERO } else { shift };
-        let mut new = Self { before: self.before, middle: self.middle, after: self.after, wraps: self.wraps };
+        let direction = self.axis.map_or_else(|| arc.chord().unit(), |axis| Some(axis.direction))?;
+        let on = match self.axis {
+            // Through the end that is kept, else as far along the axis as is asked.
+            Some(Axis { at_start: true, .. }) if self.after.is_none() => arc.end(),
+            Some(Axis { at_start: false, .. }) if self.before.is_none() => arc.start(),
+            Some(Axis { at_start: false, .. }) => arc.end() + shift,
+            None if self.before.is_none() || self.after.is_none() => arc.start(),
+            _ => arc.start() + shift,
+        };
+        let mut new = Self { before: self.before, middle: self.middle, after: self.after, ..*self };
         let (mut start, mut end) = (arc.start(), arc.end());
+        // On the axis.
+        let foot = |p: Point3| p + across(on - p, direction);
+        match self.axis {
+            Some(Axis { at_start: true, .. }) => start = foot(start),
+            Some(_) => end = foot(end),
+            None => {}
+        }
         if let Some(piece) = &mut new.before {
             let (p, t) = (piece.arc.start(), piece.arc.start_tangent()?);
             start = tangent_point(p, t, on, direction, normal)?;
@@ -148,6 +205,11 @@ impl Triple {
         new.middle.arc = Arc::segment(start, end).ok()?;
         (forward && in_order).then_some(new)
     }
+}
+
+/// What of a vector is across a direction.
+fn across(v: Vec3, direction: Vec3) -> Vec3 {
+    v - direction * v.dot(direction)
 }
 
 /// The end of the arc from `p` with unit tangent `t` that arrives on the line through `q` with its direction `d`.

@@ -78,16 +78,19 @@ impl<'a> Beside<'a> {
     fn bend(&self, point: Point3) -> f64 {
         let (before, after): (Side<'_>, Side<'_>) = (&|k| self.before(k), &|k| self.after(k));
         let turn = |a: Vec3, b: Vec3| if a.length() > 0.0 && b.length() > 0.0 { a.angle(b) } else { 0.0 };
+        // The turn between two bases, as it goes on over the gap; fewer points say nothing of it.
         let at_end = |side: Side<'_>| {
             let near = side(0)?;
             let length = near.distance(point);
             let (k, far) = base(side, 0, length)?;
             let (_, farther) = base(side, k, length)?;
-            Some(length * turn(far - near, farther - far).min(FRAC_PI_2).sin())
+            let (first, second) = (far - near, farther - far);
+            let further = (length + first.length()) / (first.length() + second.length());
+            Some(length * (turn(first, second) * further.max(1.0)).min(FRAC_PI_2).sin())
         };
         let (Some(b), Some(a)) = (before(0), after(0)) else {
             let side = if before(0).is_none() { after } else { before };
-            return at_end(side).unwrap_or(0.0);
+            return at_end(side).unwrap_or(f64::INFINITY);
         };
         let half = 0.5 * b.distance(a);
         match (base(before, 0, half), base(after, 0, half)) {

@@ -183,6 +183,11 @@ mod tests {
         assert!(off(&corner, 3).0 < 1e-12);
         let circle: Vec<Point3> = (0..20).map(|i| at((0.3 * f64::from(i)).cos(), (0.3 * f64::from(i)).sin())).collect();
         assert!((0..20).all(|j| off(&circle, j).1 < 1e-3));
+        // The end of three points: two say nothing of a bend. Of four, with a long gap beside short bases: they turn as the circle does.
+        let bent = [at(0.0, 0.0), at(3.0, 0.0), at(4.0, 1.0)];
+        assert!(off(&bent, 0).0 > 0.5 && off(&bent, 0).1 == 0.0);
+        let gap: Vec<Point3> = [0.0, 0.9, 1.1, 1.3].map(|a: f64| at(a.cos(), a.sin())).into();
+        assert!(off(&gap, 0).0 > 0.3 && off(&gap, 0).1 < 1e-3, "{:?}", off(&gap, 0));
         let mut line: Vec<Point3> = (0..30).map(|i| at(f64::from(i), 0.01 * f64::from(i * i % 7))).collect();
         line[11].y = 4.0;
         // Ahead of its place: no farther from the line than the others.
