@@ -29,6 +29,15 @@ const FEWEST: usize = 30;
 
 /// The points of all runs, rising.
 pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
+    runs(points, closed, true)
+}
+
+/// The same of heights over the way, which is no shorter without a run of them: that its edges are longer is not asked.
+pub(super) fn bursts_of_heights(points: &[Point3], closed: bool) -> Vec<usize> {
+    runs(points, closed, false)
+}
+
+fn runs(points: &[Point3], closed: bool, jumping: bool) -> Vec<usize> {
     let n = points.len();
     if n < FEWEST {
         return Vec::new();
@@ -47,7 +56,7 @@ pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
             let Some(apart) = beside.apart() else { continue };
             let edge = |k: usize| lengths[k % n];
             let jumps = edge((from + n - 1) % n).min(edge(from + count - 1));
-            if jumps <= JUMP * apart / (count + 1) as f64 {
+            if jumping && jumps <= JUMP * apart / (count + 1) as f64 {
                 continue;
             }
             let off = run().map(|p| beside.off(p).1).fold(f64::INFINITY, f64::min);

@@ -2,7 +2,7 @@
 //! of their neighbours by more than any bend of it explains (`docs/math/fair-fits.md#outliers`).
 
 use super::beside::{self, Beside, around};
-use super::bursts::bursts;
+use super::bursts::{bursts, bursts_of_heights};
 use super::chords::{chords, median};
 use super::smoother::{Series, Smoothed, smoothed};
 use crate::base::vector::Point3;
@@ -38,7 +38,10 @@ pub(super) struct Cleaned {
 
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
-    let mut flagged = spikes(data.points, data.closed, protected);
+    // Heights stand over lengths that are known.
+    let bursts = if data.chords.is_some() { bursts_of_heights } else { bursts };
+    let runs = bursts(data.points, data.closed);
+    let mut flagged = spikes(data.points, data.closed, &runs, protected);
     let mut seen: Vec<Vec<usize>> = Vec::new();
     for _ in 0..REFINEMENTS {
         let (kept, smooth) = without(data, &flagged)?;
@@ -124,11 +127,11 @@ fn confirmed(
     candidates
 }
 
-/// Points that are far off the polyline of the others: runs of some, then single ones, in rounds: next to one that goes another
+/// Points that are far off the polyline of the others: those of runs, and single ones, in rounds: next to one that goes another
 /// may come.
-fn spikes(points: &[Point3], closed: bool, protected: &dyn Fn(usize) -> bool) -> Vec<usize> {
+fn spikes(points: &[Point3], closed: bool, runs: &[usize], protected: &dyn Fn(usize) -> bool) -> Vec<usize> {
     let least = NOTHING * points.iter().zip(chords(points, closed)).map(|(_, h)| h).sum::<f64>() / points.len() as f64;
-    let mut found: Vec<usize> = bursts(points, closed).into_iter().filter(|i| !protected(*i)).collect();
+    let mut found: Vec<usize> = runs.iter().copied().filter(|i| !protected(*i)).collect();
     let mut list: Vec<usize> = (0..points.len()).filter(|i| found.binary_search(i).is_err()).collect();
     for _ in 0..ROUNDS {
         let at: Vec<Point3> = list.iter().map(|i| points[*i]).collect();
@@ -192,6 +195,6 @@ mod tests {
         line[11].y = 4.0;
         // Ahead of its place: no farther from the line than the others.
         line[20].x += 9.0;
-        assert_eq!(spikes(&line, false, &|_| false), [11, 20]);
+        assert_eq!(spikes(&line, false, &[], &|_| false), [11, 20]);
     }
 }
