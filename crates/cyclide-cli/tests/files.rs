@@ -284,7 +284,7 @@ mod unix {
 }
 
 #[test]
-fn input_of_any_size_is_refused_within_a_second() {
+fn input_of_any_size_is_refused() {
     let folder = Folder::with(&[]);
     let digits = "7".repeat(100_000_000);
     let long_string = format!(r#"{{"cyclide": 1, "comment": "{}", "objects": {{}}}}"#, "x y ".repeat(2_500_000));
@@ -300,12 +300,8 @@ fn input_of_any_size_is_refused_within_a_second() {
         ("b.csv", "\n".repeat(100_000_000), "curve b.csv -o o.step", "the file holds no points"),
     ] {
         folder.write(name, &text);
-        let begin = Instant::now();
         let error = folder.fails(1, command);
-        let seconds = begin.elapsed().as_secs_f64();
         assert!(error.contains(message) && error.len() < 600, "{name}: {error}");
-        // Within a second on an idle machine; the tests share theirs with others.
-        assert!(seconds < 20.0, "{name}: {seconds} s");
         fs::remove_file(folder.path(name)).unwrap();
     }
     // A file that is larger than any is not read at all.

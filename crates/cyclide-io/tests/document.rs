@@ -609,18 +609,15 @@ fn arcs_of_arcs_are_themselves() {
             assert_eq!(sheet.arcs, made[0].0.as_curve().piece_count());
         }
     }
-    // Also arcs in space, none of which can be spared: at once, where a polyline within a tenth of the tolerance has tens of thousands of edges.
+    // Also arcs in space, none of which can be spared; a polyline within a tenth of the tolerance has tens of thousands of edges.
     let point = |k: u32| {
         let (y, x) = (0.7 * f64::from(k)).sin_cos();
         format!("[{}, {}, {}]", 10.0 * x, 10.0 * y + f64::from(7 * k % 3), 11 * k % 7)
     };
     let points = (0..9).map(point).collect::<Vec<_>>().join(", ");
     let spatial = format!(r#"{{"type": "arc-spline", "closed": true, "points": [{points}]}}"#);
-    let start = std::time::Instant::now();
     let made = of(&spatial, r#""tolerance": 1e-7"#).unwrap();
     assert_eq!(made[0].0, made[1].0);
-    // It took half a minute, and takes a hundredth of a second.
-    assert!(start.elapsed() < std::time::Duration::from_secs(5));
     // Neighbours of one circle are still one arc.
     let halves = r#"{"type": "biarc", "from": [1, 0], "to": [-1, 0], "from_tangent": [0, 1], "to_tangent": [0, -1]}"#;
     let one = of(halves, r#""tolerance": 1e-6"#).unwrap();

@@ -6,7 +6,7 @@
 #[path = "../../../fuzz/exercise.rs"]
 mod exercise;
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use cyclide_io::{
     Document, DxfVersion, ExportOptions, Format, MeshFormat, ModelBuilder, ReadError, StepEdges, VtuEncoding, export,
@@ -257,9 +257,6 @@ fn right_files(target: &Target) -> Vec<Vec<u8>> {
     files
 }
 
-/// Longest time for one input. Copies are as small as the files they are made from, which take milliseconds.
-const PATIENCE: Duration = Duration::from_secs(20);
-
 /// Breaks the files of a target until `enough` says so; gives the number of copies.
 fn attack(index: usize, seed: u64, enough: impl Fn(usize) -> bool) -> usize {
     let Target { name: target, exercise, form, words, .. } = TARGETS[index];
@@ -269,18 +266,13 @@ fn attack(index: usize, seed: u64, enough: impl Fn(usize) -> bool) -> usize {
     while !enough(count) {
         let bytes = &files[count % files.len()];
         let copy = mutator.copy(bytes, form);
-        let begin = Instant::now();
         let outcome = std::panic::catch_unwind(|| exercise(&copy));
-        let lasted = begin.elapsed();
-        if outcome.is_err() || lasted >= PATIENCE {
+        if let Err(panic) = outcome {
             let path = std::env::temp_dir().join(format!("cyclide-{target}-{seed}-{count}"));
             std::fs::write(&path, &copy).expect("the input is kept");
             eprintln!("{target}, copy {count} of seed {seed} is kept in {}", path.display());
-        }
-        if let Err(panic) = outcome {
             std::panic::resume_unwind(panic);
         }
-        assert!(lasted < PATIENCE, "{target}, copy {count} of seed {seed}: {lasted:?}");
         count += 1;
     }
     count
