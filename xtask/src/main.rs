@@ -4,6 +4,7 @@
 mod attack;
 mod faces;
 mod layers;
+mod lines;
 mod reference;
 mod roof;
 mod scan;
@@ -20,6 +21,7 @@ tasks:
              write bodies of rational faces that no document makes, for the tests of foreign readers
   layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
              unsafe code or f32 in the kernel
+  lines      lines of code, of tests and of comments in each room
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
   roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         Some("attack") => attack::main(&rest),
         Some("faces") => faces::main(&rest),
         Some("layers") => layers::main(),
+        Some("lines") => lines::main(),
         Some("reference") => reference::main(&rest),
         Some("roof") => roof::main(),
         Some("scan") => scan::main(),
