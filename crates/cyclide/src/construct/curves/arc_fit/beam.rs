@@ -351,7 +351,7 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, goal: Goal, far: u
             if vertex > node.at.vertex
                 && let Some(end) = level.ends_of(i).get(vertex - node.at.vertex - 1)
             {
-                fan_out(tube, node, i, end, vertex, goal, size.samples, &mut candidates);
+                fan_out(tube, (i, node), end, vertex, goal, size.samples, &mut candidates);
             }
         }
         candidates.sort_unstable_by_key(|c| (c.cell, c.rank, c.node));
@@ -383,8 +383,7 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, goal: Goal, far: u
 /// over a long run needs its direction far more exactly than a few curvatures give it.
 fn fan_out(
     tube: &Tube<'_>,
-    node: &Node,
-    index: usize,
+    (index, node): (usize, &Node),
     end: &End,
     vertex: usize,
     goal: Goal,

@@ -2,7 +2,7 @@
 //! crosses at right angles, and its mirror images (`docs/math/arc-fitting.md#symmetry`).
 
 use super::beam::{ChainJoint, Goal, Run, search};
-use super::certificate::{FitCertificate, certify, deviation_of};
+use super::certificate::{certify, deviation_of};
 use super::chain_bulge;
 use super::curvature_interval::JointFrame;
 use super::options::{ArcFitOptions, Effort};
@@ -25,6 +25,13 @@ const LARGEST_BULGE: f64 = 0.916;
 
 /// A symmetric path may have one piece in so many more, and one: its count is even, or odd, whether or not that is the least.
 const MORE: usize = 10;
+/// A line that crosses an axis at a right angle but for this many radians is one.
+const STRAIGHT: f64 = 1e-6;
+/// But none more than one that is within this part of the tolerance.
+const NEAR: f64 = 0.05;
+/// It is at most so many times as far from the points as another, or this part of the tolerance.
+const FARTHER: f64 = 2.0;
+const ENOUGH: f64 = 0.5;
 /// Paths of fewer pieces are as symmetric as their points.
 const FEWEST: usize = 3;
 
@@ -65,27 +72,32 @@ impl Symmetric<'_> {
         let sum = flat.iter().fold(Vec2::default(), |sum, p| sum + (*p - flat[0]));
         let center = flat[0] + sum * (1.0 / flat.len() as f64);
         let data = Flat { points: &flat, center, symmetric: self };
-        let most = other.len() + other.len() / MORE + 1;
-        let best = |sectors: &[Sector], effort: Effort| {
-            let paths = sectors.iter().filter_map(|sector| data.unfolded(sector, effort));
-            let near = paths.filter(|path| path.len() <= most && passes(path)).map(|path| {
-                let sheet = certify(&path, self.trace, self.options.target, true);
-                (sheet, path)
-            });
-            let order = |a: &(FitCertificate, Vec<Piece>), b: &(FitCertificate, Vec<Piece>)| {
-                let fewest = a.1.len().cmp(&b.1.len()).then(b.0.lines.cmp(&a.0.lines));
-                fewest.then(a.0.deviation.total_cmp(&b.0.deviation))
-            };
-            near.min_by(order).map(|(_, path)| path)
+        let off = |path: &[Piece]| certify(path, self.trace, self.options.target, true).deviation;
+        // What is as near as that is symmetric, but for its joints.
+        let more = if off(other) > NEAR * self.tolerance { other.len() / MORE + 1 } else { 0 };
+        let most = other.len() + more;
+        let limit = (FARTHER * off(other)).max(ENOUGH * self.tolerance);
+        let lines = |path: &[Piece]| path.iter().filter(|piece| piece.arc.is_straight()).count();
+        let order = |a: &(f64, Vec<Piece>), b: &(f64, Vec<Piece>)| {
+            let fewest = a.1.len().cmp(&b.1.len()).then(lines(&b.1).cmp(&lines(&a.1)));
+            fewest.then(a.0.total_cmp(&b.0))
+        };
+        // Of sectors whose pieces are found in a way.
+        let best = |sectors: &[Sector], pieces: &dyn Fn(&Sector) -> Option<Vec<Piece>>| {
+            let paths = sectors.iter().filter_map(|sector| data.unfolded(sector, &pieces(sector)?));
+            let near = paths.filter(|path| path.len() <= most && passes(path)).map(|path| (off(&path), path));
+            near.filter(|path| path.0 <= limit).min_by(order)
         };
         data.sectors().iter().find_map(|sectors| {
-            let found = best(sectors, self.effort);
-            if found.as_ref().is_some_and(|path| path.len() <= other.len()) {
-                return found;
+            let mut found = best(sectors, &|sector| data.of_path(sector, other));
+            for effort in [self.effort, Effort::Best] {
+                if found.as_ref().is_some_and(|path| path.1.len() <= other.len()) {
+                    break;
+                }
+                let more = best(sectors, &|sector| data.over(sector, effort));
+                found = found.into_iter().chain(more).min_by(order);
             }
-            best(sectors, Effort::Best)
-                .filter(|more| found.as_ref().is_none_or(|path| more.len() < path.len()))
-                .or(found)
+            found.map(|path| path.1)
         })
     }
 
@@ -214,12 +226,74 @@ impl Flat<'_> {
             let across = [0, 1].map(|k| axes[k].then(|| frame.vector_to_world(sector.normals[k])));
             straighten_between(&mut straight, across, trace, frame.z(), *tolerance, options.target);
             let pieces = if options.limits_kept(&straight) { straight } else { found };
-            all.extend(match axes {
-                [false, false] => polished(pieces, trace, frame, *tolerance, options),
-                axes => polished_between(pieces, axes, trace, frame, *tolerance, options),
-            });
+            all.extend(self.polished(pieces, axes));
         }
         Some(all)
+    }
+
+    fn polished(&self, pieces: Vec<Piece>, axes: [bool; 2]) -> Vec<Piece> {
+        let Symmetric { trace, frame, tolerance, options, .. } = self.symmetric;
+        match axes {
+            [false, false] => polished(pieces, trace, frame, *tolerance, options),
+            axes => polished_between(pieces, axes, trace, frame, *tolerance, options),
+        }
+    }
+
+    /// The pieces over a sector of a path over the whole trace, cut at its axes so that they cross them at right angles.
+    fn of_path(&self, sector: &Sector, path: &[Piece]) -> Option<Vec<Piece>> {
+        let n = self.points.len();
+        let ends = [sector.places.start, sector.places.end];
+        let places = ends.map(|half| half as f64 / 2.0);
+        let on_lap = |lap: usize| {
+            let later = move |place: Place| Place { index: place.index + lap * n, ..place };
+            path.iter().map(move |p| Piece { span: Span { from: later(p.span.from), to: later(p.span.to) }, ..*p })
+        };
+        let inside = |p: &Piece| p.span.to.along() > places[0] && p.span.from.along() < places[1];
+        let mut pieces: Vec<Piece> = (0..3).flat_map(on_lap).filter(inside).collect();
+        let axes = ends.map(|half| !self.symmetric.is_kept(half));
+        let count = pieces.len();
+        if count < 2 {
+            return None;
+        }
+        for (k, i) in [(0, 0), (1, count - 1)] {
+            if axes[k] {
+                pieces[i] = self.cut(&pieces[i], k == 0, ends[k], sector.normals[k])?;
+            }
+        }
+        // Run by run between corners.
+        let mut starts: Vec<usize> = (1..count).filter(|i| !pieces[*i].smooth).collect();
+        starts.insert(0, 0);
+        starts.push(count);
+        let runs = starts.windows(2).map(|w| {
+            let mut run = pieces[w[0]..w[1]].to_vec();
+            run[0].smooth = false;
+            self.polished(run, [axes[0] && w[0] == 0, axes[1] && w[1] == count])
+        });
+        Some(runs.flatten().collect())
+    }
+
+    /// A piece from an axis that it crosses, or to it, with the tangent that it has at its other end.
+    fn cut(&self, piece: &Piece, from_axis: bool, half: usize, normal: Vec2) -> Option<Piece> {
+        let frame = self.symmetric.frame;
+        let (end, tangent) = match from_axis {
+            true => (piece.arc.end(), piece.arc.end_tangent()?),
+            false => (piece.arc.start(), piece.arc.start_tangent()?),
+        };
+        let (at, tangent) = (frame.to_local(end).0, frame.vector_to_local(tangent));
+        let chord = (tangent + normal).unit()?;
+        let joint = at + chord * ((self.center - at).dot(normal) / chord.dot(normal));
+        let across = frame.vector_to_world(normal) * at.distance(joint);
+        let (on_axis, place) = (frame.to_world(joint), half_place(half));
+        let (arc, span) = match from_axis {
+            true => (Arc::from_start_tangent(on_axis, end, across), Span { from: place, ..piece.span }),
+            false => (Arc::from_end_tangent(end, on_axis, across), Span { to: place, ..piece.span }),
+        };
+        let arc = if piece.arc.is_straight() && arc.as_ref().is_ok_and(|arc| arc.angle() < STRAIGHT) {
+            Arc::segment(if from_axis { on_axis } else { end }, if from_axis { end } else { on_axis })
+        } else {
+            arc
+        };
+        Some(Piece { arc: arc.ok()?, span, ..*piece })
     }
 
     /// Half of a straight side between a corner and its mirror image, where that is within the tolerance.
@@ -258,7 +332,7 @@ impl Flat<'_> {
     }
 
     /// The whole path of a sector and its mirror images.
-    fn unfolded(&self, sector: &Sector, effort: Effort) -> Option<Vec<Piece>> {
+    fn unfolded(&self, sector: &Sector, pieces: &[Piece]) -> Option<Vec<Piece>> {
         let Symmetric { trace, frame, .. } = self.symmetric;
         let Range { start, end } = sector.places;
         let bow = |piece: &Piece| Bow {
@@ -266,7 +340,7 @@ impl Flat<'_> {
             bulge: piece.arc.bulge_vector().dot(frame.z()),
             places: [piece.span.from.along(), piece.span.to.along()],
         };
-        let bows: Vec<Bow> = self.over(sector, effort)?.iter().map(bow).collect();
+        let bows: Vec<Bow> = pieces.iter().map(bow).collect();
         let [first, second] = sector.normals;
         let mut whole: Vec<Bow> = Vec::new();
         let mirror = |sum: usize, normal: Vec2| -> Vec<Bow> {
@@ -316,7 +390,7 @@ impl Flat<'_> {
     fn arcs(&self, bows: &[Bow]) -> Option<Vec<Piece>> {
         let Symmetric { trace, frame, .. } = self.symmetric;
         let kept = |place: f64| {
-            Some((2.0 * place) as usize).filter(|half| *half as f64 == 2.0 * place && self.symmetric.is_kept(*half))
+            Some((2.0 * place) as usize).filter(|half| (2.0 * place).fract() == 0.0 && self.symmetric.is_kept(*half))
         };
         let joint = |p: Point2, place: f64| -> Point3 {
             kept(place).map_or_else(|| frame.to_world(p), |half| trace.point(half / 2))
