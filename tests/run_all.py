@@ -78,6 +78,8 @@ STEPS = [
     ("layers", [XTASK, "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
     ("citations", [PYTHON, "tests/citations.py"], one),
+    ("book", [PYTHON, "scripts/book.py"], one),
+    ("its commands", [PYTHON, "scripts/book.py", "--run", target_folder() / "debug" / "cyclide"], from_last_line),
     ("Rust tests", ["cargo", "test", "--workspace", "--locked", "--no-fail-fast"], from_cargo_test),
     ("reference cases", [XTASK, "reference", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
     ("foreign readers", [PYTHON, "-m", "pytest", "tests/foreign", "-q", "-rsxX", "-p", "no:cacheprovider", "-n", "auto", "--dist", "worksteal"], from_pytest),

@@ -280,64 +280,18 @@ fn what_belongs_to_another_command_is_answered_with_it() {
     assert!(!folder.has("b.step"));
 }
 
-/// The lines of the README's blocks that run the program, without the file that the shell writes.
-fn commands_of_the_readme() -> Vec<String> {
-    let readme = std::fs::read_to_string(project("README.md")).unwrap();
-    let blocks = readme.split("```sh\n").skip(1).map(|block| block.split("```").next().unwrap().to_owned());
-    let lines: Vec<String> = blocks.flat_map(|b| b.lines().map(str::to_owned).collect::<Vec<_>>()).collect();
-    let of_the_program = lines.iter().filter_map(|line| line.strip_prefix("cyclide "));
-    of_the_program.map(|line| line.split(" > ").next().unwrap().to_owned()).collect()
-}
-
 #[test]
-fn the_commands_of_the_readme_work_word_for_word() {
-    let folder = Folder::with(&[]);
-    std::fs::create_dir(folder.path("examples")).unwrap();
-    for file in std::fs::read_dir(project("examples")).unwrap().map(|entry| entry.unwrap().path()) {
-        if file.is_file() {
-            std::fs::copy(&file, folder.path("examples").join(file.file_name().unwrap())).unwrap();
-        }
-    }
-    let commands = commands_of_the_readme();
-    assert!(commands.len() >= 9 && commands[0].starts_with("new "), "{commands:?}");
-    // The gallery has a test of its own.
-    for command in commands.iter().filter(|command| !command.starts_with("gallery")) {
-        folder.ok(command);
-    }
-}
-
-#[test]
-fn the_report_of_the_readme_is_the_one_that_is_printed() {
-    let folder = Folder::with(&[]);
-    std::fs::create_dir(folder.path("out")).unwrap();
-    let track = project("examples/track.csv");
-    let outputs = ["step", "dxf", "svg", "png"].map(|suffix| format!("-o out/track.{suffix}")).join(" ");
-    let printed = folder.ok(&format!("curve {} --closed --units m {outputs}", track.display()));
-    let readme = std::fs::read_to_string(project("README.md")).unwrap();
-    let start = readme.find("track: fair-spline").unwrap();
-    let said = &readme[start..start + readme[start..].find("```").unwrap()];
-    // Figures that are rounding, and what has no promise, are not compared.
-    let words = |text: &str| -> Vec<String> {
-        let lines = text
-            .lines()
-            .map(|line| line.split("deviation").next().unwrap().to_owned() + line.rsplit("  ").next().unwrap());
-        lines.filter(|line| !line.contains("joints")).collect()
-    };
-    assert_eq!(words(said), words(&printed));
-}
-
-#[test]
-fn the_readme_says_how_far_the_vertices_of_its_picture_moved() {
+fn the_book_says_how_far_the_vertices_of_its_picture_moved() {
     let folder = Folder::with(&[]);
     let report = folder.json(&format!("report {} --json", project("examples/roof.json").display()));
     let circular = &report["objects"]["outer skin"]["circular"];
     let [mean, max, edge, off] =
         ["move_mean", "move_max", "median_edge", "off_surface_max"].map(|key| circular[key].as_f64().unwrap());
-    let readme = std::fs::read_to_string(project("README.md")).unwrap().replace('\n', " ");
+    let page = std::fs::read_to_string(project("docs/guide/facades.md")).unwrap().replace('\n', " ");
     let said = format!(
         "moved by {mean:.2} m on average and by up to {max:.2} m (at a corner; the median edge is {edge:.2} m long), and by up to {off:.2} m off the surface given"
     );
-    assert!(readme.contains(&said), "{said}");
+    assert!(page.contains(&said), "{said}");
 }
 
 #[test]

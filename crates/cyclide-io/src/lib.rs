@@ -90,7 +90,8 @@ pub use text::escape::{escaped, escaped_json, escaped_lines};
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 
-/// The example of the README is compiled and run with the documentation tests.
+/// The examples of the README and of the book are compiled and run with the documentation tests.
 #[cfg(all(doctest, feature = "circular-mesh"))]
 #[doc = include_str!("../../../README.md")]
-struct Readme;
+#[doc = include_str!("../../../docs/guide/rust.md")]
+struct Book;
