@@ -76,6 +76,7 @@ STEPS = [
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
     ("program", ["cargo", "build", "--profile", "test", "--workspace", "--bins", "--locked"], one),
     ("layers", [XTASK, "layers"], one),
+    ("packages", [PYTHON, "tests/packages.py"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
     ("citations", [PYTHON, "tests/citations.py"], one),
     ("book", [PYTHON, "scripts/book.py"], one),

@@ -95,3 +95,8 @@ pub use text::suggest::{did_you_mean, similar};
 #[doc = include_str!("../../../README.md")]
 #[doc = include_str!("../../../docs/guide/rust.md")]
 struct Book;
+
+/// So is the example of the package's page.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -215,3 +215,8 @@ pub use volume::{
     SphericalCube, StructuredGrid, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeMetric, VolumeRow, miquel_point,
 };
 pub use warning::{InvertedCause, SpikeRemedy, SwingPart, Warning, WaverRemedy};
+
+/// The example of the package's page is compiled and run with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -25,14 +25,14 @@ pub struct Entry {
 /// A document of the folder of examples.
 macro_rules! example {
     ($file:literal) => {
-        include_str!(concat!("../../../../../examples/", $file))
+        include_str!(concat!(env!("CYCLIDE_EXAMPLES"), "/", $file))
     };
 }
 
 /// A file that a document refers to, with its name.
 macro_rules! input {
     ($file:literal) => {
-        ($file, include_bytes!(concat!("../../../../../examples/", $file)))
+        ($file, include_bytes!(concat!(env!("CYCLIDE_EXAMPLES"), "/", $file)))
     };
 }
 
