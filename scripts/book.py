@@ -207,12 +207,14 @@ def renewed(shown, printed):
     """The lines of a page as they are printed now: the same ones, where some are left out."""
     kept = list(printed)
     if any(line.strip() == "…" for line in shown):
+        # Without the rests of lines that are broken on the page.
+        starts = [line for n, line in enumerate(shown) if n == 0 or len(shown[n - 1]) < 100 or not re.match(r" {4}\S", line)]
         kept, at = [], 0
-        for line in shown:
+        for line in starts:
             if line.strip() != "…":
                 likeness = [begins(line, other) or difflib.SequenceMatcher(None, line, other).ratio() for other in printed[at:]]
                 if not likeness or max(likeness) < 0.4:
-                    continue  # the rest of a line that is broken on the page
+                    continue
                 best = likeness.index(max(likeness))
                 line, at = printed[at + best], at + best + 1
             if not (line.strip() == "…" and kept and kept[-1].strip() == "…"):
