@@ -45,9 +45,9 @@ pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::kinds;
 pub use document::{
-    Angle, BuiltObject, ContourFacts, Coordinates, DOCUMENT_VERSION, Directions, Document, Fitted, InterpolationFacts,
-    Lists, ModelBuilder, NO_EFFECT, ObjectSpec, PointFile, PointSource, Remark, RoundedPolyhedron, SmoothChoice,
-    TubeFacts, UnrolledPlane, document_schema,
+    Angle, BlendFacts, BuiltObject, CellFacts, ContourFacts, Coordinates, DOCUMENT_VERSION, Directions, Document,
+    Facts, Fitted, GridFacts, InterpolationFacts, Lists, ModelBuilder, NO_EFFECT, NetFacts, ObjectSpec, PointFile,
+    PointSource, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;

@@ -204,7 +204,7 @@ fn single_precision_is_taken_for_what_it_is() {
         binary.extend([0; 2]);
     }
     let built = build_with(r#""mesh": {"stl": "box.stl"}, "radius": 0.1"#, &[("box.stl", binary)]).unwrap();
-    let rounded = built.polyhedron.unwrap();
+    let rounded = built.facts.rounded_polyhedron().unwrap();
     assert_eq!((rounded.polyhedron.faces().len(), rounded.polyhedron.corner_count()), (6, 8));
     // By no more than single precision at 100.
     assert!(rounded.moved > 0.0 && rounded.moved < 2e-5, "{}", rounded.moved);
@@ -237,7 +237,7 @@ fn walls_in_low_triangles_far_from_the_origin_stay_walls() {
         binary.extend([0; 2]);
     }
     let built = build_with(r#""mesh": {"stl": "b.stl"}, "radius": 0.5"#, &[("b.stl", binary)]).unwrap();
-    let rounded = built.polyhedron.unwrap();
+    let rounded = built.facts.rounded_polyhedron().unwrap();
     assert_eq!((rounded.polyhedron.faces().len(), rounded.polyhedron.corner_count()), (6, 8));
     // To a step of the coordinates over the size.
     let volume = 1200.0 * (0.9 * 0.9 + 0.4 * 0.4);
@@ -261,9 +261,12 @@ fn points_of_few_digits_are_told_what_to_give() {
     // The flatness that it names does.
     let named = remark.message.split("`flatness`, about ").nth(1).and_then(|rest| rest.split(';').next()).unwrap();
     let built = build(&format!("{fields}, \"flatness\": {named}")).unwrap();
-    assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12, "{named}");
+    assert!(
+        built.remarks.is_empty() && built.facts.rounded_polyhedron().unwrap().polyhedron.faces().len() == 12,
+        "{named}"
+    );
     let built = build(&format!("{fields}, \"flatness\": 0.001")).unwrap();
-    assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12);
+    assert!(built.remarks.is_empty() && built.facts.rounded_polyhedron().unwrap().polyhedron.faces().len() == 12);
     // Four planes of a sharp tip that meet outside it by more than the flatness: refused, with the distance.
     let tip = "\"points\": [[0,0,10],[1,0,0],[0,1,0],[-1,0,0],[0,-1,0],[0.76,0.76,-5],[-0.75,0.75,-5],[-0.76,-0.76,-5],[0.75,-0.75,-5]]";
     let error = build(&format!("{tip}, \"radius\": 0.5, \"flatness\": 0.02")).unwrap_err();

@@ -33,8 +33,12 @@ pub use angle::Angle;
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 pub use kinds::ObjectSpec;
 pub use objects::contours::{ContourFacts, Fitted};
-pub use objects::facts::{InterpolationFacts, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane};
+pub use objects::facts::{
+    BlendFacts, CellFacts, Facts, GridFacts, InterpolationFacts, NetFacts, RoundedPolyhedron, SmoothChoice, TubeFacts,
+    UnrolledPlane,
+};
 pub use objects::idle::NO_EFFECT;
+pub(crate) use objects::kind::OfPanels;
 pub use objects::remark::Remark;
 pub use objects::{BuiltObject, ModelBuilder};
 pub use schema::document_schema;

@@ -240,7 +240,7 @@ impl CurvesReport {
             tight: None,
             qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
-            unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
+            unrolled: built.facts.unrolled().map(UnrolledReport::from),
             principal: PrincipalReport::new(built),
         }
     }

@@ -235,9 +235,11 @@ impl ObjectReport {
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
             Geometry::Volumes(volumes) => {
-                let mut found = VolumeReport::of(volumes, built.provenance.places.as_ref().zip(built.quality));
-                if let (Some(cells), Some(laws)) = (&mut found.cells, &built.gradings) {
-                    cells.laws = laws.each_ref().map(CellLawReport::new).to_vec();
+                let facts = built.facts.cells();
+                let quality = facts.map(|facts| facts.quality);
+                let mut found = VolumeReport::of(volumes, built.provenance.places.as_ref().zip(quality));
+                if let (Some(cells), Some(facts)) = (&mut found.cells, facts) {
+                    cells.laws = facts.laws.each_ref().map(CellLawReport::new).to_vec();
                 }
                 GeometryReport::Volume(Box::new(found))
             }

@@ -117,7 +117,8 @@ impl PrincipalReport {
     /// Of an object that lays grids.
     #[cfg(feature = "circular-mesh")]
     pub(super) fn new(built: &BuiltObject) -> Option<Box<Self>> {
-        let found = built.principal.as_ref()?;
+        let facts = built.facts.grids()?;
+        let found = &facts.report;
         let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide::GridPiece)| GridPieceReport {
             columns: grid.size()[0],
             rows: grid.size()[1],
@@ -128,7 +129,7 @@ impl PrincipalReport {
         let umbilic =
             |u: &cyclide::Umbilic| UmbilicReport { point: u.point.to_array(), index: 0.5 * f64::from(u.halves) };
         Some(Box::new(Self {
-            pieces: built.grids.iter().zip(&found.pieces).map(piece).collect(),
+            pieces: facts.grids.iter().zip(&found.pieces).map(piece).collect(),
             coverage: found.coverage,
             border: border_word(found.border),
             noise: found.noise,
@@ -139,7 +140,7 @@ impl PrincipalReport {
             umbilics: found.umbilics.iter().map(umbilic).collect(),
             return_shift: found.return_shift,
             holes: found.holes,
-            joined_round: built.joined.as_ref().map(|mesh| mesh.round().len()),
+            joined_round: facts.joined.as_ref().map(|mesh| mesh.round().len()),
         }))
     }
 

@@ -97,7 +97,7 @@ impl SmoothReport {
         let mut not_known = Vec::new();
         let mut known =
             |made: cyclide::Result<SmoothMeasure>| made.map_err(|error| not_known.push(error.to_string())).ok();
-        let choice = built.smooth;
+        let choice = built.facts.smooth_mesh();
         let (measure, vertices, border_corners, creases, comparison) = match surface {
             TriangleSurface::Mesh(mesh) => {
                 let mut used = vec![false; mesh.positions().len()];

@@ -307,6 +307,7 @@ impl SurfaceReport {
         }
         parts.sort_by(|a, b| b.area.total_cmp(&a.area));
         let nets = built.item.surfaces().iter().flat_map(SurfaceObject::nets);
+        let blends = built.facts.blends().into_iter().flat_map(|facts| &facts.blends);
         let mut report = Self {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),
@@ -325,10 +326,12 @@ impl SurfaceReport {
             orthogonality: None,
             singular: Vec::new(),
             flipped: Vec::new(),
-            seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
-            polyhedron: built.polyhedron.as_deref().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
-            tubes: built.tubes.iter().map(TubeReport::from).collect(),
-            blends: built.tee_blends.iter().map(TeeBlendReport::from).collect(),
+            seams: nets
+                .flat_map(|net| SeamReport::all(net, built.facts.net().map_or(&[], |facts| &facts.seams)))
+                .collect(),
+            polyhedron: built.facts.rounded_polyhedron().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
+            tubes: built.facts.tubes().unwrap_or_default().iter().map(TubeReport::from).collect(),
+            blends: blends.map(TeeBlendReport::from).collect(),
             circular: circular(built),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
@@ -398,7 +401,7 @@ impl SurfaceReport {
 /// What it took to make the net circular.
 #[cfg(feature = "circular-mesh")]
 fn circular(built: &BuiltObject) -> Option<Box<CircularReport>> {
-    built.circular.as_ref().map(|report| Box::new(CircularReport::from(report)))
+    built.facts.net()?.circular.as_ref().map(|report| Box::new(CircularReport::from(report)))
 }
 
 /// Nothing is made circular here.

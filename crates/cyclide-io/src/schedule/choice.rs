@@ -7,8 +7,7 @@ use serde::Serialize;
 
 use super::error::ScheduleError;
 use super::skin::Skin;
-use crate::document::kinds::{ObjectSpec, OffsetSpec};
-use crate::document::{BuiltObject, Document};
+use crate::document::{BuiltObject, Document, ObjectSpec, OfPanels};
 
 /// An object that is not in a schedule.
 ///
@@ -94,13 +93,13 @@ pub(super) fn choose(
     };
     let by_name = |name: &str| objects.iter().find(|built| built.item.name == name);
     let offsets = || {
-        document.objects.iter().filter_map(|(name, spec)| match spec {
-            ObjectSpec::Offset(offset) => Some((name.as_str(), offset)),
+        document.objects.iter().filter_map(|(_, spec)| match spec.of_panels() {
+            Some(OfPanels::OtherSide { of, distance, .. }) => Some((of, distance)),
             _ => None,
         })
     };
     let own_thickness = |name: &str| {
-        let mut distances = offsets().filter(|(_, offset)| offset.of == name).map(|(_, offset)| offset.distance);
+        let mut distances = offsets().filter(|(of, _)| *of == name).map(|(_, distance)| distance);
         let first = distances.next()?;
         distances.all(|other| other.to_bits() == first.to_bits()).then_some(first)
     };
@@ -116,7 +115,7 @@ pub(super) fn choose(
         let skins = skins_of(built);
         if !skins.is_empty() {
             let thickness_of = |name: &str| thickness.or_else(|| own_thickness(name));
-            if let ObjectSpec::Offset(OffsetSpec { of, distance, .. }) = spec
+            if let Some(OfPanels::OtherSide { of, distance, .. }) = spec.of_panels()
                 && only.is_empty()
                 && own_thickness(name).is_none()
                 && by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty())
@@ -129,8 +128,8 @@ pub(super) fn choose(
             chosen.push(Chosen { name: name.clone(), skins, thickness });
             continue;
         }
-        match spec {
-            ObjectSpec::Offset(OffsetSpec { of, distance, thick: true, .. }) => match by_name(of) {
+        match spec.of_panels() {
+            Some(OfPanels::OtherSide { of, distance, solid: true }) => match by_name(of) {
                 Some(source) if wanted(source) => {
                     leave(format!(
                         "the solid between `{of}` and its offset: its figures stand with the panels of `{of}`"
@@ -138,7 +137,7 @@ pub(super) fn choose(
                 }
                 // The skin is construction geometry: the solid is what is built.
                 Some(source) => {
-                    let thickness = Some(thickness.unwrap_or(*distance));
+                    let thickness = Some(thickness.unwrap_or(distance));
                     match skins_of(source) {
                         skins if skins.is_empty() => leave(no_net(spec)),
                         skins => chosen.push(Chosen { name: name.clone(), skins, thickness }),
@@ -146,8 +145,7 @@ pub(super) fn choose(
                 }
                 None => leave(no_net(spec)),
             },
-            ObjectSpec::SupportStructure(support) => {
-                let of = &support.of;
+            Some(OfPanels::Edges { of }) => {
                 leave(if by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty()) {
                     format!("its arcs are the edges of `{of}`")
                 } else {

@@ -151,7 +151,7 @@ fn layers_of_a_dome() {
     };
     let built = with("[2, 2, 1]").unwrap();
     let blocks = built.item.volumes();
-    assert_eq!((blocks.len(), built.quality.is_some()), (2 * 5 * 24, true));
+    assert_eq!((blocks.len(), built.facts.cells().is_some()), (2 * 5 * 24, true));
     let solid = r#""w": {"type": "offset", "of": "n", "distance": 0.05, "thick": true}"#;
     let solid = build(&format!("{}, {solid}", net(CIRCULAR)), &dome(5, 0.3)).unwrap();
     let volume: f64 = blocks.iter().map(|block| block.measure().volume).sum();
@@ -211,7 +211,7 @@ fn lines_of_joined_grids_are_drawn_once() {
 
 /// The edges of the grids of an object, each once.
 fn count_of_edges(built: &BuiltObject) -> usize {
-    let mesh = built.joined.as_ref().unwrap();
+    let mesh = built.facts.grids().unwrap().joined.as_ref().unwrap();
     let sides = |[a, b, c, d]: [usize; 4]| [[a, b], [c, d], [a, c], [b, d]];
     let edges: std::collections::BTreeSet<[usize; 2]> =
         mesh.quads().into_iter().flat_map(sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();

@@ -121,7 +121,7 @@ fn every_source_of_a_mesh_carries_a_net() {
         assert_eq!(built[0].item.curves().len(), piece.columns + piece.rows);
         let faces = built[1].bodies[0].outer.faces().len();
         assert_eq!(faces, (piece.columns - 1) * (piece.rows - 1));
-        let made = built[1].circular.as_ref().unwrap();
+        let made = built[1].facts.net().unwrap().circular.as_ref().unwrap();
         assert!(made.moves.max < 0.03 * 0.7 && built[1].remarks.is_empty(), "{:?}", built[1].remarks);
     }
     assert!(heard.iter().any(|words| words.contains("lines of curvature")), "{heard:?}");

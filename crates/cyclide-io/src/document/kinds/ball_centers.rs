@@ -52,7 +52,7 @@ impl Kind for BallCentersSpec {
 impl Builder<'_> {
     /// Where the balls are that the source is made with.
     pub(in crate::document) fn centers_of_source(&self) -> Result<&BallCenters> {
-        let source = self.sources.first().and_then(|source| source.ball_centers.as_deref());
+        let source = self.sources.first().and_then(|source| source.facts.blends()?.centers.as_deref());
         source.ok_or_else(|| {
             self.wrong_source(
                 "only a `pipe-tee`, a `pipe-crossing` and a `contact-blend` are made with balls (of an image take those of its original, and map these)",

@@ -12,6 +12,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::plate_with_neck::PlateSpec;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
@@ -155,8 +156,8 @@ impl Builder<'_> {
             _ => return Err(self.unfit("what is blended is a `tube` or a `ring`: give one of them")),
         };
         let made = made.map_err(|e| self.refused(&e, None))?;
-        self.tee_blends = vec![made.blend];
-        self.ball_centers = Some(Box::new(made.centers));
+        let centers = Some(Box::new(made.centers));
+        self.facts = Facts::Blends(BlendFacts { blends: vec![made.blend], centers });
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

@@ -8,7 +8,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::locate::Step;
 use crate::document::objects::contours::ContourFacts;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{Blame, Kind, OfPanels, Reference, Shape, of};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 
@@ -69,6 +69,10 @@ impl Kind for OffsetSpec {
         let is_of_distance = matches!(error, E::ParameterOutOfRange { name: I::Distance, .. });
         (is_of_distance && self.distance == 0.0)
             .then(|| "a solid between a surface and its offset needs a distance other than 0".to_owned())
+    }
+
+    fn of_panels(&self) -> Option<OfPanels<'_>> {
+        Some(OfPanels::OtherSide { of: &self.of, distance: self.distance, solid: self.thick })
     }
 
     fn skin(&self, source: Option<&BuiltObject>) -> Vec<SurfaceObject> {

@@ -12,6 +12,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
 use crate::document::kinds::pipe_tee::TeeRadiusSpec;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
@@ -122,7 +123,7 @@ pub enum CrossingBlendSpec {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": {"first": 3, "second": 4.5}}}}"#.parse()?;
 /// let built = document.build()?;
-/// let [least, most] = built[0].tee_blends[0].radii;
+/// let [least, most] = built[0].facts.blends().expect("it has one").blends[0].radii;
 /// assert!((least - 3.0).abs() < 0.01 && (most - 4.5).abs() < 0.01);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -176,8 +177,8 @@ impl Builder<'_> {
         }
         let values = self.crossing_radii(spec)?;
         let made = crossing(spec, &values).and_then(|crossing| crossing.made()).map_err(|e| self.refused(&e, None))?;
-        self.tee_blends = vec![made.blend];
-        self.ball_centers = Some(Box::new(made.centers));
+        let centers = Some(Box::new(made.centers));
+        self.facts = Facts::Blends(BlendFacts { blends: vec![made.blend], centers });
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

@@ -11,6 +11,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
@@ -239,8 +240,8 @@ impl Builder<'_> {
             None => tee,
         };
         let made = tee.made().map_err(|e| self.refused(&e, None))?;
-        self.tee_blends = made.blends;
-        self.ball_centers = Some(Box::new(made.centers));
+        let centers = Some(Box::new(made.centers));
+        self.facts = Facts::Blends(BlendFacts { blends: made.blends, centers });
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

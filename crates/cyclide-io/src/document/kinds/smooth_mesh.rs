@@ -13,7 +13,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::facts::SmoothChoice;
+use crate::document::objects::facts::{Facts, SmoothChoice};
 use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
@@ -190,7 +190,8 @@ impl Builder<'_> {
         }
         let warnings = surface.warnings().into_iter().map(|warning| in_given_numbers_warning(&mesh, warning));
         self.remarks.extend(warnings.map(|warning| Remark { place: given.file.clone(), ..warning.into() }));
-        self.smooth = Some(SmoothChoice { normals: word, crease_angle, polygons: given.mesh.faces.len() });
+        let polygons = given.mesh.faces.len();
+        self.facts = Facts::SmoothMesh(SmoothChoice { normals: word, crease_angle, polygons });
         Ok(vec![surface.into()])
     }
 

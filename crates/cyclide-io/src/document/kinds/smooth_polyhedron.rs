@@ -10,7 +10,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::facts::RoundedPolyhedron;
+use crate::document::objects::facts::{Facts, RoundedPolyhedron};
 use crate::document::objects::kind::{Kind, Shape};
 use crate::document::objects::points::inline_points;
 use crate::document::objects::remark::Remark;
@@ -125,7 +125,8 @@ impl Builder<'_> {
         let warnings = polyhedron.warnings().into_iter();
         self.remarks.extend(warnings.map(|warning| Remark { place: place.clone(), ..warning.into() }));
         let moved = polyhedron.deviation();
-        self.polyhedron = Some(Box::new(RoundedPolyhedron { polyhedron, radius: spec.radius, moved }));
+        let rounded = RoundedPolyhedron { polyhedron, radius: spec.radius, moved };
+        self.facts = Facts::RoundedPolyhedron(Box::new(rounded));
         Ok(vec![SurfaceObject::Body(body)])
     }
 

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Kind, Reference, Shape, of};
+use crate::document::objects::kind::{Kind, OfPanels, Reference, Shape, of};
 use crate::error::Result;
 
 /// The edges of another surface as arcs: what carries a skin.
@@ -43,6 +43,10 @@ impl Kind for SupportStructureSpec {
 
     fn references(&self) -> Vec<Reference<'_>> {
         of(&self.of)
+    }
+
+    fn of_panels(&self) -> Option<OfPanels<'_>> {
+        Some(OfPanels::Edges { of: &self.of })
     }
 }
 

@@ -13,7 +13,7 @@ use serde::de::{Deserializer, SeqAccess, Visitor};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::facts::TubeFacts;
+use crate::document::objects::facts::{Facts, TubeFacts};
 use crate::document::objects::idle::{Idle, NO_ENDS, found};
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
@@ -278,7 +278,7 @@ impl Builder<'_> {
                 ));
             }
         };
-        let mut tubes = Vec::new();
+        let (mut tubes, mut known) = (Vec::new(), Vec::new());
         for (tube, within) in made {
             let tube = tube.with_ends(spec.ends);
             let tube = match spec.wall {
@@ -288,9 +288,10 @@ impl Builder<'_> {
             if let Made::Balls(tube) = &tube {
                 self.remark_on_rims(spec, tube);
             }
-            self.tubes.push(tube.facts(within));
+            known.push(tube.facts(within));
             tubes.push(tube);
         }
+        self.facts = Facts::Tubes(known);
         let bodies = tubes.iter().map(Made::body).collect::<cyclide::Result<Vec<_>>>();
         let bodies = bodies.map_err(|e| self.refused(&e, None))?;
         if let Some(([first, second], distance)) = Made::first_meeting(&tubes) {

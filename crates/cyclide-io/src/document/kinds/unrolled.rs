@@ -9,7 +9,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
 use crate::document::objects::Builder;
-use crate::document::objects::facts::UnrolledPlane;
+use crate::document::objects::facts::{Facts, UnrolledPlane};
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
 use crate::error::Result;
 
@@ -108,7 +108,7 @@ impl Builder<'_> {
         if spec.border {
             curves.push(CurveObject::ArcPath(border(&torus, &options).map_err(|e| self.refused(&e, None))?));
         }
-        self.unrolled = Some(plane);
+        self.facts = Facts::Unrolled(plane);
         Ok(curves)
     }
 }

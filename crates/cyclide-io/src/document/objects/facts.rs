@@ -1,8 +1,161 @@
 //! What is known of objects of single kinds besides their geometry.
 
-use cyclide::{ConvexPolyhedron, CurveObject, Exactness, Mobius, QuadGrid, TorusMap};
+use cyclide::{
+    BallCenters, ConvexPolyhedron, CurveObject, Exactness, Grading, GridQuality, Mobius, QuadGrid, QuadLayout, Seam,
+    TeeBlendFacts, TorusMap,
+};
+#[cfg(feature = "circular-mesh")]
+use cyclide::{CircularMeshReport, PrincipalGridReport};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// What a construction knows of its object besides the geometry, by what it is.
+///
+/// ```
+/// use cyclide_io::{Document, Facts};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(matches!(&built[0].facts, Facts::Tubes(tubes) if tubes[0].radii == [2.0, 3.0]));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Facts {
+    /// Nothing but its geometry.
+    #[default]
+    None,
+    /// Of a net over a grid.
+    Net(NetFacts),
+    /// Of grids along lines of curvature.
+    Grids(Box<GridFacts>),
+    /// Of a tee, a crossing or a contact blend, or of an image of one.
+    Blends(BlendFacts),
+    /// Of a polyhedron whose edges and corners were rounded.
+    RoundedPolyhedron(Box<RoundedPolyhedron>),
+    /// Of tubes, one for each body.
+    Tubes(Vec<TubeFacts>),
+    /// Of a smooth mesh.
+    SmoothMesh(SmoothChoice),
+    /// Of a curve of a torus that was laid flat.
+    Unrolled(UnrolledPlane),
+    /// Of blocks that are divided.
+    Cells(CellFacts),
+}
+
+macro_rules! of_variant {
+    ($($(#[$about:meta])* $name:ident: $variant:ident => $type:ty;)*) => {
+        impl Facts {
+            $($(#[$about])*
+            #[must_use]
+            pub fn $name(&self) -> Option<&$type> {
+                match self {
+                    Self::$variant(facts) => Some(facts),
+                    _ => None,
+                }
+            })*
+        }
+    };
+}
+
+of_variant! {
+    /// What is known of a net.
+    net: Net => NetFacts;
+    /// What is known of grids.
+    grids: Grids => GridFacts;
+    /// What is known of blends.
+    blends: Blends => BlendFacts;
+    /// The polyhedron that was rounded.
+    rounded_polyhedron: RoundedPolyhedron => RoundedPolyhedron;
+    /// What is known of tubes.
+    tubes: Tubes => [TubeFacts];
+    /// What was chosen for a smooth mesh.
+    smooth_mesh: SmoothMesh => SmoothChoice;
+    /// What became of a curve that was laid flat.
+    unrolled: Unrolled => UnrolledPlane;
+    /// How blocks are divided.
+    cells: Cells => CellFacts;
+}
+
+/// What is known of a net over a grid.
+///
+/// ```
+/// use cyclide_io::{Document, Facts};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0]], [[0, 1], [1, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let Facts::Net(facts) = &built[0].facts else { unreachable!("it is a net") };
+/// assert!(facts.seams.is_empty());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct NetFacts {
+    /// Where opposite borders of its grid nearly coincide, as given.
+    pub seams: Vec<Seam>,
+    /// What it took to make its grid circular.
+    #[cfg(feature = "circular-mesh")]
+    pub circular: Option<CircularMeshReport>,
+}
+
+impl NetFacts {
+    /// Of a grid that stays as it is.
+    pub(in crate::document) fn as_given(seams: Vec<Seam>) -> Self {
+        Self {
+            seams,
+            #[cfg(feature = "circular-mesh")]
+            circular: None,
+        }
+    }
+}
+
+/// What is known of grids along lines of curvature.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// assert_eq!(document.build()?[0].facts.grids(), None::<&cyclide_io::GridFacts>);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridFacts {
+    /// The grids, for nets.
+    pub grids: Vec<QuadGrid>,
+    /// The mesh of quads that these are the grids of, if they join round umbilics.
+    pub joined: Option<QuadLayout>,
+    /// What was found where they were laid.
+    #[cfg(feature = "circular-mesh")]
+    pub report: PrincipalGridReport,
+}
+
+/// What is known of the blends of a tee, a crossing or a contact blend.
+///
+/// ```
+/// use cyclide_io::{BlendFacts, Document};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// assert_eq!(document.build()?[0].facts.blends(), None::<&BlendFacts>);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlendFacts {
+    /// Each of them.
+    pub blends: Vec<TeeBlendFacts>,
+    /// Where the balls of these are; an image has none of its own.
+    pub centers: Option<Box<BallCenters>>,
+}
+
+/// How blocks are divided into cells.
+///
+/// ```
+/// use cyclide_io::{CellFacts, Document};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// assert_eq!(document.build()?[0].facts.cells(), None::<&CellFacts>);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct CellFacts {
+    /// The laws by which they are divided along s, t and u, with what was found for a first cell.
+    pub laws: [Grading; 3],
+    /// The quality of the cells.
+    pub quality: GridQuality,
+}
 
 /// What is known of a curve of lowest degree through points.
 ///
@@ -32,7 +185,7 @@ pub struct InterpolationFacts {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let rounded = built[0].polyhedron.as_ref().expect("it is one");
+/// let rounded = built[0].facts.rounded_polyhedron().expect("it is one");
 /// assert_eq!((rounded.polyhedron.faces().len(), rounded.radius), (6, 1.0));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -52,7 +205,7 @@ pub struct RoundedPolyhedron {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let choice = built[0].smooth.expect("it is a smooth mesh");
+/// let choice = built[0].facts.smooth_mesh().expect("it is a smooth mesh");
 /// assert_eq!((choice.normals, choice.polygons), ("sphere", 8));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -72,7 +225,7 @@ pub struct SmoothChoice {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert_eq!(built[0].tubes[0].within, cyclide::Exactness::Exact);
+/// assert_eq!(built[0].facts.tubes().expect("it is one")[0].within, cyclide::Exactness::Exact);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +246,7 @@ pub struct TubeFacts {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
 /// let built = document.build()?;
-/// let plane = built[1].unrolled.expect("it is laid flat");
+/// let plane = built[1].facts.unrolled().expect("it is laid flat");
 /// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

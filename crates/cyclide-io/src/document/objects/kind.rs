@@ -110,8 +110,21 @@ pub(in crate::document) trait Kind {
         Vec::new()
     }
 
+    /// What it is of the panels of another object.
+    fn of_panels(&self) -> Option<OfPanels<'_>> {
+        None
+    }
+
     /// Remarks on what was made.
     fn remark_on(&self, _: &mut Builder<'_>, _: &Shape, _: &[Body]) {}
+}
+
+/// What an object is of the panels of another, whose name it has.
+pub(crate) enum OfPanels<'a> {
+    /// Their other side at a distance, or the solid between both.
+    OtherSide { of: &'a str, distance: f64, solid: bool },
+    /// Their edges.
+    Edges { of: &'a str },
 }
 
 /// The value of an object that an error is about.

@@ -19,16 +19,11 @@ pub(in crate::document) mod wavers;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{
-    BallCenters, Body, CurveObject, Geometry, Grading, GridQuality, Item, Point3, QuadGrid, QuadLayout, Seam,
-    SurfaceObject, TeeBlendFacts,
-};
+use cyclide::{Body, CurveObject, Geometry, Item, Point3, SurfaceObject};
 
 use super::Document;
 use super::locate::{Step, path_text, span_of};
-use crate::document::objects::facts::{
-    InterpolationFacts, MeshNames, RoundedPolyhedron, SmoothChoice, TubeFacts, Unmapped, UnrolledPlane,
-};
+use crate::document::objects::facts::{Facts, InterpolationFacts, MeshNames, Unmapped};
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
@@ -37,9 +32,6 @@ use contours::ContourFacts;
 use kind::{Kind, Shape};
 use references::{References, State};
 use remark::Remark;
-
-#[cfg(feature = "circular-mesh")]
-use cyclide::{CircularMeshReport, PrincipalGridReport};
 
 /// An object made by its construction, with what is known about it besides its geometry.
 ///
@@ -60,34 +52,8 @@ pub struct BuiltObject {
     pub tolerance: Option<f64>,
     /// The surfaces as patches that share edges, in their order.
     pub bodies: Vec<Body>,
-    /// What it took to make a net circular.
-    #[cfg(feature = "circular-mesh")]
-    pub circular: Option<CircularMeshReport>,
-    /// Grids along lines of curvature, for nets.
-    pub grids: Vec<QuadGrid>,
-    /// The mesh of quads that these are the grids of, if they join round umbilics.
-    pub joined: Option<QuadLayout>,
-    /// What was found where they were laid.
-    #[cfg(feature = "circular-mesh")]
-    pub principal: Option<Box<PrincipalGridReport>>,
-    /// Where opposite borders of the grid of a net nearly coincide, as given.
-    pub seams: Vec<Seam>,
-    /// The polyhedron whose edges and corners were rounded.
-    pub polyhedron: Option<Box<RoundedPolyhedron>>,
-    /// The blends of a tee, a crossing or a contact blend, or of what it is the image of.
-    pub tee_blends: Vec<TeeBlendFacts>,
-    /// Where the balls of these are.
-    pub ball_centers: Option<Box<BallCenters>>,
-    /// What is known of tubes, one for each body.
-    pub tubes: Vec<TubeFacts>,
-    /// What was chosen for a smooth mesh.
-    pub smooth: Option<SmoothChoice>,
-    /// What became of a curve of a torus when it was laid flat.
-    pub unrolled: Option<UnrolledPlane>,
-    /// The laws by which blocks are divided along s, t and u, with what was found for a first cell.
-    pub gradings: Option<[Grading; 3]>,
-    /// The quality of these cells.
-    pub quality: Option<GridQuality>,
+    /// What its construction knows of it besides.
+    pub facts: Facts,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -186,29 +152,15 @@ impl<'a> ModelBuilder<'a> {
                     mesh: None,
                     mesh_name: None,
                     laid_of: None,
-                    #[cfg(feature = "circular-mesh")]
-                    circular: None,
-                    grids: Vec::new(),
-                    joined: None,
                     given: None,
                     field: None,
-                    #[cfg(feature = "circular-mesh")]
-                    principal: None,
-                    seams: Vec::new(),
-                    polyhedron: None,
-                    tee_blends: Vec::new(),
-                    ball_centers: None,
-                    tubes: Vec::new(),
-                    smooth: None,
-                    unrolled: None,
+                    facts: Facts::None,
                     remarks: Vec::new(),
                     notes: Vec::new(),
                     point_names: Vec::new(),
                     data: Vec::new(),
                     names: Vec::new(),
-                    gradings: None,
                     unmapped: None,
-                    quality: None,
                     bound: None,
                 };
                 self.made[needed] = Some(builder.build()?);
@@ -267,33 +219,12 @@ pub(in crate::document) struct Builder<'a> {
     pub(in crate::document) mesh_name: Option<String>,
     /// The object that laid a mesh of quads.
     pub(in crate::document) laid_of: Option<String>,
-    /// What it took to make the net of the object circular.
-    #[cfg(feature = "circular-mesh")]
-    pub(in crate::document) circular: Option<CircularMeshReport>,
-    /// The grids that it lays along lines of curvature.
-    pub(in crate::document) grids: Vec<QuadGrid>,
-    /// The mesh that these are of.
-    pub(in crate::document) joined: Option<QuadLayout>,
     /// The surface that it follows.
     pub(in crate::document) given: Option<GivenSurface>,
     /// The lines of curvature that were found.
     pub(in crate::document) field: Option<LaidField>,
-    /// What was found there.
-    #[cfg(feature = "circular-mesh")]
-    pub(in crate::document) principal: Option<Box<PrincipalGridReport>>,
-    /// The seams of its grid as given.
-    pub(in crate::document) seams: Vec<Seam>,
-    /// The polyhedron whose offset the object is.
-    pub(in crate::document) polyhedron: Option<Box<RoundedPolyhedron>>,
-    /// The blends of the tee that it is.
-    pub(in crate::document) tee_blends: Vec<TeeBlendFacts>,
-    pub(in crate::document) ball_centers: Option<Box<BallCenters>>,
-    /// What is known of the tubes that it is.
-    pub(in crate::document) tubes: Vec<TubeFacts>,
-    /// What was chosen for the smooth mesh that it is.
-    pub(in crate::document) smooth: Option<SmoothChoice>,
-    /// What became of the curve when it was laid flat.
-    pub(in crate::document) unrolled: Option<UnrolledPlane>,
+    /// What is known of it besides.
+    pub(in crate::document) facts: Facts,
     pub(in crate::document) remarks: Vec<Remark>,
     pub(in crate::document) notes: Vec<String>,
     /// What its points are called in their table.
@@ -302,12 +233,8 @@ pub(in crate::document) struct Builder<'a> {
     pub(in crate::document) data: Vec<Point3>,
     /// The names of its surfaces, if they have some.
     pub(in crate::document) names: Vec<String>,
-    /// The laws by which its blocks are divided along s, t and u.
-    pub(in crate::document) gradings: Option<[Grading; 3]>,
     /// What its curves are images of.
     pub(in crate::document) unmapped: Option<Unmapped>,
-    /// The quality of these cells.
-    pub(in crate::document) quality: Option<GridQuality>,
     /// How far what it makes may be from what is described, where it is not exact.
     pub(in crate::document) bound: Option<f64>,
 }
@@ -349,57 +276,11 @@ impl Builder<'_> {
         let item = Item::new(self.name, geometry);
         let construction = self.construction;
         let (skin, panels) = (kind.skin(source), kind.has_panels(source));
-        let Self {
-            data,
-            grids,
-            joined,
-            given,
-            field,
-            seams,
-            polyhedron,
-            tee_blends,
-            ball_centers,
-            tubes,
-            smooth,
-            unrolled,
-            remarks,
-            notes,
-            point_names,
-            names,
-            gradings,
-            unmapped,
-            quality,
-            ..
-        } = self;
+        let Self { data, given, field, facts, remarks, notes, point_names, names, unmapped, .. } = self;
         let nodes = nodes_within(item.curves(), &contours);
         let provenance =
             Provenance { kind: self.type_word, data, nodes, point_names, places, names, given, field, skin, panels };
-        Ok(BuiltObject {
-            item,
-            provenance,
-            tolerance,
-            bodies,
-            #[cfg(feature = "circular-mesh")]
-            circular: self.circular,
-            grids,
-            joined,
-            #[cfg(feature = "circular-mesh")]
-            principal: self.principal,
-            seams,
-            polyhedron,
-            tee_blends,
-            ball_centers,
-            tubes,
-            smooth,
-            unrolled,
-            gradings,
-            quality,
-            construction,
-            contours,
-            remarks,
-            notes,
-            unmapped,
-        })
+        Ok(BuiltObject { item, provenance, tolerance, bodies, facts, construction, contours, remarks, notes, unmapped })
     }
 
     /// Path of this object, or of a value in it.

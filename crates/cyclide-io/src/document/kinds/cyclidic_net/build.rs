@@ -14,7 +14,7 @@ use crate::document::kinds::fields::frame::{FrameSpec, direction, frame_words};
 use crate::document::kinds::smooth_mesh::{merged_vertices, turned_faces};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::facts::MeshNames;
+use crate::document::objects::facts::{Facts, MeshNames, NetFacts};
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
 use crate::export::given_surface::GivenSurface;
@@ -43,7 +43,7 @@ impl<'a> Builder<'a> {
             return self.net_layout(spec, layout);
         }
         let given = self.grid(spec)?;
-        self.seams = given.seams();
+        self.facts = Facts::Net(NetFacts::as_given(given.seams()));
         let grid = match spec.make_circular.options() {
             Some(options) => self.circular(spec, &options, &given)?,
             None => given.clone(),
@@ -129,7 +129,9 @@ impl<'a> Builder<'a> {
     /// All grids of another object, if they are joined and none of them is named.
     fn joined_grids(&mut self, spec: &CyclidicNetSpec) -> Result<Option<QuadLayout>> {
         let GridSource::Laid(LaidGrid { of, piece: None }) = &spec.grid else { return Ok(None) };
-        let Some(layout) = self.sources.last().and_then(|source| source.joined.clone()) else { return Ok(None) };
+        let Some(layout) = self.sources.last().and_then(|source| source.facts.grids()?.joined.clone()) else {
+            return Ok(None);
+        };
         if spec.closed.is_some() {
             return Err(self.unfit(CLOSED_OF_ITSELF));
         }
@@ -141,13 +143,14 @@ impl<'a> Builder<'a> {
     fn laid_grid(&self, laid: &LaidGrid) -> Result<QuadGrid> {
         let Some(source) = self.sources.last() else { return Err(self.unfit("`grid` names no object")) };
         let (of, piece) = (&laid.of, laid.piece.unwrap_or_default());
-        if source.grids.is_empty() {
+        let grids = source.facts.grids().map_or(&[][..], |facts| &facts.grids);
+        if grids.is_empty() {
             let kind = source.provenance.kind;
             let message = format!("`{of}` is of type `{kind}`: a grid is laid by a `principal-grid`");
             return Err(Error::Input(self.diagnostic(["grid".into(), "of".into()], &message)));
         }
-        source.grids.get(piece as usize).cloned().ok_or_else(|| {
-            let count = source.grids.len();
+        grids.get(piece as usize).cloned().ok_or_else(|| {
+            let count = grids.len();
             let message = format!("`{of}` has {count} grid(s), counted from 0: there is no grid {piece}");
             Error::Input(self.diagnostic(["grid".into(), "piece".into()], &message))
         })
@@ -235,7 +238,7 @@ impl<'a> Builder<'a> {
     /// Warns of borders of the grid, as given or as made, that nearly coincide: the net is open there.
     pub(in crate::document) fn warn_of_seams(&mut self, surfaces: &[SurfaceObject]) {
         for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
-            for (seam, measure) in measured_seams(net, &self.seams) {
+            for (seam, measure) in measured_seams(net, self.facts.net().map_or(&[], |facts| &facts.seams)) {
                 let border = ["column", "row"][seam.direction];
                 let Some(message) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
                 let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };

@@ -10,6 +10,7 @@ use crate::document::kinds::cyclidic_net::CyclidicNetSpec;
 use crate::document::kinds::cyclidic_net::make_circular::{BorderSpec, BorderWord, MakeCircularOptions};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{Facts, NetFacts};
 use crate::document::objects::remark::Remark;
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 
@@ -30,7 +31,7 @@ impl<'a> Builder<'a> {
         if let [first, ..] = mesh.report.rejected_quads[..] {
             return Err(self.rejected_quads(spec, grid, first, &mesh.report));
         }
-        self.circular = Some(mesh.report);
+        self.facts = Facts::Net(NetFacts { seams: grid.seams(), circular: Some(mesh.report) });
         Ok(mesh.grid)
     }
 
@@ -62,7 +63,7 @@ impl<'a> Builder<'a> {
             );
             return Err(self.refused_in_words([Step::from("grid")], CROSSING_QUAD, words));
         }
-        self.circular = Some(made.report);
+        self.facts = Facts::Net(NetFacts { seams: Vec::new(), circular: Some(made.report) });
         Ok(made.layout)
     }
 

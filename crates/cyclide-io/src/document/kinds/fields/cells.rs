@@ -1,11 +1,12 @@
 //! How blocks are divided into cells.
 
-use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, StructuredGrid};
+use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, GridQuality, StructuredGrid};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{CellFacts, Facts};
 use crate::error::{Error, Result};
 
 /// How blocks are divided into cells: a number for all three directions, or numbers or laws along s, t and u.
@@ -152,10 +153,12 @@ pub enum CellLaw {
 impl Builder<'_> {
     /// The parameters of the cells of blocks whose source divided them.
     pub(in crate::document) fn places_of_source(&mut self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
-        self.gradings = self.sources.first().and_then(|source| source.gradings);
-        let places = self.sources.first().and_then(|source| source.provenance.places.clone());
-        if let Some(places) = &places {
-            self.check_cells(volumes, places, |_| vec![Step::from("of")])?;
+        let source = self.sources.first();
+        let places = source.and_then(|source| source.provenance.places.clone());
+        let laws = source.and_then(|source| Some(source.facts.cells()?.laws));
+        if let Some((places, laws)) = places.as_ref().zip(laws) {
+            let quality = self.check_cells(volumes, places, |_| vec![Step::from("of")])?;
+            self.facts = Facts::Cells(CellFacts { laws, quality });
         }
         Ok(places)
     }
@@ -185,18 +188,18 @@ impl Builder<'_> {
             *places = law.places(count as usize).map_err(|e| self.refused_at(field(axis), &e))?;
         }
         StructuredGrid::check_size(volumes.len(), &places).map_err(|e| self.refused_at([Step::from("cells")], &e))?;
-        self.gradings = Some(laws);
-        self.check_cells(volumes, &places, field)?;
+        let quality = self.check_cells(volumes, &places, field)?;
+        self.facts = Facts::Cells(CellFacts { laws, quality });
         Ok(Some(places))
     }
 
-    /// Refuses cells that are shorter than rounding, and keeps the quality of the others, with what is to be said of it.
+    /// Refuses cells that are shorter than rounding, and gives the quality of the others, with what is to be said of it.
     fn check_cells(
         &mut self,
         volumes: &[CyclideVolume],
         places: &[Vec<f64>; 3],
         field: impl Fn(usize) -> Vec<Step>,
-    ) -> Result<()> {
+    ) -> Result<GridQuality> {
         for (axis, places) in places.iter().enumerate() {
             StructuredGrid::check_lengths(volumes, axis, places).map_err(|e| self.refused_at(field(axis), &e))?;
         }
@@ -211,8 +214,7 @@ impl Builder<'_> {
         for warning in grid.warnings(&quality) {
             self.warn_at(at, None, warning);
         }
-        self.quality = Some(quality);
-        Ok(())
+        Ok(quality)
     }
 
     /// The law of the cells along a direction.

@@ -10,6 +10,7 @@ use cyclide::{
 use crate::document::kinds::principal_grid::PrincipalGridSpec;
 use crate::document::kinds::smooth_mesh::Given;
 use crate::document::objects::Builder;
+use crate::document::objects::facts::{Facts, GridFacts};
 use crate::document::objects::idle::{Idle, found};
 use crate::document::objects::remark::Remark;
 use crate::error::{Error, Result};
@@ -49,9 +50,8 @@ impl Builder<'_> {
         self.remark_on_idle(idle_in_principal_grid(spec, closed, laid.joined.is_some()));
         let lines = lines(&laid).map_err(|e| self.refused(&e, None))?;
         self.field = Some(field(&laid));
-        self.grids = laid.grids;
-        self.joined = laid.joined;
-        self.principal = Some(Box::new(laid.report));
+        let facts = GridFacts { grids: laid.grids, joined: laid.joined, report: laid.report };
+        self.facts = Facts::Grids(Box::new(facts));
         Ok(lines)
     }
 

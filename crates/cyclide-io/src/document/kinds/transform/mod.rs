@@ -16,7 +16,7 @@ use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::locate::Step;
-use crate::document::objects::facts::Unmapped;
+use crate::document::objects::facts::{BlendFacts, Facts, Unmapped};
 use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
@@ -123,7 +123,10 @@ impl Builder<'_> {
         let surfaces = self.mapped_surfaces(spec)?;
         if let Some(source) = self.sources.first() {
             self.names.clone_from(&source.provenance.names);
-            self.tee_blends = self.mapped_blends(spec);
+            let blends = self.mapped_blends(spec);
+            if !blends.is_empty() {
+                self.facts = Facts::Blends(BlendFacts { blends, centers: None });
+            }
         }
         let volumes = self.mapped_volumes(spec)?;
         self.warn_of_folded_blocks(&volumes, "of");
@@ -209,7 +212,8 @@ impl Builder<'_> {
             map.push_forward(Point3::ORIGIN, Vec3::X).map(Vec3::length)
         };
         let factor: Option<f64> = spec.steps.iter().map(factor).product();
-        let blends = self.sources.first().map_or(&[][..], |source| &source.tee_blends);
+        let known = self.sources.first().and_then(|source| source.facts.blends());
+        let blends = known.map_or(&[][..], |known| &known.blends);
         let scaled = |factor: f64| {
             let scaled = move |blend: &TeeBlendFacts| TeeBlendFacts {
                 radii: blend.radii.map(|radius| radius * factor),
