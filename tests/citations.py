@@ -151,7 +151,8 @@ def not_in_index(library, names):
     return [f"{library}: `{name}` is not in the index by topic" for name in sorted(names - listed)]
 
 
-NOUN = re.compile(r"pub (?:struct|enum|trait|type) (\w+)")
+# In a table of a macro, too.
+NOUN = re.compile(r" *pub (?:struct|enum|trait|type) (\w+)")
 
 
 def public_names(library, at_least):
@@ -175,7 +176,7 @@ def without_example(path, text, names):
         # Comments and attributes, of several lines too: up to the last line that ends an item, or to a blank one.
         while above > 0 and lines[above - 1].strip() and lines[above - 1].rstrip() != "}":
             above -= 1
-        if not any(line.startswith("/// ```") for line in lines[above:number]):
+        if not any(line.lstrip().startswith("/// ```") for line in lines[above:number]):
             faults.append(f"{path}:{number + 1}: `{noun.group(1)}` has no example")
     return faults
 

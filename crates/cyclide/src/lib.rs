@@ -95,7 +95,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`] (by subject: [`NumberError`], [`PointError`], [`ArcError`], [`CurveError`], [`InterpolationError`], [`NurbsError`], [`FitError`], [`PatchError`], [`GridError`], [`PrincipalGridError`], [`ShellError`], [`ProfileError`], [`PipeError`], [`TubeError`], [`TeeError`], [`CrossingError`], [`ContactError`], [`BallError`], [`BridgeError`], [`PolyhedronError`], [`TriangleError`], [`MeshError`], [`TorusError`], [`PoseError`], [`MotionError`], [`VolumeError`], [`PartError`]), [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -111,6 +111,7 @@ mod rational;
 mod shape_change;
 mod short_number;
 mod surface;
+mod table;
 mod topology;
 mod volume;
 mod warning;
@@ -169,6 +170,12 @@ pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
+pub use error::{
+    ArcError, BallError, BridgeError, ContactError, CrossingError, CurveError, FitError, GridError, InterpolationError,
+    MeshError, MotionError, NumberError, NurbsError, PartError, PatchError, PipeError, PointError, PolyhedronError,
+    PoseError, PrincipalGridError, ProfileError, ShellError, TeeError, TorusError, TriangleError, TubeError,
+    VolumeError,
+};
 pub use error::{Error, ErrorItem, FoldRemedy, GridCellFault, JoinFault, LayoutFault, Result, SurfaceFault, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{

@@ -2,7 +2,10 @@
 //! nearly coincident and badly scaled points.
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
-use cyclide::{Arc, ArcPath, ArcSplineOptions, Biarc, BiarcRule, Error, ParamCurve, Point3, Vec3};
+use cyclide::{
+    Arc, ArcError, ArcPath, ArcSplineOptions, Biarc, BiarcRule, Error, NumberError, ParamCurve, Point3, PointError,
+    Vec3,
+};
 use cyclide_testkit::generators::{direction, neighbour, point, scale, three_points};
 use proptest::prelude::*;
 
@@ -91,13 +94,13 @@ proptest! {
             }
             Err(error) => {
                 let named = match error {
-                    Error::CoincidentPoints { .. } => a == b || b == c || a == c,
+                    Error::Point(PointError::CoincidentPoints { .. }) => a == b || b == c || a == c,
                     // On the line of the ends up to rounding of the points, and outside.
-                    Error::PointAtInfinity { .. } => (b - a).dot(c - b) < 0.0,
+                    Error::Point(PointError::AtInfinity { .. }) => (b - a).dot(c - b) < 0.0,
                     // Next to it.
-                    Error::NearlyFullCircle { rest, limit } => rest < limit && (b - a).dot(c - b) < 0.0,
+                    Error::Arc(ArcError::NearlyFullCircle { rest, limit }) => rest < limit && (b - a).dot(c - b) < 0.0,
                     // Chords a long way apart in length put nearly all the speed at one end.
-                    Error::ParameterOutOfRange { .. } => true,
+                    Error::Number(NumberError::ParameterOutOfRange { .. }) => true,
                     _ => false,
                 };
                 prop_assert!(named, "{error}");

@@ -5,8 +5,8 @@
 
 use cyclide::{
     Arc, ArcPath, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceSurface, Mobius, NeckBlend, NeckBody,
-    NeckSide, NeckVariant, ParamSurface as _, PatchKind, Pipe, PipeEnds, PlateShape, Point3, Quat, RationalBezier,
-    RationalBezierSurface, Revolution, Vec3,
+    NeckSide, NeckVariant, NumberError, ParamSurface as _, PatchKind, Pipe, PipeEnds, PipeError, PlateShape, Point3,
+    PointError, Quat, RationalBezier, RationalBezierSurface, Revolution, Vec3,
 };
 use cyclide_testkit::generators::{direction, point};
 use proptest::prelude::*;
@@ -359,8 +359,8 @@ proptest! {
         let variant = if upright { NeckVariant::Vertical } else { NeckVariant::Pipe };
         let (q, cos) = (1.0 + sigma * ball, slope.cos());
         let neck = match NeckBlend::new(frame.size, ball * frame.size, slope, side, variant) {
-            Err(Error::BallDoesNotFit { .. }) => { prop_assert!(inside && ball >= 1.0 - 1e-15); return Ok(()) }
-            Err(Error::AngleOutOfRange { .. }) => { prop_assert!(slope.abs() > FRAC_PI_2 - 2e-3 - 1e-15); return Ok(()) }
+            Err(Error::Pipe(PipeError::BallDoesNotFit { .. })) => { prop_assert!(inside && ball >= 1.0 - 1e-15); return Ok(()) }
+            Err(Error::Number(NumberError::AngleOutOfRange { .. })) => { prop_assert!(slope.abs() > FRAC_PI_2 - 2e-3 - 1e-15); return Ok(()) }
             made => made.unwrap(),
         };
         let folds = !inside && !upright && ball > q * cos;
@@ -369,7 +369,7 @@ proptest! {
         wanted.plate = (!inside).then_some(PlateShape::Rectangle(sides));
         wanted.thickness = thick.then_some(0.5 * frame.size);
         let body = match neck.body(&wanted) {
-            Err(Error::NeckFolds { .. }) => { prop_assert!(folds && thick); return Ok(()) }
+            Err(Error::Pipe(PipeError::NeckFolds { .. })) => { prop_assert!(folds && thick); return Ok(()) }
             made => made.unwrap().transformed(&frame.map_of(frame.size)).unwrap(),
         };
         prop_assert!(body.is_solid() == thick && !(folds && thick));
@@ -512,7 +512,7 @@ proptest! {
         let sized = [first, second].map(|axes| axes.map(|x| x * frame.size));
         let narrow = (0..2).map(|d| widths[d].abs() / first[d].max(second[d])).fold(f64::INFINITY, f64::min);
         let bridge = match EllipseBridge::new(sized[0], sized[1]) {
-            Err(Error::CoincidentPoints { .. }) => { prop_assert!(narrow < 1.1e-12, "{narrow:e}"); return Ok(()) }
+            Err(Error::Point(PointError::CoincidentPoints { .. })) => { prop_assert!(narrow < 1.1e-12, "{narrow:e}"); return Ok(()) }
             made => made.unwrap(),
         };
         let crossing = widths[0] * widths[1] < 0.0;

@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "what must not move or must be reported as it is, is compared exactly")]
 
-use cyclide::{Border, Circle, CircularMesh, CircularMeshOptions, Error, Point3, QuadGrid, Quat, Vec3, make_circular};
+use cyclide::{
+    Border, Circle, CircularMesh, CircularMeshOptions, Error, GridError, Point3, PointError, QuadGrid, Quat, Vec3,
+    make_circular,
+};
 use std::f64::consts::TAU;
 
 /// A surface over `[-1, 1]²`.
@@ -412,17 +415,20 @@ fn wrong_input_is_refused_by_name() {
     points[40] = points[41];
     let repeated = QuadGrid::new(points.clone(), [9, 9], [false; 2]).unwrap();
     let error = circular(&repeated, Border::Free).unwrap_err();
-    assert!(matches!(error, Error::CoincidentPoints { first: 40, second: 41, .. }), "{error}");
+    assert!(matches!(error, Error::Point(PointError::CoincidentPoints { first: 40, second: 41, .. })), "{error}");
     points[40] = Point3::new(f64::NAN, 0.0, 0.0);
     assert_eq!(QuadGrid::new(points, [9, 9], [false; 2]).unwrap_err().reason(), "not-finite");
 
     // Nine conditions for the three freedoms of the one inner vertex.
     let tight = circular(&grid(|u, v| [u, v + 0.2 * u * u, u * v * v], 2, 0.0), Border::Pinned).unwrap_err();
-    assert!(matches!(tight, Error::NotConverged { step: 1.., residual, .. } if residual > 1e-3), "{tight}");
+    assert!(
+        matches!(tight, Error::Grid(GridError::NotConverged { step: 1.., residual, .. }) if residual > 1e-3),
+        "{tight}"
+    );
 
     let options = CircularMeshOptions { max_steps: 2, ..Default::default() };
     let early = make_circular(&grid(canopy, 8, 0.0), &options, &mut |_| {}).unwrap_err();
-    assert!(matches!(early, Error::NotConverged { step: 2, .. }), "{early}");
+    assert!(matches!(early, Error::Grid(GridError::NotConverged { step: 2, .. })), "{early}");
     let options = CircularMeshOptions { max_steps: 0, ..Default::default() };
     let none = make_circular(&grid(canopy, 8, 0.0), &options, &mut |_| {}).unwrap_err();
     assert_eq!(none.reason(), "parameter-out-of-range");

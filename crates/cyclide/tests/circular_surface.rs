@@ -2,9 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _, FaceSurface, Mobius,
-    ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier, RationalBezierSurface, Vec3, Warning,
-    surface_joints, tessellate,
+    Arc, ArcError, Body, BridgeError, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _, FaceSurface,
+    Mobius, ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier, RationalBezierSurface, Vec3,
+    Warning, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -166,7 +166,7 @@ fn tangents_nearly_against_their_chords_are_refused() {
         ([segment(p(0.0, 0.0, 0.0), p(10.0, 0.0, 0.0))], [segment(p(0.0, 0.0, 10.0), p(10.0, 0.0, 10.0))]);
     let made = |angle: f64| Body::circular([&low, &high], &[Vec3::new(0.0, angle.sin(), -angle.cos())], false);
     for off in [0.0, 1e-4, 1e-3, 9.9e-3] {
-        let Error::TangentOpposesChord { index: 0, angle, limit } = made(off).unwrap_err() else {
+        let Error::Arc(ArcError::TangentOpposesChord { index: 0, angle, limit }) = made(off).unwrap_err() else {
             panic!("against the chord")
         };
         assert!((angle - off).abs() < 1e-12 && (limit - 1e-2).abs() < 1e-15);
@@ -395,7 +395,7 @@ fn rails_that_do_not_fit_are_refused() {
     {
         let error = Body::circular([&a, &b], &tangents, false).unwrap_err();
         assert!(
-            matches!(error, Error::OppositeTangents { first: f, second: s, .. } if [f, s] == [first, second]),
+            matches!(error, Error::Bridge(BridgeError::OppositeTangents { first: f, second: s, .. }) if [f, s] == [first, second]),
             "{error}"
         );
     }
@@ -412,7 +412,9 @@ fn rails_that_do_not_fit_are_refused() {
 #[test]
 fn rulings_that_cross_are_refused() {
     let crossing = |a: &[EdgeCurve], b: &[EdgeCurve], closed| {
-        let Error::RulingsCross { piece: 0, at, normal, limit } = Body::ruled([a, b], closed).unwrap_err() else {
+        let Error::Bridge(BridgeError::RulingsCross { piece: 0, at, normal, limit }) =
+            Body::ruled([a, b], closed).unwrap_err()
+        else {
             panic!("rulings cross")
         };
         assert!(normal <= limit);
@@ -444,7 +446,7 @@ fn rulings_that_cross_are_refused() {
         let error = Body::ruled([&circle(0.0, 1.0), &circle(7.0, -1.0)], true).unwrap_err();
         assert_eq!(error.reason(), "rulings-cross");
         assert!(error.to_string().contains("does the second curve run the other way?"), "{error}");
-        let Error::RulingsCross { at, .. } = error else { panic!("{error}") };
+        let Error::Bridge(BridgeError::RulingsCross { at, .. }) = error else { panic!("{error}") };
         assert!((at[1] - 0.5).abs() < 1e-9, "{at:?}");
     }
     // Tips are none: curves that meet in an end, a curve that stops in one, and the tangents of a curve.
@@ -484,7 +486,8 @@ fn rulings_that_cross_for_a_moment_are_refused() {
         };
         let first = through([0.0, 0.0, 0.0], [10.0, 2.0, 0.0], [20.0, 0.0, 0.0]);
         let second = through([0.0, start, 0.0], [10.0, -2.0, 0.0], [20.0, 1.0, 0.0]);
-        let Error::RulingsCross { at, .. } = Body::ruled([&first, &second], false).unwrap_err() else {
+        let Error::Bridge(BridgeError::RulingsCross { at, .. }) = Body::ruled([&first, &second], false).unwrap_err()
+        else {
             panic!("rulings cross")
         };
         assert!((at[0] - turns).abs() < 3e-3, "{at:?}");

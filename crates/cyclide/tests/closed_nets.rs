@@ -5,8 +5,8 @@
 #![allow(clippy::print_stdout, reason = "the long runs print their tables")]
 
 use cyclide::{
-    Border, Circle, CircularMesh, CircularMeshOptions, CyclidicNet, Error, NetFrame, ParamCurve, Point3, QuadGrid,
-    Vec3, make_circular, surface_joints,
+    Border, Circle, CircularMesh, CircularMeshOptions, CyclidicNet, Error, NetFrame, ParamCurve, PatchError, Point3,
+    QuadGrid, Vec3, make_circular, surface_joints,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -318,7 +318,7 @@ fn pinned_rows_close_if_they_can() {
             // The row that is to blame is named: the first one that turns them.
             let row = if first > 0.0 { 0 } else { 7 };
             let named = |line, angle| line == Some(row) && angle > 1e-3;
-            let told = matches!(error, Error::NetDoesNotClose { direction: 0, line, angle, .. } if named(line, angle));
+            let told = matches!(error, Error::Patch(PatchError::NetDoesNotClose { direction: 0, line, angle, .. }) if named(line, angle));
             assert!(told && error.to_string().contains(&format!("along pinned row {row} ")), "{error}");
             assert_eq!(steps, 0);
         }

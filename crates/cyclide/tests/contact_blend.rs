@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactPartner, Error, FaceSurface, NeckSide, PlateShape,
-    Point3, RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
+    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactError, ContactPartner, Error, FaceSurface, NeckSide,
+    PipeError, PlateShape, Point3, RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -221,7 +221,9 @@ fn balls_up_to_the_bend_of_their_way_are_accepted_and_others_fold() {
             assert!((facts.tightest - left).abs() < 1e-9, "{degrees} {part}: {} {left}", facts.tightest);
         }
         let (made, left) = made(1.001);
-        let Err(Error::ContactBlendFolds { left: found, .. }) = made else { panic!("{degrees}: it folds") };
+        let Err(Error::Contact(ContactError::BlendFolds { left: found, .. })) = made else {
+            panic!("{degrees}: it folds")
+        };
         assert!((found - left).abs() < 1e-9 && found < 0.0, "{degrees}: {found} {left}");
     }
 }
@@ -245,7 +247,7 @@ fn the_limit_of_a_ball_inside_a_cone_is_that_of_the_ball_that_touches_it_all_rou
         (BlendTube { length: 3.0, ..off_centre }, SPHERE, 2.2, None),
     ] {
         let made = |ball| ContactBlend::new(tube, base, ball).unwrap().with_side(NeckSide::Inside).made();
-        let Err(Error::BallDoesNotFit { limit, radius }) = made(ball) else {
+        let Err(Error::Pipe(PipeError::BallDoesNotFit { limit, radius })) = made(ball) else {
             panic!("{tube:?}: {:?}", made(ball).err())
         };
         assert!((radius - ball).abs() < 1e-15 && limit < ball);

@@ -3,9 +3,10 @@
 #![allow(clippy::float_cmp, reason = "values that must agree to the bit are compared as such")]
 
 use cyclide::{
-    Aabb, Arc, ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions, ClosedTwist, Conformal, CurveFrames,
-    CurveJet, CurveObject, Error, FairSplineOptions, Frame, FrameRule, Mobius, NurbsCurve, ParamCurve, PieceHull,
-    Point2, Point3, Quat, Result, Torus, TorusSpline, Vec3, bending_energy, length, plane_normal, tight_places,
+    Aabb, Arc, ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions, ClosedTwist, Conformal, CurveError,
+    CurveFrames, CurveJet, CurveObject, Error, FairSplineOptions, Frame, FrameRule, Mobius, NurbsCurve, ParamCurve,
+    PieceHull, Point2, Point3, Quat, Result, Torus, TorusSpline, Vec3, bending_energy, length, plane_normal,
+    tight_places,
 };
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -293,7 +294,7 @@ fn frames_look_at_a_point() {
 fn frames_that_do_not_exist_are_refused_by_name() {
     let line = Arc::segment(Point3::ORIGIN, Point3::new(0.0, 0.0, 4.0)).unwrap();
     let reason = |rule: &FrameRule| match CurveFrames::new(&line, rule).and_then(|frames| frames.at(0.25)) {
-        Err(Error::NoFrame { what, t, .. }) => (what, t),
+        Err(Error::Curve(CurveError::NoFrame { what, t, .. })) => (what, t),
         other => panic!("{other:?}"),
     };
     assert_eq!(reason(&FrameRule::Frenet), ("the curvature", 0.25));
@@ -320,7 +321,7 @@ fn frames_that_do_not_exist_are_refused_by_name() {
     let there = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
     let path = ArcPath::rounded_polyline(&there, false, &[0.0; 3]).unwrap();
     let error = CurveFrames::new(&path, &FrameRule::rotation_minimizing()).unwrap_err();
-    assert!(matches!(error, Error::NoFrame { t, .. } if t == 0.5), "{error:?}");
+    assert!(matches!(error, Error::Curve(CurveError::NoFrame { t, .. }) if t == 0.5), "{error:?}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use cyclide::{
     Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, DupinCyclide, Error, GridCell, GridCellFault,
-    Mobius, NetFrame, ParamSurface as _, Point3, QuadGrid, Vec3, surface_joints,
+    GridError, Mobius, NetFrame, ParamSurface as _, Point3, QuadGrid, Vec3, surface_joints,
 };
 
 /// Quads along s and t.
@@ -115,7 +115,7 @@ fn what_is_outside_does_not_matter() {
         assert_eq!(a.corners(), b.corners());
     }
     let without = QuadGrid::of_cells(&missing, SIZE.map(|n| n + 1), |_, _| GridCell::Patch).unwrap_err();
-    assert_eq!(without, Error::CellsUnfit { fault: GridCellFault::NoPoint, index: 0 });
+    assert_eq!(without, Error::Grid(GridError::CellsUnfit { fault: GridCellFault::NoPoint, index: 0 }));
 }
 
 /// Vertices less edges plus faces: 2 of a ball, 0 of a ring.
@@ -192,7 +192,7 @@ fn layers_are_over_all_patches_and_share_faces() {
 #[cfg(feature = "circular-mesh")]
 mod circular {
     use super::*;
-    use cyclide::{Border, CircularMeshOptions, make_circular};
+    use cyclide::{Border, CircularMeshOptions, GridError, make_circular};
 
     /// A saddle whose grid runs along its lines of curvature, not circular by far.
     fn saddle() -> QuadGrid {
@@ -240,6 +240,6 @@ mod circular {
         let border = Border::OnCurves([Some(&curve), None, None, None]);
         let options = CircularMeshOptions { border, ..CircularMeshOptions::default() };
         let refused = make_circular(&saddle(), &options, &mut |_| ()).unwrap_err();
-        assert_eq!(refused, Error::CellsUnfit { fault: GridCellFault::Curves, index: 0 });
+        assert_eq!(refused, Error::Grid(GridError::CellsUnfit { fault: GridCellFault::Curves, index: 0 }));
     }
 }

@@ -1,7 +1,7 @@
 //! Polyhedra next to degenerate ones: what is flat, how far; edges that are one point; planes that are nearly one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{ConvexPolyhedron, Error, Point3, Vec3, Warning};
+use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, Vec3, Warning};
 
 /// A box, and its sides counter-clockwise from outside.
 fn boxed(sizes: [f64; 3]) -> (Vec<Point3>, Vec<Vec<usize>>) {
@@ -39,7 +39,7 @@ fn thin_prisms_have_the_planes_of_their_sides() {
 #[test]
 fn flat_is_said_with_what_was_measured() {
     let flat = |made: cyclide::Result<ConvexPolyhedron>| match made.unwrap_err() {
-        Error::FlatPolyhedron { thickness, limit } => [thickness, limit],
+        Error::Polyhedron(PolyhedronError::Flat { thickness, limit }) => [thickness, limit],
         other => panic!("{other}"),
     };
     let (points, faces) = boxed([1.0, 2.0, 0.01]);
@@ -101,11 +101,11 @@ fn the_flatness_of_hulls_is_lowered_where_planes_are_nearly_one() {
         let made = match ConvexPolyhedron::hull_with_flatness(&points, flatness) {
             Ok(made) => made,
             // What is refused says how far points would be off: a larger flatness takes them.
-            Err(Error::PlanesMissPoint { distance, limit, .. }) => {
+            Err(Error::Polyhedron(PolyhedronError::PlanesMissPoint { distance, limit, .. })) => {
                 assert!(distance > limit && (limit - flatness).abs() < 1e-15);
                 continue;
             }
-            Err(Error::FlatPolyhedron { thickness, limit }) => {
+            Err(Error::Polyhedron(PolyhedronError::Flat { thickness, limit })) => {
                 assert!(thickness <= limit);
                 continue;
             }

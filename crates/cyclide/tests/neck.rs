@@ -3,7 +3,7 @@
 
 use cyclide::{
     Body, Conformal as _, Error, FaceGeometry as _, FaceSurface, Mobius, NeckBlend, NeckBody, NeckSide, NeckVariant,
-    ParamSurface as _, PatchKind, PlateShape, Point3, Quat, Side, Vec3, surface_joints,
+    ParamSurface as _, PatchKind, PipeError, PlateShape, Point3, Quat, Side, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -262,7 +262,7 @@ fn large_balls_fold_outer_necks_and_are_warned_of() {
                 let plate = Some(PlateShape::Rectangle([1e3; 2])).filter(|_| side == NeckSide::Outside);
                 assert!(neck.body(&made(1e3, plate, None, None)).is_ok());
                 match neck.body(&made(1e3, plate, Some(1.0), None)) {
-                    Err(Error::NeckFolds { radius, limit }) => {
+                    Err(Error::Pipe(PipeError::NeckFolds { radius, limit })) => {
                         assert!(folds && (radius - ball).abs() < 1e-12 && radius > limit)
                     }
                     other => assert!(other.is_ok_and(|body| body.is_solid()) && !folds, "{slope} {part}"),

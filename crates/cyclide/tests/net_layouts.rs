@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use cyclide::{
-    CircularMeshOptions, Conformal, CyclideGrid, CyclideVolume, CyclidicNet, Error, FineEnd, Grading, Mobius,
-    NetLayout, ParamSurface, Point3, QuadLayout, StructuredGrid, Vec3, make_layout_circular, surface_joints,
+    CircularMeshOptions, Conformal, CyclideGrid, CyclideVolume, CyclidicNet, Error, FineEnd, Grading, GridError,
+    Mobius, NetLayout, ParamSurface, Point3, QuadLayout, StructuredGrid, Vec3, make_layout_circular, surface_joints,
 };
 use cyclide_testkit::layouts::{ball, cap, pair};
 
@@ -141,7 +141,7 @@ fn what_does_not_close_is_refused() {
     });
     let cube = cube.with_points(flat.collect()).unwrap();
     match NetLayout::new(cube) {
-        Err(Error::RingDoesNotClose { angle, .. }) => assert!(angle > 1.0),
+        Err(Error::Grid(GridError::RingDoesNotClose { angle, .. })) => assert!(angle > 1.0),
         other => panic!("{other:?}"),
     }
 }

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Conformal, CurveObject, Error, ErrorItem, Exactness, Lower, Mobius, NurbsCurve, ParamCurve, Point3, Quat, Vec3,
-    closest_point, length,
+    Conformal, CurveObject, Error, ErrorItem, Exactness, Lower, Mobius, NurbsCurve, NurbsError, ParamCurve, Point3,
+    PointError, Quat, Vec3, closest_point, length,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -146,7 +146,7 @@ fn circle_through_an_inversion_is_a_circle() {
     // Through the centre of a similar map it is a straight line; on the circle it is refused.
     let inversion = Mobius::inversion(Point3::new(1.0, 0.0, 0.0), 1.0).unwrap();
     let error = circle().transformed(&inversion).unwrap_err();
-    assert!(matches!(error, Error::PointAtInfinity { what: ErrorItem::Curve, .. }), "{error:?}");
+    assert!(matches!(error, Error::Point(PointError::AtInfinity { what: ErrorItem::Curve, .. })), "{error:?}");
     // In the middle of a span, where no control row is.
     let at = circle().point_at_knot(1.3);
     let error = circle().transformed(&Mobius::inversion(at, 1.0).unwrap()).unwrap_err();
@@ -191,7 +191,7 @@ fn bad_knots_are_refused_with_their_index() {
     assert_eq!(error.unwrap_err().reason(), "not-a-spline");
     let error =
         NurbsCurve::clamped(1, vec![0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0], points.clone(), vec![1.0, 1.0, -2.0, 1.0, 1.0]);
-    assert_eq!(error.unwrap_err(), Error::WeightNotPositive { index: 2, weight: -2.0 });
+    assert_eq!(error.unwrap_err(), Error::Nurbs(NurbsError::WeightNotPositive { index: 2, weight: -2.0 }));
     assert_eq!(made(3, &[0.0, 0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0, 1.0]).unwrap().span_count(), 2);
 }
 
@@ -331,7 +331,8 @@ fn weights_of_any_size_give_the_same_curve_or_none() {
     for (weights, first, limit) in
         [([1.0, 1e10, 1.0], 0, 1e9), ([1.0, 1.0, 1e-12], 1, 1e9), ([1.0, 1e308, 1.0], 0, 1e150)]
     {
-        let Error::WeightsUneven { first: found, limit: most, .. } = made(weights).unwrap_err() else {
+        let Error::Nurbs(NurbsError::WeightsUneven { first: found, limit: most, .. }) = made(weights).unwrap_err()
+        else {
             panic!("{weights:?}")
         };
         assert_eq!((found, most), (first, limit), "{weights:?}");

@@ -3,8 +3,8 @@
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
-    Arc, Body, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface, ParamSurface as _, Point3, RailSurface,
-    RationalBezier, Vec3, Warning, surface_joints,
+    Arc, Body, BridgeError, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface, ParamSurface as _, Point3,
+    RailSurface, RationalBezier, Vec3, Warning, surface_joints,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -23,7 +23,9 @@ fn arcs_that_cross_are_refused() {
     for second in [&second, &skew] {
         for tangent in [Vec3::Z, Vec3::new(0.1, -0.2, 1.0)] {
             let rails = |second: EdgeCurve| Body::circular([from_ref(&first), &[second]], &[tangent], false);
-            let Err(Error::ArcsCross { piece: 0, at: [s, t] }) = rails(second.clone()) else { panic!("{tangent:?}") };
+            let Err(Error::Bridge(BridgeError::ArcsCross { piece: 0, at: [s, t] })) = rails(second.clone()) else {
+                panic!("{tangent:?}")
+            };
             // Inside, about where the curves are nearest to each other; there the arcs are short and run fast at their ends.
             assert!((0.3..0.7).contains(&s) && (0.1..0.9).contains(&t), "{s} {t}");
             assert!(rails(second.reversed()).is_ok());
@@ -57,7 +59,7 @@ fn arcs_that_fold_over_in_their_plane_are_refused() {
     let there_and_back =
         |y: f64| [segment([0.0, y, 0.0], [9.0, y, 0.0]), segment([9.0, y, 0.0], [1.0, y, 0.0])].concat();
     let error = Body::circular([&there_and_back(0.0), &there_and_back(5.0)], &[Vec3::new(1.0, 3.0, 0.0)], false);
-    assert!(matches!(error, Err(Error::ArcsCross { piece: 1, at: [0.0, _] })), "{error:?}");
+    assert!(matches!(error, Err(Error::Bridge(BridgeError::ArcsCross { piece: 1, at: [0.0, _] }))), "{error:?}");
     // Rails in the line of straight arcs: no surface at all.
     let line = [segment([0.0; 3], [1.0, 0.0, 0.0]), segment([5.0, 0.0, 0.0], [7.0, 0.0, 0.0])];
     assert_eq!(Body::circular([&line[0], &line[1]], &[Vec3::X], false).unwrap_err().reason(), "arcs-cross");
@@ -70,7 +72,9 @@ fn arcs_that_touch_their_neighbours_are_refused() {
     let rail = |y: f64, z: f64| cubic([[0.0, y, 0.0], [1.0, y, 0.0], [2.0, y, z], [3.0, y, 3.0 * z]]);
     let both = |tangent: Vec3| Body::circular([&[rail(0.0, 1.0)], &[rail(20.0, 1.0)]], &[tangent], false);
     assert!(both(Vec3::new(1.0, 1.0, 0.0)).is_ok());
-    let Err(Error::ArcsCross { at: [s, t], .. }) = both(Vec3::new(1.0, -1.0, 0.0)) else { panic!("folds at 0") };
+    let Err(Error::Bridge(BridgeError::ArcsCross { at: [s, t], .. })) = both(Vec3::new(1.0, -1.0, 0.0)) else {
+        panic!("folds at 0")
+    };
     assert!(s < 0.05 && (0.05..0.5).contains(&t), "{s} {t}");
 }
 
@@ -194,7 +198,7 @@ proptest! {
                 // Quadrature next to arcs of fifty chords' radius.
                 prop_assert!((area - 0.5 * border.abs()).abs() <= 1e-7 * area, "{area} {}", 0.5 * border);
             }
-            Err(Error::ArcsCross { .. }) => {
+            Err(Error::Bridge(BridgeError::ArcsCross { .. })) => {
                 let [one, other] = [first, second].map(|rail| rail.evened().to_rational());
                 let surface = cyclide::RationalBezierSurface::circular(&one, &other, tangents).unwrap();
                 // Somewhere on a grid that is finer near the ends.

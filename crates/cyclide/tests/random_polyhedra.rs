@@ -2,7 +2,7 @@
 //! all faces, and closed shells.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use cyclide::{ConvexPolyhedron, Error, Point3, Quat, Vec3, surface_joints};
+use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, Quat, Vec3, surface_joints};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -74,7 +74,7 @@ proptest! {
         let points: Vec<Point3> = points.into_iter().map(|p| Point3::ORIGIN + p * scale).collect();
         let polyhedron = match ConvexPolyhedron::hull(&points) {
             Ok(polyhedron) => polyhedron,
-            Err(Error::FlatPolyhedron { thickness, limit }) => {
+            Err(Error::Polyhedron(PolyhedronError::Flat { thickness, limit })) => {
                 prop_assert!(thickness <= limit && limit <= 4e-9 * scale, "{thickness:e} {limit:e}");
                 return Ok(());
             }

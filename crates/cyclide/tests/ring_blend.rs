@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use cyclide::{BlendRing, Error, FaceSurface, MadeContactBlend, ParamSurface as _, Result, RingBlend, surface_joints};
+use cyclide::{
+    BlendRing, Error, FaceSurface, MadeContactBlend, ParamSurface as _, PipeError, Result, RingBlend, surface_joints,
+};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -122,7 +124,9 @@ fn what_cannot_be_is_refused_by_name() {
     for made in [&|ball| on_plate(ring(12.0, 4.0, 3.0), ball), &|ball| on_sphere(ring(20.0, 6.0, 30.0), 30.0, ball)]
         as [&dyn Fn(f64) -> Result<MadeContactBlend>; 2]
     {
-        let Err(Error::BallDoesNotFit { limit, .. }) = made(90.0) else { unreachable!("such a ball does not fit") };
+        let Err(Error::Pipe(PipeError::BallDoesNotFit { limit, .. })) = made(90.0) else {
+            unreachable!("such a ball does not fit")
+        };
         is_sound(&made(limit * 0.999).unwrap());
         assert_eq!(reason(made(limit * 1.001)), "ball-does-not-fit");
     }

@@ -3,7 +3,8 @@
 #![allow(clippy::float_cmp, reason = "a grid that stays has ratios of equal numbers")]
 
 use cyclide::{
-    CircularMesh, CircularMeshOptions, Error, Point3, QuadGrid, Quat, ShapeChange, Vec3, Warning, make_circular,
+    CircularMesh, CircularMeshOptions, Error, GridError, Point3, QuadGrid, Quat, ShapeChange, Vec3, Warning,
+    make_circular,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -66,7 +67,7 @@ fn reasons(mesh: &CircularMesh) -> Vec<&'static str> {
 
 fn refused(name: &str, grid: &QuadGrid) -> ShapeChange {
     match guarded(grid) {
-        Err(Error::ShapeLost { change }) => *change,
+        Err(Error::Grid(GridError::ShapeLost { change })) => *change,
         other => panic!("{name}: {:?}", other.map(|mesh| mesh.report)),
     }
 }
@@ -306,7 +307,7 @@ fn a_sheared_paraboloid_steepens_and_has_no_ripples_to_lose() {
 #[test]
 fn a_refusal_for_ripples_alone_names_the_angle() {
     let error = guarded(&grid(&rippled(0.05, 2.0), [36, 24], TUBE, 0.0)).unwrap_err();
-    let Error::ShapeLost { change } = &error else { panic!("{error}") };
+    let Error::Grid(GridError::ShapeLost { change }) = &error else { panic!("{error}") };
     assert!(change.bending.unwrap() > 0.9 && change.normal_turn.unwrap() < 0.35, "{change:?}");
     assert!(change.across.is_some() && error.to_string().contains("degrees off the curvature lines: "), "{error}");
 }

@@ -1,7 +1,9 @@
 //! Sphere blends over one triangle: laws of `docs/math/triangle-surfaces.md#sphere-blend`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleSurface, Vec3, Warning};
+use cyclide::{
+    Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleError, TriangleSurface, Vec3, Warning,
+};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -278,7 +280,9 @@ fn spheres_cancel_if_the_origin_is_between_their_angles() {
     {
         let error = leaning(torn).unwrap_err();
         assert_eq!(error.reason(), "opposite-spheres", "{torn:?}");
-        let cyclide::Error::OppositeSpheres { at: [s, t], .. } = error else { panic!("{error}") };
+        let cyclide::Error::Triangle(TriangleError::OppositeSpheres { at: [s, t], .. }) = error else {
+            panic!("{error}")
+        };
         let vector = |k: usize| torn[k].to_radians().sin_cos();
         let (parts, sums) = ([s, t, 1.0 - s - t], [0, 1, 2].map(vector));
         let sum = |of: fn((f64, f64)) -> f64| (0..3).map(|k| parts[k] * of(sums[k])).sum::<f64>();

@@ -4,8 +4,8 @@
 
 use cyclide::{
     ArcLength, ArcPath, Ball, Body, Circle, CircleSpline, CircleSplineOptions, CurveObject, Error, FairSplineOptions,
-    Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw, Torus, TorusSpline, Tube, Vec3,
-    surface_joints,
+    Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, PipeError, Point2, Point3, PointError, RadiusLaw, Torus,
+    TorusSpline, Tube, Vec3, surface_joints,
 };
 use cyclide_testkit::attack::Random;
 use std::f64::consts::{PI, TAU};
@@ -327,7 +327,7 @@ fn tubes_that_cross_themselves_are_told_where() {
     for radius in [2.0, 0.1, 1e-4] {
         let tube = Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3).unwrap();
         let error = tube.body().unwrap_err();
-        let Error::PipeMeetsItself { point, distance, limit, .. } = error else { panic!("{error}") };
+        let Error::Pipe(PipeError::MeetsItself { point, distance, limit, .. }) = error else { panic!("{error}") };
         assert!(distance < 1e-9 * limit && (limit - 2.0 * radius).abs() < 1e-12 * radius, "{error}");
         // The last leg crosses the first one at (10, 3, 0): steps end a billionth of a radius apart.
         assert!(Point3::from(point).distance(Point3::new(10.0, 3.0, 0.0)) < 1e-9 * radius.max(1e-3), "{error}");
@@ -417,7 +417,9 @@ fn balls_too_near_to_be_told_apart_are_refused_as_such() {
     ];
     let error = Tube::through(&balls, false).and_then(|tube| tube.body()).unwrap_err();
     let named = |error: &Error| match error {
-        Error::CoincidentPoints { first: 1, second: 2, distance, limit } => *distance < 4e-8 && distance < limit,
+        Error::Point(PointError::CoincidentPoints { first: 1, second: 2, distance, limit }) => {
+            *distance < 4e-8 && distance < limit
+        }
         _ => false,
     };
     assert!(named(&error), "{error}");
@@ -458,7 +460,7 @@ fn tubes_thinner_than_the_rounding_of_their_place_are_refused_as_such() {
         Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3 * radius).and_then(|tube| tube.body())
     };
     let error = tube(1000.0, 1e-5).unwrap_err();
-    let Error::BelowRoundingOfPlace { size, place, limit, .. } = error else { panic!("{error}") };
+    let Error::Point(PointError::BelowRoundingOfPlace { size, place, limit, .. }) = error else { panic!("{error}") };
     assert!((size - 1e-5).abs() < 1e-18 && place > 1000.0 && limit > size, "{error}");
     assert!(tube(0.0, 1e-5).is_ok() && tube(1000.0, 1.001 * limit).is_ok());
     for (lift, radius) in [(0.0, 1e-7), (100.0, 1e-6), (1e4, 1e-4), (1e4, 1e-7)] {

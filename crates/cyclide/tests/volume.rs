@@ -1,8 +1,8 @@
 //! Laws of volumes: three orthogonal families of cyclides, Möbius maps, parts, folds, measures (`docs/math/volumes.md`).
 
 use cyclide::{
-    Conformal, CyclideGrid, CyclideVolume, DupinCyclide, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3,
-    Quat, SphericalCube, Vec3, VolumeFrame, VolumeJet,
+    Conformal, CyclideGrid, CyclideVolume, DupinCyclide, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume,
+    PartError, PatchError, Point3, Quat, SphericalCube, Vec3, VolumeError, VolumeFrame, VolumeJet,
 };
 use cyclide_testkit::volumes::{cube, deterministic, vector};
 use proptest::prelude::*;
@@ -259,7 +259,7 @@ fn what_has_no_volume_is_named() {
     assert!(!twisted.is_embedded());
     let error = CyclideVolume::new(&twisted, VolumeFrame::Auto).unwrap_err();
     assert_eq!(error.reason(), "crossing-face");
-    assert!(matches!(error, Error::CrossingFace { speed, limit, .. } if speed < limit));
+    assert!(matches!(error, Error::Volume(VolumeError::CrossingFace { speed, limit, .. }) if speed < limit));
 }
 
 /// Blocks side by side agree on their common face, point by point.
@@ -317,8 +317,8 @@ fn the_limit_of_layers_is_that_of_the_nearest_patch() {
     // Inwards the tube is thinnest where its radius is mu - c = 1.
     let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
     let limit = |h: f64| match CyclideGrid::layers(&ring, &[h, 0.0]).unwrap_err() {
-        Error::InQuad { cause, .. } => match *cause {
-            Error::OffsetNotRegular { limit, .. } => limit,
+        Error::Part(PartError::InQuad { cause, .. }) => match *cause {
+            Error::Patch(PatchError::OffsetNotRegular { limit, .. }) => limit,
             other => panic!("{other}"),
         },
         other => panic!("{other}"),

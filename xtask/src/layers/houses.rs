@@ -23,14 +23,15 @@ impl House {
 /// The crates with rooms.
 pub const HOUSES: [&House; 3] = [&KERNEL, &IO, &CLI];
 
-/// `error`, `warning`, the numbers in their texts and `shape_change` stand beside `base`.
+/// `error`, `warning`, their tables, the numbers in their texts and `shape_change` stand beside `base`.
 pub const KERNEL: House = House {
     sources: "crates/cyclide/src",
     rooms: &[
         ("short_number", &[]),
         ("shape_change", &["short_number"]),
-        ("error", &["short_number", "shape_change"]),
-        ("warning", &["short_number", "shape_change"]),
+        ("table", &["short_number"]),
+        ("error", &["short_number", "shape_change", "table"]),
+        ("warning", &["short_number", "shape_change", "table"]),
         ("base", &["error", "warning"]),
         ("conformal", &["base", "error", "warning"]),
         ("rational", &["base", "conformal", "error", "warning"]),

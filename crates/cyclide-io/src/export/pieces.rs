@@ -1,7 +1,9 @@
 //! The pieces that one file may be made of: cells of meshes and vertices of polylines, over all objects together.
 
 use crate::export::shape::Shape;
-use cyclide::{CurvePlace, Error, ParamCurve, Point3, SurfaceMesh, flatten_within, tessellate_within};
+use cyclide::{
+    CurvePlace, Error, NumberError, ParamCurve, PartError, Point3, SurfaceMesh, flatten_within, tessellate_within,
+};
 use std::cell::Cell;
 
 /// A cap on pieces, and how many are used.
@@ -42,15 +44,15 @@ impl Pieces {
     /// What was refused for what is `left`, in terms of the whole file; the kernel's own caps are others.
     fn of_file(&self, error: Error, left: usize) -> Error {
         match error {
-            Error::TooManyPieces { what, segment, needed, cap, .. } if cap == left => {
+            Error::Number(NumberError::TooManyPieces { what, segment, needed, cap, .. }) if cap == left => {
                 let (needed, cap) = (needed + self.used.get() as f64, self.most);
                 let remedy = match needed.is_finite() {
                     true => "use a larger tolerance, or allow more with --max-pieces",
                     false => "use a larger tolerance",
                 };
-                Error::TooManyPieces { what, segment, needed, cap, remedy }
+                Error::Number(NumberError::TooManyPieces { what, segment, needed, cap, remedy })
             }
-            Error::InTriangle { triangle, cause } => self.of_file(*cause, left).in_triangle(triangle),
+            Error::Part(PartError::InTriangle { triangle, cause }) => self.of_file(*cause, left).in_triangle(triangle),
             other => other,
         }
     }

@@ -7,8 +7,8 @@ use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::export::scaled_weights::scaled_weights;
 use cyclide::{
-    CutShell, CyclideVolume, FaceGeometry as _, Item, Model, RationalBezier, RationalBezierSurface,
-    RationalBezierVolume, Shell,
+    CutShell, CyclideVolume, FaceGeometry as _, Item, Model, NumberError, RationalBezier, RationalBezierSurface,
+    RationalBezierVolume, Shell, VolumeError,
 };
 
 /// A cell's degrees along its parameters; the third is 0 of a face, the last two of a curve.
@@ -191,10 +191,10 @@ fn push_block(
         let in_block = |own: [f64; 3]| std::array::from_fn(|axis| between(cell[axis], own[axis]));
         // Places are told as those of the block as it is.
         let told = |error| match error {
-            cyclide::Error::VolumeThroughInfinity { at } => {
+            cyclide::Error::Volume(VolumeError::ThroughInfinity { at }) => {
                 let [s, t, u] = in_block(at);
                 let at = if block.is_right_handed() { [s, t, u] } else { [t, s, u] };
-                cyclide::Error::VolumeThroughInfinity { at }
+                cyclide::Error::Volume(VolumeError::ThroughInfinity { at })
             }
             other => other,
         };
@@ -248,13 +248,13 @@ fn even_cuts(item: &Item) -> Result<[Vec<f64>; 3], ExportError> {
         }
         let parts = cuts.iter().map(|cuts| (cuts.len() - 1) as f64).product::<f64>() * blocks.len() as f64;
         if parts > MOST_PARTS as f64 {
-            let source = cyclide::Error::TooManyPieces {
+            let source = cyclide::Error::Number(NumberError::TooManyPieces {
                 what: "the grid of parts with positive weights that share whole faces",
                 segment: None,
                 needed: parts,
                 cap: MOST_PARTS,
                 remedy: "take a block that does not come so near to infinity, or write VTU or STEP",
-            };
+            });
             return Err(ExportError::Surface { object: item.name.clone(), surface: 0, source });
         }
     }

@@ -1,6 +1,6 @@
 //! What is measured as one: a net, or nets that join.
 
-use cyclide::{CyclidicNet, Error, NetLayout, Result, Shell};
+use cyclide::{CyclidicNet, Error, NetLayout, PartError, PatchError, Result, Shell};
 
 /// A surface of panels.
 #[derive(Debug, Clone)]
@@ -40,9 +40,11 @@ impl Skin {
             let Some(quad) = net.patches().position(|patch| !patch.offset_is_regular(h)) else { continue };
             return match net.thick(h) {
                 Err(error) => Err(error),
-                Ok(_) => {
-                    Err(Error::InQuad { quad, cause: Box::new(Error::OffsetNotRegular { distance: h, limit: 0.0 }) })
+                Ok(_) => Err(PartError::InQuad {
+                    quad,
+                    cause: Box::new(Error::Patch(PatchError::OffsetNotRegular { distance: h, limit: 0.0 })),
                 }
+                .into()),
             };
         }
         match self {

@@ -1,5 +1,6 @@
 //! Nets over grids: skins, edges, frames that fold them, quads that no patch fits into.
 
+use cyclide::PatchError;
 use std::path::Path;
 
 use cyclide_io::{Document, Error, GeometryReport, ModelBuilder, Report};
@@ -174,7 +175,14 @@ fn a_frame_that_folds_its_net_is_warned_of() {
 #[test]
 fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
     let message = |stretch| {
-        cyclide::Error::NetDoesNotClose { direction: 0, line: None, angle: 0.25, stretch, limit: 1e-9 }.to_string()
+        cyclide::Error::Patch(PatchError::NetDoesNotClose {
+            direction: 0,
+            line: None,
+            angle: 0.25,
+            stretch,
+            limit: 1e-9,
+        })
+        .to_string()
     };
     assert!(message(0.0).ends_with("the frame is off by 0.25 radians, limit 1e-9"), "{}", message(0.0));
     let slower = message(-1.91e-6);

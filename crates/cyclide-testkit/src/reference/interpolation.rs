@@ -5,7 +5,7 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault, array, malformed};
 use super::check::Check;
 use super::qb::{rational_rows, relative, samples};
-use cyclide::{Error, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode, Quat, Vec3};
+use cyclide::{Error, NodeParameters, ParamCurve, Point3, PointError, QbCurve, QbInterpolation, QbNode, Quat, Vec3};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {
@@ -39,7 +39,7 @@ pub(super) fn index(construct: &str, error: &Error) -> Option<usize> {
         return None;
     }
     match error {
-        Error::CoincidentPoints { first, .. } => Some(*first),
+        Error::Point(PointError::CoincidentPoints { first, .. }) => Some(*first),
         error if construct == THREE_POINTS => error.index().map(|k| 2 * k),
         error => error.index(),
     }

@@ -6,8 +6,8 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ImplicitForm, Mobius, NetFrame, ParamSurface, Point3, QuadGrid,
-    Quat, Vec3,
+    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ImplicitForm, Mobius, NetFrame, ParamSurface, PatchError, Point3,
+    QuadGrid, Quat, Vec3,
 };
 use serde_json::Value;
 
@@ -100,7 +100,7 @@ fn input_patch(case: &Case) -> Result<CyclidePatch, Fault> {
     // The construct asks for unit vectors; the kernel takes any length.
     let measured = frame.map(|v| (v.length() - 1.0).abs()).into_iter().fold(0.0, f64::max);
     if measured > UNIT_LIMIT {
-        return Err(Error::FrameNotOrthonormal { measured, limit: UNIT_LIMIT }.into());
+        return Err(Error::Patch(PatchError::FrameNotOrthonormal { measured, limit: UNIT_LIMIT }).into());
     }
     Ok(CyclidePatch::from_corners_and_frame(corners, frame[0], frame[1])?)
 }

@@ -1,6 +1,6 @@
 //! Where to cut a curve: global parameters to pieces, with joints recognised.
 
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// The piece and its own parameter in `[0, 1)` at which a global parameter in `(0, 1)` cuts a curve of `n` pieces.
 /// Parameters within rounding of a joint cut there: a sliver of a piece is never meant.
@@ -17,7 +17,7 @@ pub(crate) fn place_of_cut(t: f64, n: usize) -> Result<(usize, f64)> {
     if inside {
         Ok((piece, s))
     } else {
-        Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 }.into())
     }
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn interval(t0: f64, t1: f64) -> Result<[f64; 2]> {
     if t0 < t1 && t0 >= 0.0 && t1 <= 1.0 {
         Ok([t0, t1])
     } else {
-        Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0.max(0.0), max: 1.0 })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0.max(0.0), max: 1.0 }.into())
     }
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn check_past_start(closed: bool, t0: f64, t1: f64) -> Result<()> {
         Ok(())
     } else {
         let max = if closed { t0.min(1.0) } else { 0.0 };
-        Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max }.into())
     }
 }
 

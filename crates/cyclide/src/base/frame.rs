@@ -3,7 +3,7 @@
 use super::planar::{Point2, Vec2};
 use super::quat::Quat;
 use super::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 
 /// An origin and three orthonormal axes, right-handed.
 ///
@@ -32,7 +32,7 @@ impl Frame {
     /// `not-finite`, `zero-axis`.
     pub fn from_normal(origin: Point3, normal: Vec3, toward: Vec3) -> Result<Self> {
         if !(origin.is_finite() && normal.is_finite() && toward.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Frame, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Frame, index: 0 }.into());
         }
         let z = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let t = toward.unit().unwrap_or(Vec3::ZERO);

@@ -3,7 +3,7 @@
 
 use super::bounds::Aabb;
 use super::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 
 /// Largest absolute coordinate accepted.
 pub(crate) const MAX_COORDINATE: f64 = 1e150;
@@ -18,14 +18,15 @@ pub(crate) const WEIGHT_RATIO: [f64; 2] = [1e-30, 1e30];
 pub(crate) fn check_point(index: usize, p: Vec3) -> Result<()> {
     let value = p.max_abs();
     if !p.is_finite() {
-        Err(Error::NotFinite { what: ErrorItem::Point, index })
+        Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into())
     } else if value > MAX_COORDINATE {
-        Err(Error::ParameterOutOfRange {
+        Err(NumberError::ParameterOutOfRange {
             name: ErrorItem::Coordinate,
             value,
             min: -MAX_COORDINATE,
             max: MAX_COORDINATE,
-        })
+        }
+        .into())
     } else {
         Ok(())
     }
@@ -35,10 +36,10 @@ pub(crate) fn check_point(index: usize, p: Vec3) -> Result<()> {
 pub(crate) fn check_derivative(index: usize, v: Vec3) -> Result<()> {
     let value = v.max_abs();
     if !v.is_finite() {
-        Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+        Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into())
     } else if value > MAX_COORDINATE {
         let (min, max) = (-MAX_COORDINATE, MAX_COORDINATE);
-        Err(Error::ParameterOutOfRange { name: ErrorItem::Tangent, value, min, max })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::Tangent, value, min, max }.into())
     } else {
         Ok(())
     }
@@ -49,21 +50,23 @@ pub(crate) fn check_distance(value: f64) -> Result<()> {
     if value == 0.0 || (MIN_DISTANCE..=4.0 * MAX_COORDINATE).contains(&value) {
         Ok(())
     } else {
-        Err(Error::ParameterOutOfRange {
+        Err(NumberError::ParameterOutOfRange {
             name: ErrorItem::Distance,
             value,
             min: MIN_DISTANCE,
             max: 4.0 * MAX_COORDINATE,
-        })
+        }
+        .into())
     }
 }
 
 /// Refuses a thickness that is not a length, or not above the smallest distance.
 pub(crate) fn check_thickness(value: f64) -> Result<()> {
     if !value.is_finite() {
-        Err(Error::NotFinite { what: ErrorItem::Thickness, index: 0 })
+        Err(NumberError::NotFinite { what: ErrorItem::Thickness, index: 0 }.into())
     } else if value < MIN_DISTANCE {
-        Err(Error::ParameterOutOfRange { name: ErrorItem::Thickness, value, min: MIN_DISTANCE, max: f64::MAX })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::Thickness, value, min: MIN_DISTANCE, max: f64::MAX }
+            .into())
     } else {
         Ok(())
     }
@@ -86,7 +89,7 @@ pub(crate) fn check_place(what: ErrorItem, points: &[Point3]) -> Result<()> {
 /// Refuses a size that is not above the given part of the largest coordinate `place`.
 pub(crate) fn check_size_in_place(what: ErrorItem, size: f64, place: f64, part: f64) -> Result<()> {
     let limit = part * place;
-    if size > limit { Ok(()) } else { Err(Error::BelowRoundingOfPlace { what, size, place, limit }) }
+    if size > limit { Ok(()) } else { Err(PointError::BelowRoundingOfPlace { what, size, place, limit }.into()) }
 }
 
 /// Refuses a length of a weight ratio out of range.
@@ -95,6 +98,6 @@ pub(crate) fn check_weight_ratio(value: f64) -> Result<()> {
     if (min..=max).contains(&value) {
         Ok(())
     } else {
-        Err(Error::ParameterOutOfRange { name: ErrorItem::WeightRatio, value, min, max })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::WeightRatio, value, min, max }.into())
     }
 }

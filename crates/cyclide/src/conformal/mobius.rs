@@ -14,7 +14,7 @@
 use super::hpoint::HPoint;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// Largest relative distance from three-space that counts as rounding of the matrix.
 const DEFECT_LIMIT: f64 = 1e-9;
@@ -72,7 +72,7 @@ impl Mobius {
     /// `not-finite`; `not-mobius` if it is singular or does not keep three-space (relative defect above 1e-9).
     pub fn from_matrix(a: Quat, b: Quat, c: Quat, d: Quat) -> Result<Self> {
         if let Some(index) = [a, b, c, d].iter().position(|q| !q.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::MatrixEntry, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::MatrixEntry, index }.into());
         }
         let (real, mixed) = (a.dot(d) + c.dot(b), (d.conj() * a - c.conj() * b).vector().length());
         let size = |p: Quat, q: Quat| p.norm() * q.norm();
@@ -80,7 +80,7 @@ impl Mobius {
         let regular = real.is_finite() && real.abs() > SINGULAR_LIMIT * (size(a, d) + size(b, c));
         let defect = if regular { part(a, c).max(part(b, d)).max(mixed / real.abs()) } else { f64::INFINITY };
         if !(defect <= DEFECT_LIMIT) {
-            return Err(Error::NotMobius { defect, limit: DEFECT_LIMIT });
+            return Err(PointError::NotMobius { defect, limit: DEFECT_LIMIT }.into());
         }
         let map = Self { a, b, c, d, determinant: real, ..Self::IDENTITY };
         Ok(if size(a, d) > 2.0 * real.abs() { map.between_poles().unwrap_or(map) } else { map })
@@ -103,10 +103,10 @@ impl Mobius {
     /// `not-finite`, `radius-not-positive`.
     pub fn inversion(center: Point3, radius: f64) -> Result<Self> {
         if !center.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Center, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Center, index: 0 }.into());
         }
         if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         // Entries of size R and 1/R: R² would leave the range of doubles early.
         let (b, c) = (Quat::ONE * -radius, Quat::ONE * (1.0 / radius));
@@ -119,10 +119,10 @@ impl Mobius {
     /// `not-finite`, `zero-axis` (rotation zero), `scale-not-positive`.
     pub fn similarity(rotation: Quat, scale: f64, shift: Vec3) -> Result<Self> {
         if !(rotation.is_finite() && shift.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Similarity, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Similarity, index: 0 }.into());
         }
         if !(scale > 0.0 && scale.is_finite()) {
-            return Err(Error::ScaleNotPositive { factor: scale });
+            return Err(NumberError::ScaleNotPositive { factor: scale }.into());
         }
         let norm = rotation.norm();
         if norm == 0.0 {
@@ -138,7 +138,7 @@ impl Mobius {
     /// `not-finite`, `zero-axis`.
     pub fn rotation(origin: Point3, axis: Vec3, angle: f64) -> Result<Self> {
         if !(origin.is_finite() && axis.is_finite() && angle.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Rotation, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Rotation, index: 0 }.into());
         }
         Self::rotation_about_unit(origin, axis.unit().ok_or(Error::zero_axis(ErrorItem::Axis))?, angle)
     }
@@ -166,7 +166,7 @@ impl Mobius {
     /// `not-finite`, `zero-axis`.
     pub fn reflection(origin: Point3, normal: Vec3) -> Result<Self> {
         if !(origin.is_finite() && normal.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Plane, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Plane, index: 0 }.into());
         }
         let n = Quat::from(normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?);
         // (n x)(-n)^-1 = n x n
@@ -236,7 +236,7 @@ impl Mobius {
         if self.is_similarity() {
             return Ok(());
         }
-        Err(Error::NotASimilarity { measured: self.c.norm(), limit: 0.0 })
+        Err(PointError::NotASimilarity { measured: self.c.norm(), limit: 0.0 }.into())
     }
 
     /// The image of a homogeneous point (linear), infinity included.

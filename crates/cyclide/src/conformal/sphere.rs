@@ -2,7 +2,7 @@
 
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{ArcError, PointError, Result};
 
 /// Smallest relative volume of four points that have a sphere.
 const COPLANAR_LIMIT: f64 = 1e-12;
@@ -34,13 +34,13 @@ impl Sphere {
         let edge = |i: usize| points[i] - points[0];
         let lengths = [1, 2, 3].map(|i| edge(i).length());
         if let Some(i) = lengths.iter().position(|l| *l == 0.0) {
-            return Err(Error::CoincidentPoints { first: 0, second: i + 1, distance: 0.0, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: i + 1, distance: 0.0, limit: 0.0 }.into());
         }
         let [lp, lq, lr] = lengths;
         let (p, q, r) = (edge(1) / lp, edge(2) / lq, edge(3) / lr);
         let volume = p.dot(q.cross(r));
         if volume.abs() <= COPLANAR_LIMIT {
-            return Err(Error::DegenerateSphere { volume, limit: COPLANAR_LIMIT });
+            return Err(ArcError::DegenerateSphere { volume, limit: COPLANAR_LIMIT }.into());
         }
         let offset = (q.cross(r) * lp + r.cross(p) * lq + p.cross(q) * lr) / (2.0 * volume);
         Ok(Self { center: points[0] + offset, radius: offset.length() })

@@ -9,7 +9,7 @@
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, ErrorItem, NumberError, Result};
 
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
@@ -48,20 +48,20 @@ impl Arc4 {
         }
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Weight, index }.into());
             }
             if w.norm() == 0.0 {
-                return Err(Error::ZeroWeight { index });
+                return Err(ArcError::ZeroWeight { index }.into());
             }
         }
-        let w = end_weight * start_weight.inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let w = end_weight * start_weight.inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         let (c, p) = (end - start, w.vector());
         range::check_distance(c.norm())?;
         range::check_weight_ratio(w.norm())?;
         let pn = p.length();
         let limit = 8.0 * f64::EPSILON * -w.w;
         if w.w < 0.0 && pn <= limit {
-            return Err(Error::PoleOnSegment { real: w.w, vector: pn, limit });
+            return Err(ArcError::PoleOnSegment { real: w.w, vector: pn, limit }.into());
         }
         Ok(Self { a0: start, a1: end, r: w.w, c, cp: c * Quat::from(p), pn, n: w.norm() })
     }

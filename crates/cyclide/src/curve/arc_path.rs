@@ -11,7 +11,7 @@ use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Error, PointError, Result};
 
 /// Arcs and straight segments joined end to end; piece `i` of `n` covers `t` in `[i/n, (i+1)/n]`.
 ///
@@ -38,11 +38,15 @@ impl ArcPath {
     /// `too-few-points` (no arc), `disconnected`.
     pub fn new(arcs: Vec<Arc>, closed: bool) -> Result<Self> {
         if arcs.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         let joint = |piece: usize, next: usize| {
             let (a, b) = (arcs[piece].end(), arcs[next].start());
-            if a == b { Ok(()) } else { Err(Error::Disconnected { piece, next, gap: a.distance(b), limit: 0.0 }) }
+            if a == b {
+                Ok(())
+            } else {
+                Err(Error::Curve(CurveError::Disconnected { piece, next, gap: a.distance(b), limit: 0.0 }))
+            }
         };
         for i in 1..arcs.len() {
             joint(i - 1, i)?;

@@ -11,7 +11,7 @@ use crate::base::jet::CurveJet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 use crate::rational::NurbsCurve;
 
 /// Smallest sine of the angle at the middle point of three points that have a circle.
@@ -46,7 +46,7 @@ impl Circle {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: 0 }.into());
         }
         let normal = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let v = start - center;
@@ -54,7 +54,7 @@ impl Circle {
         let radius = spoke.length();
         let limit = 1e-14 * v.length();
         if radius <= limit || radius == 0.0 {
-            return Err(Error::ZeroRadius { radius, limit });
+            return Err(NumberError::ZeroRadius { radius, limit }.into());
         }
         Self::new(center, normal, spoke)
     }
@@ -69,10 +69,10 @@ impl Circle {
     pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: 0 }.into());
         }
         if !(radius > 0.0) {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         let normal = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let toward = if normal.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };
@@ -103,7 +103,7 @@ impl Circle {
         let (lp, lq) = (p.length(), q.length());
         for (first, second, distance) in [(0, 1, lp), (1, 2, lq), (0, 2, a.distance(c))] {
             if distance == 0.0 {
-                return Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 });
+                return Err(PointError::CoincidentPoints { first, second, distance, limit: 0.0 }.into());
             }
         }
         // Unit legs: products of the fourth power of the size would overflow.
@@ -111,7 +111,7 @@ impl Circle {
         let w = u.cross(v);
         let sine = w.length();
         if sine <= COLLINEAR_LIMIT {
-            return Err(Error::DegenerateCircle { sine, limit: COLLINEAR_LIMIT });
+            return Err(ArcError::DegenerateCircle { sine, limit: COLLINEAR_LIMIT }.into());
         }
         // centre = b + (|p|² (q × w) + |q|² (w × p)) / (2|w|²) with w = p × q
         let center = b + (v.cross(w) * lp + w.cross(u) * lq) / (2.0 * sine * sine);
@@ -175,7 +175,7 @@ impl Circle {
     /// small.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         map.check_similarity()?;
-        let lost = Error::NotFinite { what: ErrorItem::Point, index: 0 };
+        let lost = Error::Number(NumberError::NotFinite { what: ErrorItem::Point, index: 0 });
         let center = map.map_point(self.center).ok_or(lost.clone())?;
         let start = map.map_point(self.start()).ok_or(lost.clone())?;
         // A reflection turns the sense of running: the normal of the pushed vectors, not the pushed normal.

@@ -3,11 +3,11 @@
 /// What is wrong with the cells of a grid that is not whole, or with what is asked of it.
 ///
 /// ```
-/// use cyclide::{Error, GridCell, GridCellFault, Point3, QuadGrid};
+/// use cyclide::{Error, GridCell, GridCellFault, GridError, Point3, QuadGrid};
 /// let points = (0..16).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
 /// let hole = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
 /// let error = QuadGrid::new(points, [4, 4], [false; 2])?.with_cells(hole).unwrap_err();
-/// assert_eq!(error, Error::CellsUnfit { fault: GridCellFault::Enclosed, index: 4 });
+/// assert_eq!(error, Error::Grid(GridError::CellsUnfit { fault: GridCellFault::Enclosed, index: 4 }));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,15 +1,17 @@
 //! What an error is about: a kind of number, of point, or of thing.
 
+use crate::table::shown_as_it_is;
+
 /// Kinds of things with the word for each.
 macro_rules! items {
     ($($item:ident => $word:literal,)*) => {
         /// What an error is about: which number, point or thing of the input.
         ///
         /// ```
-        /// use cyclide::{Arc, Error, ErrorItem, Point3, Vec3};
+        /// use cyclide::{Arc, Error, ErrorItem, NumberError, Point3, Vec3};
         /// let [a, b] = [Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)];
         /// let error = Arc::from_bulge(a, b, Vec3::Z, f64::NAN).unwrap_err();
-        /// assert_eq!(error, Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
+        /// assert_eq!(error, Error::Number(NumberError::NotFinite { what: ErrorItem::Bulge, index: 0 }));
         /// assert_eq!(ErrorItem::Bulge.word(), "bulge");
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -143,3 +145,5 @@ impl std::fmt::Display for ErrorItem {
         f.write_str(self.word())
     }
 }
+
+shown_as_it_is!(ErrorItem, Box<super::Error>);

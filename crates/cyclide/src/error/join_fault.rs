@@ -3,8 +3,8 @@
 /// What stands against one mesh of quads along the lines of curvature round umbilics.
 ///
 /// ```
-/// use cyclide::{Error, JoinFault};
-/// let error = Error::UmbilicsNotJoined { at: [1.0, 2.0, 0.5], fault: JoinFault::Crowded };
+/// use cyclide::{Error, JoinFault, PrincipalGridError};
+/// let error = Error::PrincipalGrid(PrincipalGridError::UmbilicsNotJoined { at: [1.0, 2.0, 0.5], fault: JoinFault::Crowded });
 /// assert!(error.to_string().contains("1, 2, 0.5"));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 /// What is wrong with a mesh of quads that shall be regular grids round extraordinary vertices.
 ///
 /// ```
-/// use cyclide::{Error, LayoutFault, Point3, QuadLayout};
+/// use cyclide::{Error, GridError, LayoutFault, Point3, QuadLayout};
 /// let points: Vec<_> = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [5.0, 5.0]].map(|[x, y]| Point3::new(x, y, 0.0)).into();
 /// let error = QuadLayout::new(points, &[[0, 1, 2, 9]]).unwrap_err();
-/// assert_eq!(error, Error::NotAQuadLayout { fault: LayoutFault::NoSuchVertex, index: 0 });
+/// assert_eq!(error, Error::Grid(GridError::NotAQuadLayout { fault: LayoutFault::NoSuchVertex, index: 0 }));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,7 +8,7 @@
 use super::MOST_PIECES;
 use crate::base::vector::Point3;
 use crate::curve::{CurvePlace, ParamCurve, PieceForm, PieceHull};
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{CurveError, NumberError, Result, check_tolerance};
 
 /// Intervals on which the density of vertices of a piece is sampled.
 const DENSITY_SCAN: usize = 24;
@@ -178,13 +178,14 @@ fn chords_of_arc(radius: f64, angle: f64, tolerance: f64) -> f64 {
 fn count(chords: f64, have: usize, most: usize, piece: usize) -> Result<usize> {
     // Not `>`: what is no number is not allowed either.
     if !(chords <= most.saturating_sub(have) as f64) {
-        return Err(Error::TooManyPieces {
+        return Err(NumberError::TooManyPieces {
             what: "the polyline of piece",
             segment: Some(piece),
             needed: have as f64 + chords,
             cap: most,
             remedy: "use a larger tolerance or allow more",
-        });
+        }
+        .into());
     }
     Ok(chords as usize)
 }
@@ -302,7 +303,7 @@ impl Free<'_> {
         }
         let m = 0.5 * (a + b);
         if depth == 0 || m <= a || m >= b {
-            return Err(Error::NotWithinTolerance { piece: self.piece, bound, tolerance: self.tolerance });
+            return Err(CurveError::NotWithinTolerance { piece: self.piece, bound, tolerance: self.tolerance }.into());
         }
         count(1.0, self.have, self.most, self.piece)?;
         let middle = self.curve.piece_point(self.piece, m);

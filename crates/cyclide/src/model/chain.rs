@@ -6,7 +6,7 @@ use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::{Arc, ArcPath, ParamCurve, PieceForm, PieceHull};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, PointError, Result};
 use crate::rational::NurbsCurve;
 
 /// One piece of a chain.
@@ -118,13 +118,13 @@ impl CurveChain {
     pub fn new(pieces: Vec<ChainPiece>, closed: bool, gap_limit: f64) -> Result<Self> {
         let n = pieces.len();
         if n == 0 {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         for next in usize::from(!closed)..n {
             let piece = (next + n - 1) % n;
             let gap = pieces[piece].end().distance(pieces[next].start());
             if gap > gap_limit {
-                return Err(Error::Disconnected { piece, next, gap, limit: gap_limit });
+                return Err(CurveError::Disconnected { piece, next, gap, limit: gap_limit }.into());
             }
         }
         Ok(Self::from_joined(pieces, closed))

@@ -7,7 +7,7 @@ use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::construct::{Pipe, Revolution};
 use crate::curve::{Arc, ArcPath, ParamCurve as _, QbSpline};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Error, NurbsError, PartError, Result};
 use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
 
@@ -66,7 +66,7 @@ impl CurveObject {
         let Lowered { form, exactness, .. } = self.lower_to_chain(1.0)?;
         if exactness != Exactness::Exact {
             let detail = "a trigonometric circle spline has no rational form: take the rational one";
-            return Err(Error::NotASpline { detail });
+            return Err(NurbsError::NotASpline { detail }.into());
         }
         let closed = form.is_closed();
         let mut pieces: Vec<EdgeCurve> = Vec::new();
@@ -128,7 +128,7 @@ impl CurveObject {
         let wanted = "polyline, arc-spline, arc-fit, circle";
         let of_arcs = self.is_of_arcs();
         // What is exact does not ask for the tolerance.
-        let tolerance = tolerance.or_else(|| of_arcs.then_some(1.0)).ok_or(Error::NotOfArcs { wanted })?;
+        let tolerance = tolerance.or_else(|| of_arcs.then_some(1.0)).ok_or(CurveError::NotOfArcs { wanted })?;
         Ok(self.lower_to_arcs(tolerance)?.form)
     }
 }
@@ -194,5 +194,5 @@ impl SurfaceObject {
 
 /// The error about the only quad of a net as one about the patch.
 fn of_one_quad(error: Error) -> Error {
-    if let Error::InQuad { cause, .. } = error { *cause } else { error }
+    if let Error::Part(PartError::InQuad { cause, .. }) = error { *cause } else { error }
 }

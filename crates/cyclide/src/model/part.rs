@@ -3,7 +3,7 @@
 use super::object::CurveObject;
 use crate::base::cut::at_end;
 use crate::curve::ArcLength;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 
 /// Part of the length within which a station is that of a joint: stations are measured to that.
 const AT_JOINT: f64 = 1e-12;
@@ -104,24 +104,29 @@ impl CurveObject {
         let limit = AT_JOINT * total;
         let parameter = |station: f64| {
             if !(station >= -limit && station <= total + limit) {
-                return Err(Error::ParameterOutOfRange {
+                return Err(Error::Number(NumberError::ParameterOutOfRange {
                     name: ErrorItem::Station,
                     value: station,
                     min: 0.0,
                     max: total,
-                });
+                }));
             }
             let t = lengths.parameter_at(station / total);
             let joint = (t * pieces).round() / pieces;
             Ok(if (lengths.station(joint) - station).abs() <= limit { joint } else { t })
         };
         let [t0, t1] = [parameter(from)?, parameter(to)?];
-        let none = Error::ParameterOutOfRange { name: ErrorItem::Station, value: to, min: from.max(0.0), max: total };
+        let none = Error::Number(NumberError::ParameterOutOfRange {
+            name: ErrorItem::Station,
+            value: to,
+            min: from.max(0.0),
+            max: total,
+        });
         if !(t0 < t1 || (t0 > t1 && curve.is_closed())) {
             return Err(none);
         }
         self.restricted(t0, t1).map_err(|error| match error {
-            Error::ParameterOutOfRange { .. } => none,
+            Error::Number(NumberError::ParameterOutOfRange { .. }) => none,
             other => other,
         })
     }

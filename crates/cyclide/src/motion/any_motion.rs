@@ -7,7 +7,7 @@ use super::rational_motion::RationalMotion;
 use super::screw_motion::ScrewMotion;
 use super::span_of;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{MotionError, Result};
 use crate::warning::Warning;
 
 /// Places that differ by up to this part of their coordinates are one.
@@ -161,7 +161,7 @@ impl Motion {
     pub fn rational(&self) -> Result<&RationalMotion> {
         match self {
             Self::Rational(motion) => Ok(motion),
-            Self::Screw(_) | Self::Decoupled(_) => Err(Error::MotionNotRational),
+            Self::Screw(_) | Self::Decoupled(_) => Err(MotionError::NotRational.into()),
         }
     }
 }

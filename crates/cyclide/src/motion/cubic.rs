@@ -10,7 +10,7 @@ use super::pose::Pose;
 use super::rational_motion::RationalMotion;
 use super::study_form::{forms, largest, over_times};
 use super::timed_pose::{Prepared, TimedPose};
-use crate::error::{Error, Result};
+use crate::error::{MotionError, PoseError, Result};
 
 /// Cross-ratios as near as this to 0 and 1, where two times are one, are there.
 const COINCIDENT: f64 = 1e-12;
@@ -48,14 +48,14 @@ impl CubicMotions {
         let (b, limit) = (forms(&array::<_, 4>(&prepared.poses)), prepared.vanished);
         let size = largest(&b);
         if size <= limit {
-            return Err(Error::StudyFormVanishes { measured: size, limit });
+            return Err(MotionError::StudyFormVanishes { measured: size, limit }.into());
         }
         // What is zero but for rounding would make roots of rounding.
         let b = b.map(|row| row.map(|v| if v.abs() <= limit { 0.0 } else { v / size }));
         let [p, q, r] = [b[0][1] * b[2][3], b[0][2] * b[1][3], b[0][3] * b[1][2]];
         let products = p.abs().max(q.abs()).max(r.abs());
         if products <= 0.0 {
-            return Err(Error::StudyFormVanishes { measured: products, limit });
+            return Err(MotionError::StudyFormVanishes { measured: products, limit }.into());
         }
         let (roots, discriminant) = quadratic(q, r - p - q, p);
         Ok(Self { poses: array(poses), roots, discriminant })
@@ -81,10 +81,12 @@ impl CubicMotions {
     /// `motion-through-exceptional-point`, `not-finite`, `parameters-not-increasing`.
     pub fn motion(&self, cross_ratio: f64, [first, last]: [f64; 2]) -> Result<RationalMotion> {
         if !self.admissible().contains(&cross_ratio) {
-            return Err(Error::NoCubicMotion { discriminant: self.discriminant, roots: self.roots.clone() });
+            return Err(
+                MotionError::NoCubicMotion { discriminant: self.discriminant, roots: self.roots.clone() }.into()
+            );
         }
         if !(last > first) {
-            return Err(Error::ParametersNotIncreasing { index: 3, value: last, before: first });
+            return Err(PoseError::ParametersNotIncreasing { index: 3, value: last, before: first }.into());
         }
         let a = cross_ratio.sqrt() / (1.0 + cross_ratio.sqrt());
         let parts = [0.0, a, 1.0 - a, 1.0];

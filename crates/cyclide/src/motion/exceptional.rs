@@ -9,7 +9,7 @@
 
 use super::rational_motion::MotionSpan;
 use crate::base::bernstein;
-use crate::error::{Error, Result};
+use crate::error::{MotionError, Result};
 
 /// Smallest share `|p|²/(|p|² + |r|²)` of a motion.
 const LEAST_SHARE: f64 = 1e-14;
@@ -32,7 +32,7 @@ impl MotionSpan {
             Some((s, found)) => {
                 let time = domain[0] + (domain[1] - domain[0]) * s;
                 let (share, remainder) = (share(&found), remainder(&found));
-                Err(Error::MotionThroughExceptionalPoint { time, share, remainder, limit: LEAST_SHARE })
+                Err(MotionError::ThroughExceptionalPoint { time, share, remainder, limit: LEAST_SHARE }.into())
             }
         }
     }
@@ -44,7 +44,9 @@ impl MotionSpan {
     pub(super) fn check_length(&self, span: usize) -> Result<()> {
         match uncertified(&self.measured(), [0.0, 1.0], &|m| m.w > LEAST_LENGTH * LEAST_LENGTH, HALVINGS) {
             None => Ok(()),
-            Some((_, found)) => Err(Error::RotationTooLarge { span, length: found.w.sqrt(), limit: LEAST_LENGTH }),
+            Some((_, found)) => {
+                Err(MotionError::RotationTooLarge { span, length: found.w.sqrt(), limit: LEAST_LENGTH }.into())
+            }
         }
     }
 
@@ -120,6 +122,7 @@ fn coefficients(rows: &[[f64; 9]], from: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
 
     /// The coefficients of a span times `c^i`: the same motion at a projective parameter.
     fn reweighted(rows: &[[f64; 8]], c: f64) -> MotionSpan {
@@ -141,7 +144,10 @@ mod tests {
             for c in [1e-9, 1.0, 1e9] {
                 let span = reweighted(&rows.iter().map(|row| row.map(|v| v * 1e-60)).collect::<Vec<_>>(), c);
                 let Err(error) = span.check_share([0.0, 1.0]) else { panic!("{at} {c:e}") };
-                let Error::MotionThroughExceptionalPoint { time, share, remainder, limit } = error else { panic!() };
+                let Error::Motion(MotionError::ThroughExceptionalPoint { time, share, remainder, limit }) = error
+                else {
+                    panic!()
+                };
                 // What is at t is now at t/(t + c(1 − t)).
                 assert!((time - at / (at + c * (1.0 - at))).abs() < 1e-7, "{at} {c:e}: {time}");
                 assert!(remainder <= limit && (share > limit || remainder == 0.0), "{at} {c:e}: {share:e}");

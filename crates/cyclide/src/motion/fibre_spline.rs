@@ -8,7 +8,7 @@ use super::leaves_chords::LeavesChords;
 use super::rational_motion::{MotionSpan, RationalMotion};
 use super::swings::{Ground, Swings};
 use super::timed_pose::{Prepared, TimeOrder, TimedPose};
-use crate::error::{Error, Result};
+use crate::error::{PoseError, Result};
 
 /// Roundings by which dual quaternions of one displacement differ: of angles, matrices, and products with the centre.
 const RESTING: f64 = 16.0;
@@ -51,7 +51,7 @@ impl RationalMotion {
 /// The spline through poses, of which the last is the first again if it is closed.
 fn spline(poses: &[TimedPose], closed: bool) -> Result<RationalMotion> {
     if poses.len() < 2 {
-        return Err(Error::WrongPoseCount { given: poses.len(), needed: 2, or_more: true });
+        return Err(PoseError::WrongPoseCount { given: poses.len(), needed: 2, or_more: true }.into());
     }
     let prepared = Prepared::new(poses, TimeOrder::Increasing)?;
     let values: Vec<[f64; 8]> = prepared.poses.iter().map(|d| d.to_array()).collect();

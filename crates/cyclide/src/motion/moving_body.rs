@@ -10,7 +10,7 @@ use super::speed_peak::{FastTurn, SpeedPeak};
 use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, MeshError, NumberError, Result};
 use crate::warning::{SpikeRemedy, Warning};
 
 /// How long a motion may take: the cube of it divides a jerk.
@@ -64,15 +64,15 @@ impl BodyMesh {
     /// `no-triangles`, `not-finite`, `no-such-vertex`.
     pub fn new(points: Vec<Point3>, triangles: Vec<[usize; 3]>) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(Error::NoTriangles { vertices: points.len(), needed: 1 });
+            return Err(MeshError::NoTriangles { vertices: points.len(), needed: 1 }.into());
         }
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Vertex, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Vertex, index }.into());
         }
         let count = points.len();
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(vertex) = corners.iter().copied().find(|corner| *corner >= count) {
-                return Err(Error::NoSuchVertex { triangle, vertex, count });
+                return Err(MeshError::NoSuchVertex { triangle, vertex, count }.into());
             }
         }
         Ok(Self { points, triangles })
@@ -125,7 +125,9 @@ impl MovingBody {
         if !(duration > least && duration < most) {
             // What is no duration at all is told so.
             let [min, max] = if duration > 0.0 { DURATIONS } else { [0.0, f64::MAX] };
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max }.into()
+            );
         }
         Self { law, duration, cells: KnownCells::default(), ..self }.checked()
     }

@@ -10,7 +10,7 @@ use super::rational_motion::{MotionSpan, RationalMotion};
 use super::study_form::{ROUNDED, forms, largest, over_times, pfaffian};
 use super::timed_pose::{Prepared, TimeOrder, TimedPose};
 use crate::base::bernstein;
-use crate::error::{Error, Result};
+use crate::error::{MotionError, PoseError, Result};
 
 /// A pose whose factor is below this part of the largest is not taken.
 pub(super) const UNATTAINED: f64 = 1e-10;
@@ -87,7 +87,7 @@ impl Prepared {
     /// `wrong-pose-count`, `not-finite`, `repeated-parameter`.
     pub(super) fn of_count<const N: usize>(poses: &[TimedPose]) -> Result<Self> {
         if poses.len() != N {
-            return Err(Error::WrongPoseCount { given: poses.len(), needed: N, or_more: false });
+            return Err(PoseError::WrongPoseCount { given: poses.len(), needed: N, or_more: false }.into());
         }
         Self::new(poses, TimeOrder::Distinct)
     }
@@ -105,7 +105,7 @@ impl Prepared {
         let span = MotionSpan(rows);
         span.check_share(self.domain)?;
         if let Some((index, share)) = first_missed(&span.0, &self.poses, &self.places, limit) {
-            return Err(Error::UnattainablePose { index, share, limit });
+            return Err(MotionError::UnattainablePose { index, share, limit }.into());
         }
         let [first, last] = self.domain;
         let times = self.places.iter().map(|place| first + (last - first) * place).collect();
@@ -124,7 +124,7 @@ impl Prepared {
             }
         }
         let (index, share) = vanishing_coordinate(m);
-        Err(Error::UnattainablePose { index, share, limit: UNATTAINED })
+        Err(MotionError::UnattainablePose { index, share, limit: UNATTAINED }.into())
     }
 
     /// The motion through five poses that are on one of degree 2 but for the digits they are written with, if they are: each pose gets the length that the
@@ -201,7 +201,9 @@ fn vanishing_coordinate(m: &[[f64; 5]; 5]) -> (usize, f64) {
 pub(super) fn check_attained(factors: &[f64]) -> Result<()> {
     let most = factors.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
     match factors.iter().position(|f| f.abs() <= UNATTAINED * most) {
-        Some(index) => Err(Error::UnattainablePose { index, share: factors[index].abs() / most, limit: UNATTAINED }),
+        Some(index) => {
+            Err(MotionError::UnattainablePose { index, share: factors[index].abs() / most, limit: UNATTAINED }.into())
+        }
         None => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use super::dual_quat::DualQuat;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PoseError, Result};
 
 /// Entries of a matrix may be off those of a rotation by this much: they are often written with six digits.
 const NOT_A_ROTATION: f64 = 1e-5;
@@ -37,15 +37,15 @@ impl Pose {
     /// `not-finite`, `zero-rotation`.
     pub fn new(rotation: Quat, translation: Vec3) -> Result<Self> {
         if !rotation.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Rotation, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Rotation, index: 0 }.into());
         }
         if !translation.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Translation, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Translation, index: 0 }.into());
         }
         // By the largest coefficient first: squares and sums of others may under- or overflow.
         let largest = rotation.to_array().into_iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         if largest == 0.0 {
-            return Err(Error::ZeroRotation { index: 0 });
+            return Err(PoseError::ZeroRotation { index: 0 }.into());
         }
         let near_one = Quat::from(rotation.to_array().map(|v| v / largest));
         Ok(Self::of_unit(near_one * (1.0 / near_one.norm()), translation))
@@ -91,14 +91,14 @@ impl Pose {
     /// `not-finite`, `not-a-rotation`.
     pub fn nearest_to_matrix(rows: [[f64; 4]; 4], limit: f64) -> Result<(Self, f64)> {
         if let Some(index) = rows.iter().flatten().position(|v| !v.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::MatrixEntry, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::MatrixEntry, index }.into());
         }
         let column = |j: usize| Vec3::new(rows[0][j], rows[1][j], rows[2][j]);
         let axes = [column(0), column(1), column(2)];
         let last: [f64; 4] = std::array::from_fn(|j| rows[3][j] - f64::from(u8::from(j == 3)));
         let off = off_rotation(axes).max(last.into_iter().fold(0.0, |m: f64, v| m.max(v.abs())));
         if off.is_nan() || off > limit {
-            return Err(Error::NotARotation { off, limit });
+            return Err(PoseError::NotARotation { off, limit }.into());
         }
         Self::new(rotation_of_axes(nearest_axes(axes)), column(3)).map(|pose| (pose, off))
     }
@@ -128,7 +128,7 @@ impl Pose {
     /// `not-finite`.
     pub fn from_roll_pitch_yaw(translation: Vec3, angles: [f64; 3]) -> Result<Self> {
         if let Some(index) = angles.iter().position(|a| !a.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index }.into());
         }
         let [roll, pitch, yaw] = angles;
         let turn = |axis: Vec3, angle: f64| Quat::from_axis_angle(axis, angle);

@@ -3,7 +3,7 @@
 use super::pose::Pose;
 use super::timed_pose::TimedPose;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, MotionError, NumberError, Result};
 
 /// Chords up to this part of the coordinates are rounding.
 const NO_CHORD: f64 = 1e-12;
@@ -40,10 +40,12 @@ impl PoseTimes {
     /// uniform times.
     pub fn of(self, poses: &[Pose], point: Point3, arm: f64) -> Result<Vec<TimedPose>> {
         if !point.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index: 0 }.into());
         }
         if !(arm >= 0.0 && arm.is_finite()) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Arm, value: arm, min: 0.0, max: f64::MAX });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Arm, value: arm, min: 0.0, max: f64::MAX }.into()
+            );
         }
         let steps = self.steps(poses, point, arm)?;
         let scale = steps.len() as f64 / steps.iter().sum::<f64>();
@@ -70,7 +72,7 @@ impl PoseTimes {
             let length = pair[0].apply(point).distance(pair[1].apply(point)).hypot(arm * turn);
             match self {
                 Self::Uniform => Ok(1.0),
-                _ if !(length > limit) => Err(Error::SpanWithoutWay { span, turn, length, limit }),
+                _ if !(length > limit) => Err(MotionError::SpanWithoutWay { span, turn, length, limit }.into()),
                 Self::Chord => Ok(length),
                 Self::Centripetal => Ok(length.sqrt()),
             }

@@ -15,7 +15,7 @@ use super::timed_pose::{HalfTurns, Prepared, TimeOrder, TimedPose};
 use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{PoseError, Result};
 use crate::warning::Warning;
 
 /// Below this half angle the quotients are taken from their series, which then are exact to rounding.
@@ -50,7 +50,7 @@ impl ScrewMotion {
     /// `wrong-pose-count`, `not-finite`, `parameters-not-increasing`.
     pub fn new(poses: &[TimedPose]) -> Result<Self> {
         if poses.len() < 2 {
-            return Err(Error::WrongPoseCount { given: poses.len(), needed: 2, or_more: true });
+            return Err(PoseError::WrongPoseCount { given: poses.len(), needed: 2, or_more: true }.into());
         }
         let prepared = Prepared::new(poses, TimeOrder::Increasing)?;
         let screws = prepared.poses.windows(2).zip(poses);

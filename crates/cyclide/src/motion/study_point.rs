@@ -4,7 +4,7 @@ use super::dual_quat::DualQuat;
 use super::pose::Pose;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PoseError, Result};
 
 /// Part of `|p||r|` that the product `p·r` may have: beyond, the pair is no displacement (`003`, section 2).
 const OFF_QUADRIC: f64 = 1e-9;
@@ -33,7 +33,7 @@ impl StudyPoint {
     /// `not-finite`, `point-at-infinity` (the real part is zero), `not-on-study-quadric`.
     pub fn new(at: DualQuat) -> Result<Self> {
         if !at.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Pose, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Pose, index: 0 }.into());
         }
         let sizes = [at.real.norm(), at.dual.norm()];
         if sizes[0] == 0.0 {
@@ -43,7 +43,7 @@ impl StudyPoint {
         let product =
             if sizes[1] > 0.0 { (at.real * (1.0 / sizes[0])).dot(at.dual * (1.0 / sizes[1])).abs() } else { 0.0 };
         if product > OFF_QUADRIC {
-            return Err(Error::NotOnStudyQuadric { product, limit: OFF_QUADRIC });
+            return Err(PoseError::NotOnStudyQuadric { product, limit: OFF_QUADRIC }.into());
         }
         at.fibre_projected().map(|at| Self { at }).ok_or(Error::at_infinity(ErrorItem::Pose, 0))
     }

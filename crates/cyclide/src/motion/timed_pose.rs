@@ -6,7 +6,7 @@ use super::study_form::{rounding, vanished};
 use crate::base::quat::Quat;
 use crate::base::range::MAX_COORDINATE;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, InterpolationError, NumberError, PoseError, Result};
 use crate::warning::Warning;
 
 /// A pose and the time, or other parameter, at which a motion takes it.
@@ -86,18 +86,18 @@ impl Prepared {
     /// `not-finite`; `repeated-parameter` or `parameters-not-increasing`.
     pub(super) fn new(given: &[TimedPose], order: TimeOrder) -> Result<Self> {
         if let Some(index) = given.iter().position(|p| !p.time.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Time, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Time, index }.into());
         }
         let times = || given.iter().map(|p| p.time);
         let domain = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
         // Products of coordinates stay finite.
         if let Some(far) = given.iter().map(|p| p.pose.translation().max_abs()).find(|value| *value > MAX_COORDINATE) {
             let (value, min, max) = (far, -MAX_COORDINATE, MAX_COORDINATE);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Translation, value, min, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Translation, value, min, max }.into());
         }
         let range = domain[1] - domain[0];
         if !range.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Time, index: given.len() - 1 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Time, index: given.len() - 1 }.into());
         }
         let places: Vec<f64> = times().map(|t| (t - domain[0]) / range).collect();
         check_order(given, &places, order)?;
@@ -108,7 +108,7 @@ impl Prepared {
             .map(|p| DualQuat::from_rotation_translation(p.pose.rotation(), p.pose.translation() - centre))
             .collect();
         if let Some(index) = poses.iter().position(|d| !d.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Translation, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Translation, index }.into());
         }
         let largest = poses.iter().map(|d| d.dual.norm()).fold(0.0, f64::max);
         let unit = if largest > 0.0 { largest } else { 1.0 };
@@ -145,11 +145,11 @@ fn check_order(given: &[TimedPose], places: &[f64], order: TimeOrder) -> Result<
         match order {
             TimeOrder::Increasing if !(places[second] > places[second - 1]) => {
                 let before = given[second - 1].time;
-                return Err(Error::ParametersNotIncreasing { index: second, value, before });
+                return Err(PoseError::ParametersNotIncreasing { index: second, value, before }.into());
             }
             TimeOrder::Distinct => {
                 if let Some(first) = (0..second).find(|first| places[*first].total_cmp(&places[second]).is_eq()) {
-                    return Err(Error::RepeatedParameter { first, second, value });
+                    return Err(InterpolationError::RepeatedParameter { first, second, value }.into());
                 }
             }
             TimeOrder::Increasing => {}

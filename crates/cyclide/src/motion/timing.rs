@@ -3,7 +3,7 @@
 use super::any_motion::Motion;
 use crate::base::quadrature;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, MotionError, NumberError, Result};
 use std::sync::OnceLock;
 
 /// A way, also that of a span, up to this part of what it is measured in is no way: rounding.
@@ -92,10 +92,12 @@ impl<'a> Timing<'a> {
     /// `span-without-way`, where the body turns on the spot, for which the law has no time.
     pub fn new(motion: &'a Motion, law: TimeLaw, point: Point3, arm: f64) -> Result<Self> {
         if !point.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index: 0 }.into());
         }
         if !(arm >= 0.0 && arm.is_finite()) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Arm, value: arm, min: 0.0, max: f64::MAX });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Arm, value: arm, min: 0.0, max: f64::MAX }.into()
+            );
         }
         let timing = Self { motion, law, point, arm, measured: OnceLock::new() };
         if law != TimeLaw::AsGiven {
@@ -111,7 +113,7 @@ impl<'a> Timing<'a> {
     fn check_ways(&self) -> Result<()> {
         let Measured { total, limit, at_rest, .. } = self.measured();
         if !(*total > *limit) {
-            return Err(Error::MotionAtRest { length: *total, limit: *limit });
+            return Err(MotionError::AtRest { length: *total, limit: *limit }.into());
         }
         for &span in at_rest {
             let ends = &self.motion.times()[span..span + 2];
@@ -119,7 +121,7 @@ impl<'a> Timing<'a> {
             let turn = quadrature::integrate(&mut turning, ends[0], ends[1]);
             if turn > NO_TURN {
                 let length = quadrature::integrate(&mut self.speed_in_span(span), ends[0], ends[1]);
-                return Err(Error::SpanWithoutWay { span, turn, length, limit: *limit });
+                return Err(MotionError::SpanWithoutWay { span, turn, length, limit: *limit }.into());
             }
         }
         Ok(())

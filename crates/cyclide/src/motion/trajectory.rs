@@ -2,7 +2,7 @@
 
 use super::rational_motion::RationalMotion;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
 /// Ends that differ by up to this part of the coordinates are one, if they also do
@@ -23,7 +23,7 @@ impl RationalMotion {
     /// `not-finite` (the point is not, or its path overflows).
     pub fn trajectory(&self, point: Point3) -> Result<NurbsCurve> {
         if !point.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index: 0 }.into());
         }
         let motion = self.without_rests().with_positive_weights();
         let mut all = Vec::with_capacity(motion.times().len() - 1);

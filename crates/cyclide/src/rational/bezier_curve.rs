@@ -6,7 +6,7 @@ use crate::base::bernstein;
 use crate::base::jet::{AT_REST, CurveJet};
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// A rational Bézier curve of degree `rows - 1`. The rows are homogeneous, so a middle row may be a direction
 /// (weight 0); only the quotient at evaluated parameters must be finite.
@@ -29,10 +29,10 @@ impl RationalBezier {
     /// `too-few-points`, `not-finite`.
     pub fn new(rows: Vec<[f64; 4]>) -> Result<Self> {
         if rows.len() < 2 {
-            return Err(Error::TooFewPoints { given: rows.len(), needed: 2 });
+            return Err(PointError::TooFewPoints { given: rows.len(), needed: 2 }.into());
         }
         match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
-            Some(index) => Err(Error::NotFinite { what: ErrorItem::Row, index }),
+            Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Row, index }.into()),
             None => Ok(Self { rows }),
         }
     }
@@ -86,7 +86,7 @@ impl RationalBezier {
     /// `parameter-out-of-range` unless `0 < t < 1`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 }.into());
         }
         let (l, r) = bernstein::split(&self.rows, t);
         Ok((Self { rows: l }, Self { rows: r }))
@@ -143,7 +143,7 @@ impl RationalBezier {
 /// # Errors
 /// `not-finite` if it overflows.
 pub(super) fn moved_row(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize) -> Result<[f64; 4]> {
-    let overflow = Error::NotFinite { what: ErrorItem::ControlPoint, index };
+    let overflow = Error::Number(NumberError::NotFinite { what: ErrorItem::ControlPoint, index });
     let image = |p: Point3| map.map_point(p).filter(|p| p.is_finite()).ok_or(overflow.clone());
     if w == 0.0 {
         let way = image(Point3::new(x, y, z))? - image(Point3::ORIGIN)?;

@@ -8,7 +8,7 @@ use crate::base::jet::AT_REST;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, NurbsError, Result};
 
 /// A rational Bézier surface of degrees `(p, q)`. Row `i (q+1) + j` belongs to `B_i(s) B_j(t)`; rows are homogeneous, so
 /// one may be a direction (weight 0).
@@ -33,10 +33,12 @@ impl RationalBezierSurface {
     /// `not-a-spline` (the count does not fit), `not-finite`.
     pub fn new(degrees: [usize; 2], rows: Vec<[f64; 4]>) -> Result<Self> {
         if degrees.contains(&0) || rows.len() != (degrees[0] + 1) * (degrees[1] + 1) {
-            return Err(Error::NotASpline { detail: "a Bézier surface of degrees (p, q) has (p+1)(q+1) rows" });
+            return Err(
+                NurbsError::NotASpline { detail: "a Bézier surface of degrees (p, q) has (p+1)(q+1) rows" }.into()
+            );
         }
         match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
-            Some(index) => Err(Error::NotFinite { what: ErrorItem::Row, index }),
+            Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Row, index }.into()),
             None => Ok(Self { degrees, rows }),
         }
     }

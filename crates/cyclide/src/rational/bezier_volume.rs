@@ -3,7 +3,7 @@
 use super::RationalBezierSurface;
 use crate::base::bernstein;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, NurbsError, Result};
 
 /// A rational Bézier volume of degrees `(p, q, r)`. Row `(i (q+1) + j)(r+1) + k` belongs to `B_i(s) B_j(t) B_k(u)`; rows are homogeneous,
 /// so one may be a direction (weight 0).
@@ -28,10 +28,13 @@ impl RationalBezierVolume {
     /// `not-a-spline` (the count does not fit), `not-finite`.
     pub fn new(degrees: [usize; 3], rows: Vec<[f64; 4]>) -> Result<Self> {
         if degrees.contains(&0) || rows.len() != degrees.iter().map(|d| d + 1).product::<usize>() {
-            return Err(Error::NotASpline { detail: "a Bézier volume of degrees (p, q, r) has (p+1)(q+1)(r+1) rows" });
+            return Err(NurbsError::NotASpline {
+                detail: "a Bézier volume of degrees (p, q, r) has (p+1)(q+1)(r+1) rows",
+            }
+            .into());
         }
         match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
-            Some(index) => Err(Error::NotFinite { what: ErrorItem::Row, index }),
+            Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Row, index }.into()),
             None => Ok(Self { degrees, rows }),
         }
     }

@@ -7,7 +7,7 @@ use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, ErrorItem, NumberError, NurbsError, PointError, Result};
 
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
 ///
@@ -62,7 +62,7 @@ impl NurbsCurve {
         let (first, last) = (knots[0], knots[knots.len() - 1]);
         // Clamped ends are copies of one number: compared as such.
         if multiplicity(&knots, first) <= degree || multiplicity(&knots, last) <= degree {
-            return Err(Error::NotASpline { detail: "end knots do not have multiplicity degree + 1" });
+            return Err(NurbsError::NotASpline { detail: "end knots do not have multiplicity degree + 1" }.into());
         }
         check_multiplicities(degree, &knots)?;
         let mut breaks = knots.clone();
@@ -124,11 +124,11 @@ impl NurbsCurve {
     /// differ by more than 1e-9 of the larger coordinate), `weight-not-positive`.
     pub fn from_beziers(curves: &[RationalBezier], intervals: &[f64]) -> Result<Self> {
         let Some(first) = curves.first() else {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         };
         let degree = first.degree();
         if intervals.len() != curves.len() || intervals.iter().any(|h| !(h.is_finite() && *h > 0.0)) {
-            return Err(Error::NotASpline { detail: "one positive knot interval per Bézier curve needed" });
+            return Err(NurbsError::NotASpline { detail: "one positive knot interval per Bézier curve needed" }.into());
         }
         let total: f64 = intervals.iter().sum();
         let (mut points, mut weights): (Vec<Point3>, Vec<f64>) = (Vec::new(), Vec::new());
@@ -136,20 +136,20 @@ impl NurbsCurve {
         let mut sum = 0.0;
         for (piece, (curve, h)) in curves.iter().zip(intervals).enumerate() {
             if curve.degree() != degree {
-                return Err(Error::NotASpline { detail: "Bézier curves of different degree" });
+                return Err(NurbsError::NotASpline { detail: "Bézier curves of different degree" }.into());
             }
             let scale = weights.last().map_or(1.0, |w| w / curve.rows()[0][3]);
             for (i, row) in curve.rows().iter().enumerate() {
                 let w = row[3];
                 if !(w > 0.0) {
-                    return Err(Error::WeightNotPositive { index: points.len(), weight: w });
+                    return Err(NurbsError::WeightNotPositive { index: points.len(), weight: w }.into());
                 }
                 let p = Point3::new(row[0] / w, row[1] / w, row[2] / w);
                 match points.last() {
                     Some(end) if i == 0 => {
                         let (gap, limit) = (end.distance(p), 1e-9 * p.to_vec().max_abs().max(end.to_vec().max_abs()));
                         if gap > limit {
-                            return Err(Error::Disconnected { piece: piece - 1, next: piece, gap, limit });
+                            return Err(CurveError::Disconnected { piece: piece - 1, next: piece, gap, limit }.into());
                         }
                     }
                     _ => {
@@ -300,36 +300,40 @@ impl NurbsCurve {
 pub(super) fn check_numbers(degree: usize, knots: &[f64], points: &[Point3], weights: &[f64]) -> Result<()> {
     if !(1..=NurbsCurve::MOST_DEGREE).contains(&degree) {
         let max = NurbsCurve::MOST_DEGREE as f64;
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Degree, value: degree as f64, min: 1.0, max });
+        return Err(
+            NumberError::ParameterOutOfRange { name: ErrorItem::Degree, value: degree as f64, min: 1.0, max }.into()
+        );
     }
     if points.len() < degree + 1 {
-        return Err(Error::TooFewPoints { given: points.len(), needed: degree + 1 });
+        return Err(PointError::TooFewPoints { given: points.len(), needed: degree + 1 }.into());
     }
     if weights.len() != points.len() {
-        return Err(Error::CountDiffers { what: ErrorItem::Weight, given: weights.len(), needed: points.len() });
+        return Err(
+            NumberError::CountDiffers { what: ErrorItem::Weight, given: weights.len(), needed: points.len() }.into()
+        );
     }
     let needed = points.len() + degree + 1;
     if knots.len() != needed {
-        return Err(Error::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed });
+        return Err(NumberError::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed }.into());
     }
     if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::ControlPoint, index }.into());
     }
     points.iter().enumerate().try_for_each(|(index, p)| range::check_point(index, p.to_vec()))?;
     range::check_distance(Aabb::of_points(points.iter().copied()).map_or(0.0, |b| b.diagonal()))?;
     if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
-        return Err(Error::WeightNotPositive { index, weight: weights[index] });
+        return Err(NurbsError::WeightNotPositive { index, weight: weights[index] }.into());
     }
     if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Knot, index }.into());
     }
     check_range(weights)?;
     // Their differences are divided by each other.
     if !(knots[needed - 1] - knots[0]).is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Knot, index: needed - 1 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Knot, index: needed - 1 }.into());
     }
     match knots.windows(2).position(|w| w[1] < w[0]) {
-        Some(i) => Err(Error::KnotsDecrease { index: i + 1, knot: knots[i + 1], before: knots[i] }),
+        Some(i) => Err(NurbsError::KnotsDecrease { index: i + 1, knot: knots[i + 1], before: knots[i] }.into()),
         None => Ok(()),
     }
 }
@@ -341,7 +345,7 @@ pub(super) fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<()> {
         let at_end = index == 0 || index + run.len() == knots.len();
         let limit = degree + usize::from(at_end);
         if run.len() > limit {
-            return Err(Error::KnotMultiplicity { index, multiplicity: run.len(), limit });
+            return Err(NurbsError::KnotMultiplicity { index, multiplicity: run.len(), limit }.into());
         }
         index += run.len();
     }

@@ -5,7 +5,7 @@ use super::nurbs_weights::{check_even, scaled_rows};
 use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, Error, ErrorItem, NumberError, PointError, Result};
 
 impl NurbsCurve {
     /// The image under a similarity or a reflection: control points move, knots and weights stay.
@@ -15,7 +15,9 @@ impl NurbsCurve {
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         map.check_similarity()?;
         let moved = |(index, p): (usize, &Point3)| {
-            map.map_point(*p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: ErrorItem::ControlPoint, index })
+            map.map_point(*p)
+                .filter(|p| p.is_finite())
+                .ok_or(Error::Number(NumberError::NotFinite { what: ErrorItem::ControlPoint, index }))
         };
         let points = self.control_points().iter().enumerate().map(moved).collect::<Result<_>>()?;
         Self::with_any_weights(self.degree(), self.knots().to_vec(), points, self.weights().to_vec())
@@ -29,13 +31,13 @@ impl NurbsCurve {
     pub fn split_at_knot(&self, u: f64) -> Result<(Self, Self)> {
         let (first, last) = self.domain();
         if !(u > first && u < last) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::U, value: u, min: first, max: last });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::U, value: u, min: first, max: last }.into());
         }
         let mut parts = self.cut_at_knots(&[u])?.into_iter();
         match (parts.next(), parts.next()) {
             (Some(left), Some(right)) => Ok((left, right)),
             // Not reached: one cut makes two parts.
-            _ => Err(Error::TooFewPoints { given: 1, needed: 2 }),
+            _ => Err(PointError::TooFewPoints { given: 1, needed: 2 }.into()),
         }
     }
 
@@ -98,7 +100,7 @@ impl NurbsCurve {
         let ends = [knots[degree], knots[points.len()]];
         let [a, b] = ends;
         if !(b > a) {
-            return Err(Error::EmptyInterval { index: 0, length: b - a, limit: 0.0 });
+            return Err(CurveError::EmptyInterval { index: 0, length: b - a, limit: 0.0 }.into());
         }
         if ends.iter().all(|u| multiplicity(&knots, *u) > degree) {
             return Self::with_any_weights(degree, knots, points, weights);

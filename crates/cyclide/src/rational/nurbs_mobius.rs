@@ -13,7 +13,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::hpoint::HPoint;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// Smallest weight of a part relative to its largest one, as long as it may be halved for it: readers refuse weights of 0, and
 /// small ones lose digits.
@@ -50,7 +50,13 @@ impl Conformal for NurbsCurve {
         let degree = 2 * self.degree();
         if degree > Self::MOST_DEGREE {
             let max = Self::MOST_DEGREE as f64;
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Degree, value: degree as f64, min: 1.0, max });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Degree,
+                value: degree as f64,
+                min: 1.0,
+                max,
+            }
+            .into());
         }
         let (mut parts, mut intervals) = (Vec::new(), Vec::new());
         for (span, ends) in self.breaks().windows(2).enumerate() {
@@ -125,5 +131,5 @@ fn at_infinity(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize, limit: f64)
     let pole = map.inverse().map_pair(HPoint { n: Quat::ONE, d: Quat::ZERO }).quotient();
     let point = map.origins()[0] + Vec3::new(x, y, z) / w;
     let distance = pole.map_or(0.0, |pole| point.distance(Point3::ORIGIN + pole.vector()));
-    Error::PointAtInfinity { what: ErrorItem::Curve, index, distance, limit }
+    Error::Point(PointError::AtInfinity { what: ErrorItem::Curve, index, distance, limit })
 }

@@ -6,7 +6,7 @@
 
 use super::nurbs_curve::NurbsCurve;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{NurbsError, Result};
 
 /// Largest factor by which weights grow from an end of a span with each step. Within its reciprocal of the parameter the curve
 /// leaves the end: places are rounded by 1e-16 times as much, 1e-7 of the curve, and its length is still known to 1e-9.
@@ -29,7 +29,7 @@ pub(super) fn check_even(curve: &NurbsCurve) -> Result<()> {
             let of_ends = [[0, steps], [degree, degree - steps]].map(|[end, i]| (end, i, rows[i][3] / rows[end][3]));
             if let Some((end, i, ratio)) = of_ends.into_iter().find(|(_, _, ratio)| *ratio > limit) {
                 let [first, second] = [end.min(i), end.max(i)].map(|k| first + k);
-                return Err(Error::WeightsUneven { first, second, ratio, limit });
+                return Err(NurbsError::WeightsUneven { first, second, ratio, limit }.into());
             }
         }
     }
@@ -47,7 +47,7 @@ pub(super) fn check_range(weights: &[f64]) -> Result<()> {
         return Ok(());
     }
     let (first, second) = (least.min(most), least.max(most));
-    Err(Error::WeightsUneven { first, second, ratio, limit: MOST_RATIO_OF_ALL })
+    Err(NurbsError::WeightsUneven { first, second, ratio, limit: MOST_RATIO_OF_ALL }.into())
 }
 
 /// Homogeneous rows `[wx, wy, wz, w]` with the weights times a power of two, so that the largest is about 1: the quotients

@@ -1,6 +1,6 @@
 //! Places of a triangle.
 
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 
 /// Barycentric coordinates in any scale: integers `(i, j, N-i-j)` are the same bits on both sides of a shared edge, fractions
 /// that were made to sum to 1 are not.
@@ -14,23 +14,26 @@ impl Barycentric {
     /// # Errors
     /// `parameter-out-of-range`: not finite, negative, or all zero.
     pub(super) fn new(raw: [f64; 3]) -> Result<Self> {
-        let refused = |value| Error::ParameterOutOfRange {
-            name: ErrorItem::BarycentricCoordinate,
-            value,
-            min: 0.0,
-            max: f64::MAX,
+        let refused = |value| {
+            Error::Number(NumberError::ParameterOutOfRange {
+                name: ErrorItem::BarycentricCoordinate,
+                value,
+                min: 0.0,
+                max: f64::MAX,
+            })
         };
         if let Some(&wrong) = raw.iter().find(|v| !(**v >= 0.0 && v.is_finite())) {
             return Err(refused(wrong));
         }
         let largest = raw.iter().fold(0.0, |m: f64, v| m.max(*v));
         if largest == 0.0 {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::LargestBarycentricCoordinate,
                 value: 0.0,
                 min: f64::MIN_POSITIVE,
                 max: f64::MAX,
-            });
+            }
+            .into());
         }
         // A power of two: the ratios keep their bits, and neither sums nor products over- or underflow to nothing.
         let raw = if (1e-100..1e100).contains(&largest) { raw } else { raw.map(|v| v / exponent(largest)) };

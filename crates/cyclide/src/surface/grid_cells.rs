@@ -2,7 +2,7 @@
 
 use super::quad_grid::QuadGrid;
 use crate::base::vector::Point3;
-use crate::error::{Error, GridCellFault, Result};
+use crate::error::{GridCellFault, GridError, PointError, Result};
 use std::collections::VecDeque;
 
 /// What a quad of a [`QuadGrid`] is.
@@ -34,7 +34,7 @@ impl QuadGrid {
     /// # Errors
     /// `cells-unfit`, with the quad (s fastest).
     pub fn with_cells(self, cell: impl Fn(usize, usize) -> GridCell) -> Result<Self> {
-        let refused = |fault, index| Err(Error::CellsUnfit { fault, index });
+        let refused = |fault, index| Err(GridError::CellsUnfit { fault, index }.into());
         if self.closed() != [false; 2] {
             return refused(GridCellFault::Closed, 0);
         }
@@ -75,12 +75,12 @@ impl QuadGrid {
     ) -> Result<Self> {
         let count = size[0].saturating_mul(size[1]);
         if points.len() != count {
-            return Err(Error::TooFewPoints { given: points.len(), needed: count });
+            return Err(PointError::TooFewPoints { given: points.len(), needed: count }.into());
         }
         let mut filled = points.to_vec();
         let mut open: VecDeque<usize> = (0..count).filter(|k| filled[*k].is_some()).collect();
         if open.is_empty() {
-            return Err(Error::CellsUnfit { fault: GridCellFault::None, index: 0 });
+            return Err(GridError::CellsUnfit { fault: GridCellFault::None, index: 0 }.into());
         }
         while let Some(k) = open.pop_front() {
             for next in beside(k, size) {
@@ -95,7 +95,7 @@ impl QuadGrid {
             cell(*i, *j) != GridCell::Outside && grid.corners(*i, *j).iter().any(|k| points[*k].is_none())
         };
         if let Some([i, j]) = quads(grid.quads()).find(no_point) {
-            return Err(Error::CellsUnfit { fault: GridCellFault::NoPoint, index: i + j * grid.quads()[0] });
+            return Err(GridError::CellsUnfit { fault: GridCellFault::NoPoint, index: i + j * grid.quads()[0] }.into());
         }
         grid.with_cells(cell)
     }
@@ -276,6 +276,7 @@ pub(crate) fn flooded(kind: &[bool], [m, n]: [usize; 2], first: usize) -> Vec<bo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
 
     /// The grid whose quads are drawn, the first row at the bottom: `#` a patch, `o` an opening.
     fn drawn(rows: &[&str]) -> Result<QuadGrid> {
@@ -292,7 +293,7 @@ mod tests {
 
     fn unfit(rows: &[&str]) -> (GridCellFault, usize) {
         match drawn(rows) {
-            Err(Error::CellsUnfit { fault, index }) => (fault, index),
+            Err(Error::Grid(GridError::CellsUnfit { fault, index })) => (fault, index),
             other => panic!("{other:?}"),
         }
     }

@@ -8,7 +8,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 
 /// Leaning (radians) by which normals may be out of the plane of their circle, or off its axis, and count as in it: beyond
 /// the rounding of frames carried over a net, and far below what a strip as thick as paper would show. A normal that leans
@@ -81,7 +81,7 @@ impl NormalStrip {
     pub fn new(edge: &Arc, normal: Vec3, heights: [f64; 2]) -> Result<Self> {
         for (index, height) in heights.into_iter().enumerate() {
             if !height.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::OffsetDistance, index }.into());
             }
         }
         let zero = || Error::zero_axis(ErrorItem::Normal);
@@ -91,7 +91,7 @@ impl NormalStrip {
         let (length, value) = (edge.length(), heights[1] - heights[0]);
         let min = THINNEST * length;
         if !(value >= min && value <= WIDEST) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value, min, max: WIDEST });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Depth, value, min, max: WIDEST }.into());
         }
         let binormal = edge.curvature_binormal();
         let (bend, curvature) = (binormal.length(), binormal.dot(tangent.cross(normal)));
@@ -99,7 +99,7 @@ impl NormalStrip {
         let strip = Self { length, curvature, bend, along_axis, heights };
         let beyond = |height: &&f64| curvature * **height >= 1.0;
         match heights.iter().find(beyond) {
-            Some(&distance) => Err(Error::OffsetNotRegular { distance, limit: 1.0 / curvature }),
+            Some(&distance) => Err(PatchError::OffsetNotRegular { distance, limit: 1.0 / curvature }.into()),
             None => Ok(strip),
         }
     }

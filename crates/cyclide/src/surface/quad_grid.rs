@@ -3,7 +3,7 @@
 use super::grid_cells::GridCell;
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, PointError, Result};
 
 /// Vertices of a regular net of quads: `size[0]` along s, `size[1]` along t, s fastest. A closed direction joins its
 /// last vertices to its first, which are not repeated. Of an open grid quads may be left out: [`with_cells`](Self::with_cells).
@@ -34,11 +34,11 @@ impl QuadGrid {
         for d in 0..2 {
             let needed = if closed[d] { 3 } else { 2 };
             if size[d] < needed {
-                return Err(Error::TooFewPoints { given: size[d], needed });
+                return Err(PointError::TooFewPoints { given: size[d], needed }.into());
             }
         }
         if points.len() != size[0] * size[1] {
-            return Err(Error::TooFewPoints { given: points.len(), needed: size[0] * size[1] });
+            return Err(PointError::TooFewPoints { given: points.len(), needed: size[0] * size[1] }.into());
         }
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;

@@ -18,7 +18,7 @@ use super::barycentric::Barycentric;
 use super::smooth::Jet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, MeshError, NumberError, PatchError, Result, TriangleError};
 use crate::warning::Warning;
 
 /// Triangles with less than this, twice the area over the longest edge squared, have no circle.
@@ -54,7 +54,7 @@ pub(super) fn check_triangle(corners: [Point3; 3]) -> Result<f64> {
     }
     let (area, longest) = relative_area(corners);
     if !(area > DEGENERATE_TRIANGLE && longest >= range::MIN_DISTANCE) {
-        return Err(Error::DegenerateTriangle { area, limit: DEGENERATE_TRIANGLE });
+        return Err(TriangleError::Degenerate { area, limit: DEGENERATE_TRIANGLE }.into());
     }
     Ok(longest)
 }
@@ -109,7 +109,9 @@ impl SphereBlend {
             let s = 2.0 * (blend.radius / reach) * (blend.normal.dot(seen) / reach);
             let off = c.hypot(s);
             if !(off > ON_CIRCLE) {
-                return Err(Error::ControlPointOnCircumcircle { corner: i, distance: off, limit: ON_CIRCLE });
+                return Err(
+                    TriangleError::ControlPointOnCircumcircle { corner: i, distance: off, limit: ON_CIRCLE }.into()
+                );
             }
             blend.leave[i] = [c / off, s / off];
         }
@@ -126,9 +128,9 @@ impl SphereBlend {
         let mut blend = Self::over(corners)?;
         for (i, normal) in normals.into_iter().enumerate() {
             if !normal.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Normal, index: i });
+                return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: i }.into());
             }
-            let undefined = |length, limit| Error::UndefinedNormal { vertex: i, length, limit };
+            let undefined = |length, limit| Error::Mesh(MeshError::UndefinedNormal { vertex: i, length, limit });
             let unit = normal.unit().ok_or_else(|| undefined(0.0, 0.0))?;
             let (c, s) = (unit.dot(blend.normal), unit.dot(blend.spokes[i] / blend.radius));
             let length = c.hypot(s);
@@ -158,13 +160,13 @@ impl SphereBlend {
     pub fn whole(self) -> Result<Self> {
         let (length, [s, t, _]) = nearest_to_origin(self.leave);
         if !(length > OPPOSITE) {
-            return Err(Error::OppositeSpheres { at: [s, t], length, limit: OPPOSITE });
+            return Err(TriangleError::OppositeSpheres { at: [s, t], length, limit: OPPOSITE }.into());
         }
         let at = self.nearest_to_circumcentre();
         let half = self.half_turn(at)?;
         let off = (0..3).fold(Vec3::ZERO, |sum, i| sum + self.spokes[i] * at[i]).length() / self.radius;
         if !(half.cosine.hypot(half.sine * off) > INFINITE) {
-            return Err(Error::PatchThroughInfinity { s: at[0], t: at[1] });
+            return Err(PatchError::ThroughInfinity { s: at[0], t: at[1] }.into());
         }
         Ok(self)
     }
@@ -200,7 +202,7 @@ impl SphereBlend {
         let (a, b) = (mix(0), mix(1));
         let length = a.hypot(b);
         if !(length > CANCELLED) {
-            return Err(Error::OppositeSpheres { at: [l1, l2], length, limit: CANCELLED });
+            return Err(TriangleError::OppositeSpheres { at: [l1, l2], length, limit: CANCELLED }.into());
         }
         // The larger of both without cancellation. Both may change their sign together.
         let [c, s] = if a < 0.0 { [b, length - a] } else { [length + a, b] };
@@ -215,7 +217,7 @@ impl SphereBlend {
         let [p, q] = [(a - b) / size, (c - b) / size];
         let w = p.cross(q);
         let centre = (q.cross(w) * p.length_squared() + w.cross(p) * q.length_squared()) / (2.0 * w.length_squared());
-        let normal = (-w).unit().ok_or(Error::DegenerateTriangle { area: 0.0, limit: DEGENERATE_TRIANGLE })?;
+        let normal = (-w).unit().ok_or(TriangleError::Degenerate { area: 0.0, limit: DEGENERATE_TRIANGLE })?;
         let spokes = [p - centre, -centre, q - centre];
         Ok(Self { corners, size, spokes, radius: centre.length(), normal, leave: [[1.0, 0.0]; 3] })
     }
@@ -251,11 +253,11 @@ impl SphereBlend {
     pub fn normal(&self, lambda: [f64; 3]) -> Result<Vec3> {
         let at = Barycentric::new(lambda)?;
         let [d1, d2] = self.place(&at)?.derivatives;
-        d1.cross(d2).unit().ok_or(Error::UndefinedNormal {
+        d1.cross(d2).unit().ok_or(Error::Mesh(MeshError::UndefinedNormal {
             vertex: at.largest(),
             length: 0.0,
             limit: f64::MIN_POSITIVE,
-        })
+        }))
     }
 
     /// Point and derivatives at a place that is no corner.
@@ -284,7 +286,7 @@ impl SphereBlend {
         let flat = e1 * l1 + e2 * l2 + e3 * l3;
         let e = c * c + s * s * flat.length_squared();
         if !(e > 0.0) {
-            return Err(Error::PatchThroughInfinity { s: l1, t: l2 });
+            return Err(PatchError::ThroughInfinity { s: l1, t: l2 }.into());
         }
         let up = self.normal * c + flat * s;
         let derivatives = [(0, y1), (1, y2)].map(|(i, y)| {

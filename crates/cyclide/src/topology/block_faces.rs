@@ -5,7 +5,7 @@
 
 use super::{FaceEdge, Sewing, Side};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{ArcError, Result};
 use crate::surface::CyclidePatch;
 use crate::volume::{CyclideVolume, StructuredGrid};
 use std::collections::HashMap;
@@ -179,7 +179,7 @@ impl<'a> BlockFaces<'a> {
             volume.line(at.axis, at.at.map(|cut| if cut == 0 { 0.0 } else { 1.0 }))?
         } else {
             let [from, to] = [0, 2].map(|k| volume.denominator(self.parameters(at.node(k))));
-            let inverse = from.inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+            let inverse = from.inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
             Arc::from_ratio_across(sewing.vertices[ends[0]], sewing.vertices[ends[1]], to * inverse)?
         };
         Ok(sewing.edge(ends[0], ends[1], curve))

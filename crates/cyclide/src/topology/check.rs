@@ -4,7 +4,7 @@ use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, Shell, ShellFac
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, Result, ShellError};
 
 /// Largest relative difference of the weight ratios of a side and of its edge.
 const RATIO_LIMIT: f64 = 1e-9;
@@ -26,7 +26,8 @@ impl Shell {
     pub(super) fn check(&self) -> Result<()> {
         self.check_edges()?;
         for (index, face) in self.faces.iter().enumerate() {
-            self.check_face(face).map_err(|detail| Error::NotAShell { item: ErrorItem::Face, index, detail })?;
+            self.check_face(face)
+                .map_err(|detail| Error::Shell(ShellError::NotAShell { item: ErrorItem::Face, index, detail }))?;
         }
         self.check_orientation()?;
         self.check_connected()
@@ -34,7 +35,7 @@ impl Shell {
 
     fn check_edges(&self) -> Result<()> {
         for (index, edge) in self.edges.iter().enumerate() {
-            let fail = |detail| Err(Error::NotAShell { item: ErrorItem::Edge, index, detail });
+            let fail = |detail| Err(ShellError::NotAShell { item: ErrorItem::Edge, index, detail }.into());
             let (Some(start), Some(end)) = (self.vertices.get(edge.start), self.vertices.get(edge.end)) else {
                 return fail("a vertex of it does not exist");
             };
@@ -121,7 +122,7 @@ impl Shell {
                 runs[edge.edge][usize::from(forward)] += 1;
             }
         }
-        let fail = |index, detail| Err(Error::NotAShell { item: ErrorItem::Edge, index, detail });
+        let fail = |index, detail| Err(ShellError::NotAShell { item: ErrorItem::Edge, index, detail }.into());
         for (index, &[with, against]) in runs.iter().enumerate() {
             match (with, against) {
                 (0, 0) => return fail(index, "no face has it"),
@@ -135,12 +136,15 @@ impl Shell {
 
     fn check_connected(&self) -> Result<()> {
         if self.faces.is_empty() {
-            return Err(Error::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" });
+            return Err(ShellError::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" }.into());
         }
         match self.parts().get(1).and_then(|part| part.first().copied()) {
-            Some(index) => {
-                Err(Error::NotAShell { item: ErrorItem::Face, index, detail: "no chain of edges joins it to face 0" })
+            Some(index) => Err(ShellError::NotAShell {
+                item: ErrorItem::Face,
+                index,
+                detail: "no chain of edges joins it to face 0",
             }
+            .into()),
             None => Ok(()),
         }
     }

@@ -4,7 +4,7 @@
 use super::split::Cuts;
 use super::{FaceGeometry as _, FacePart, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 use crate::base::bounds::Aabb;
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, PatchError, Result, ShellError};
 
 /// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
 const SMALLEST_COSINE: f64 = 0.25;
@@ -105,7 +105,7 @@ impl CutShell {
     pub fn with_positive_weights(self) -> Result<Self> {
         let cut = self.halved(|_, face| too_wide(&face.surface), MOST_PASSES)?;
         if !cut.shell.faces.iter().all(|face| too_wide(&face.surface) == [false, false]) {
-            return Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 });
+            return Err(PatchError::ThroughInfinity { s: 0.5, t: 0.5 }.into());
         }
         check_long_edges(&cut.shell)?;
         Ok(cut)
@@ -163,7 +163,7 @@ impl CutShell {
                 shell.mark(&along, &mut cuts, face, direction, side.middle);
             }
             match self.cut(&cuts, cap) {
-                Err(Error::TooManyPieces { .. }) if stops_there => break,
+                Err(Error::Number(NumberError::TooManyPieces { .. })) if stops_there => break,
                 cut => self = cut?,
             }
         }
@@ -215,7 +215,7 @@ fn check_long_edges(shell: &Shell) -> Result<()> {
     for (edge, ShellEdge { curve, .. }) in shell.edges.iter().enumerate() {
         let length = curve.start().distance(curve.end());
         if length < limit {
-            return Err(Error::ShortEdge { edge, length, limit });
+            return Err(ShellError::ShortEdge { edge, length, limit }.into());
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::{Body, FaceEdge, Sewing, Shell};
 use crate::base::range;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, ErrorItem, Result, ShellError};
 use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, LayoutPiece, NetLayout, SameVertices};
 use std::collections::HashMap;
 
@@ -196,7 +196,7 @@ impl NetLayout {
 impl CyclidicNet {
     /// The arc between two neighbouring vertices.
     fn edge(&self, from: (usize, usize), to: (usize, usize)) -> Result<Arc> {
-        let inverse = self.weight(from.0, from.1).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let inverse = self.weight(from.0, from.1).inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         let ratio = self.weight(to.0, to.1) * inverse;
         Arc::from_ratio_across(self.grid().point(from.0, from.1), self.grid().point(to.0, to.1), ratio)
     }
@@ -261,11 +261,12 @@ impl DupinCyclide {
     pub fn to_shell(&self) -> Result<Shell> {
         match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
             (CyclideKind::Ring, [net]) => net.to_shell(),
-            _ => Err(Error::NotAShell {
+            _ => Err(ShellError::NotAShell {
                 item: ErrorItem::Vertex,
                 index: 0,
                 detail: "the cyclide touches itself in its nodes",
-            }),
+            }
+            .into()),
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FacePart, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, Result, ShellError};
 use crate::surface::ParamSurface as _;
 
 /// Speeds below this part of the largest one are zero: the parameter line is one point.
@@ -106,13 +106,14 @@ impl Shell {
         };
         let faces: usize = self.faces.iter().enumerate().map(parts).sum();
         if faces > most {
-            return Err(Error::TooManyPieces {
+            return Err(NumberError::TooManyPieces {
                 what: "the shell, cut for files,",
                 segment: None,
                 needed: faces as f64,
                 cap: most,
                 remedy: "its patches are singular or nearly so in too many places",
-            });
+            }
+            .into());
         }
         let mut new = Self { vertices: self.vertices.clone(), edges: Vec::new(), faces: Vec::new() };
         let middles = self.cut_vertices(&cuts.edges, &mut new.vertices);
@@ -253,7 +254,7 @@ impl Shell {
 /// The error of a cut so near to a singular point that a part of the face is that point.
 fn no_part(face: &ShellFace, at: Point3) -> Error {
     let edge = face.sides.iter().flatten().next().map_or(0, |side| side.edge);
-    Error::ShortEdge { edge, length: 0.0, limit: f64::EPSILON * at.to_vec().max_abs() }
+    Error::Shell(ShellError::ShortEdge { edge, length: 0.0, limit: f64::EPSILON * at.to_vec().max_abs() })
 }
 
 /// The representative of a set of edges.

@@ -4,7 +4,7 @@ use super::sew::Skin;
 use super::{Body, FaceEdge, Sewing};
 use crate::base::range;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 use crate::surface::{CyclidePatch, CyclidicNet, NetLayout};
 use std::collections::{BTreeMap, HashMap};
 
@@ -40,7 +40,7 @@ impl CyclidicNet {
             let names = [["s = 0", "s = 1"], ["t = 0", "t = 1"]][d];
             if let Some(k) = (0..2).find(|&k| self.grid().closed()[1 - d] && below[k] != above[k]) {
                 let cannot = "the rim of a thick shell would be a cone that touches a skin with its tip only";
-                return Err(Error::CollapsedSide { side: names[k], cannot });
+                return Err(PatchError::CollapsedSide { side: names[k], cannot }.into());
             }
         }
         let mut sewing = Sewing::default();
@@ -56,7 +56,9 @@ impl CyclidicNet {
     fn check_between(&self, h: f64) -> Result<()> {
         let flipped = self.first_is_flipped();
         if let Some((quad, _)) = self.patches_with_quads().find(|(_, patch)| patch.is_flipped() != flipped) {
-            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 }.in_quad(self.number(quad)));
+            return Err(
+                Error::from(PatchError::OffsetNotRegular { distance: h, limit: 0.0 }).in_quad(self.number(quad))
+            );
         }
         self.check_offset_regular(h)
     }
@@ -94,7 +96,7 @@ impl NetLayout {
         if let Some(net) = self.nets().iter().find(|net| net.first_is_flipped() == along) {
             // Nets that run against each other.
             net.check_between(h)?;
-            return Err(Error::OffsetNotRegular { distance: h, limit: 0.0 });
+            return Err(PatchError::OffsetNotRegular { distance: h, limit: 0.0 }.into());
         }
         let mut sewing = Sewing::default();
         let skins = [sewing.skins(lower, !along)?, sewing.skins(upper, along)?];
@@ -114,7 +116,7 @@ impl NetLayout {
 fn check_thickness(h: f64) -> Result<()> {
     if h == 0.0 {
         let (min, max) = (range::MIN_DISTANCE, range::MAX_COORDINATE);
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Distance, value: h, min, max });
+        return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Distance, value: h, min, max }.into());
     }
     Ok(())
 }

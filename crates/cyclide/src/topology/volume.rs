@@ -2,7 +2,7 @@
 
 use super::block_faces::{BlockFace, BlockFaces, FaceAt, Meeting};
 use super::{Body, Shell};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, Result, ShellError, VolumeError};
 use crate::volume::{CyclideVolume, FoldVerdict};
 use std::collections::{HashMap, HashSet};
 
@@ -54,7 +54,7 @@ impl CyclideVolume {
     pub fn outer_bodies(blocks: &[Self]) -> Result<Vec<Body>> {
         for (index, block) in blocks.iter().enumerate() {
             if let FoldVerdict::Folded { at } = block.folds() {
-                return Err(Error::FoldedVolume { at }.in_block(index));
+                return Err(Error::from(VolumeError::Folded { at }).in_block(index));
             }
         }
         let faces = BlockFaces::new(blocks, whole())?;
@@ -171,7 +171,7 @@ fn solids(shells: Vec<Shell>) -> Result<Vec<Body>> {
             .filter(|body| body.outer.bounds().contains(inside))
             .min_by(|a, b| a.outer.volume().total_cmp(&b.outer.volume()));
         let detail = "its faces look inwards, and no shell is around it";
-        let body = around.ok_or(Error::NotAShell { item: ErrorItem::Face, index: 0, detail })?;
+        let body = around.ok_or(ShellError::NotAShell { item: ErrorItem::Face, index: 0, detail })?;
         body.voids.push(hollow);
     }
     Ok(bodies)

@@ -8,7 +8,7 @@ use super::spherical_cube::SphericalCube;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, PoseError, Result};
 use crate::surface::{CyclidicNet, DupinCyclide, GridCell, NetLayout, check_following_quad, on_corner_circle};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
@@ -109,7 +109,7 @@ impl CyclideGrid {
     pub fn of_cyclide(cyclide: &DupinCyclide, segments: [usize; 2], distances: &[f64]) -> Result<Self> {
         let nets = cyclide.nets(segments)?;
         // Of two parts the outer one is the last.
-        let Some(net) = nets.last() else { return Err(Error::TooFewPoints { given: 0, needed: 1 }) };
+        let Some(net) = nets.last() else { return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into()) };
         Self::layers(net, distances)
     }
 
@@ -127,7 +127,7 @@ impl CyclideGrid {
         frame: VolumeFrame,
     ) -> Result<Self> {
         if let Some(&given) = size.iter().find(|n| **n == 0) {
-            return Err(Error::TooFewPoints { given: given + 1, needed: 2 });
+            return Err(PointError::TooFewPoints { given: given + 1, needed: 2 }.into());
         }
         let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [Vec3::ZERO; 3], left_out: Vec::new() };
         for at in grid.vertices() {
@@ -224,7 +224,7 @@ impl CyclideGrid {
         axes.sort_by(|&x, &y| here.distance(known(back(y)).0).total_cmp(&here.distance(known(back(x)).0)));
         let [axis, ..] = *axes else { return Ok(Quat::ONE) };
         let (a1, w1) = known(back(axis));
-        let chord = (here - a1).unit().ok_or(Error::CoincidentPoints {
+        let chord = (here - a1).unit().ok_or(PointError::CoincidentPoints {
             first: self.index(back(axis)),
             second: self.index(at),
             distance: 0.0,
@@ -306,13 +306,15 @@ impl CyclideGrid {
 /// Refuses distances of which there are too few or which do not rise.
 fn check_distances(distances: &[f64]) -> Result<()> {
     if distances.len() < 2 {
-        return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
+        return Err(PointError::TooFewPoints { given: distances.len(), needed: 2 }.into());
     }
     if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::OffsetDistance, index }.into());
     }
     if let Some(k) = (1..distances.len()).find(|&k| !(distances[k] > distances[k - 1])) {
-        return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
+        return Err(
+            PoseError::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] }.into()
+        );
     }
     Ok(())
 }

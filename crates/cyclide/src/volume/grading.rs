@@ -10,7 +10,7 @@
 //! ```
 //! (`docs/math/volumes.md#grading`; the law of tangents is that of M. Vinokur, J. Comput. Phys. 50 (1983), 215-234, for one slope.)
 
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PoseError, Result};
 
 /// Ratios of neighbouring cells, and stretches, are found and taken up to these.
 const MAX_RATIO: f64 = 1e3;
@@ -111,15 +111,17 @@ impl Grading {
             Self::Tanh { stretch, .. } => (ErrorItem::Stretch, stretch, 0.0, MAX_STRETCH),
         };
         if !value.is_finite() {
-            return Err(Error::NotFinite { what: name, index: 0 });
+            return Err(NumberError::NotFinite { what: name, index: 0 }.into());
         }
         // The ends of the range that is searched have a rounding.
         if !(min * (1.0 - 1e-12)..=max * (1.0 + 1e-12)).contains(&value) {
-            return Err(Error::ParameterOutOfRange { name, value, min, max });
+            return Err(NumberError::ParameterOutOfRange { name, value, min, max }.into());
         }
         let places: Vec<f64> = (0..=cells).map(|k| self.place(k, cells)).collect();
         match (1..=cells).find(|&k| !(places[k] > places[k - 1])) {
-            Some(k) => Err(Error::ParametersNotIncreasing { index: k, value: places[k], before: places[k - 1] }),
+            Some(k) => {
+                Err(PoseError::ParametersNotIncreasing { index: k, value: places[k], before: places[k - 1] }.into())
+            }
             None => Ok(places),
         }
     }
@@ -195,13 +197,13 @@ fn tanh(d: f64, fine: FineEnd, x: f64) -> f64 {
 /// Where a falling function has a value.
 fn solve(wanted: f64, range: [f64; 2], value: impl Fn(f64) -> f64) -> Result<f64> {
     if !wanted.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::FirstCell, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::FirstCell, index: 0 }.into());
     }
     let [mut low, mut high] = range;
     let (max, min) = (value(low), value(high));
     // Equal cells are found where all that is left of them is rounding.
     if !(wanted > 0.0 && wanted >= min && wanted <= max * (1.0 + 1e-12)) {
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::FirstCell, value: wanted, min, max });
+        return Err(NumberError::ParameterOutOfRange { name: ErrorItem::FirstCell, value: wanted, min, max }.into());
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
@@ -217,7 +219,8 @@ fn check_cells(cells: usize) -> Result<()> {
     if (1..=MOST).contains(&cells) {
         return Ok(());
     }
-    Err(Error::ParameterOutOfRange { name: ErrorItem::Cells, value: cells as f64, min: 1.0, max: MOST as f64 })
+    Err(NumberError::ParameterOutOfRange { name: ErrorItem::Cells, value: cells as f64, min: 1.0, max: MOST as f64 }
+        .into())
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result, VolumeError};
 use crate::surface::on_corner_circle;
 
 /// Twice the area of the triangle of the inverted corners below this part of its largest side squared: they are on a line.
@@ -117,7 +117,7 @@ impl SphericalCube {
     /// `not-finite`, `parameter-out-of-range`, `coincident-points`, `concircular-cube`, `point-at-infinity`.
     pub fn from_positions(corners: [Point3; 4], positions: [f64; 3]) -> Result<Self> {
         if let Some(index) = positions.iter().position(|x| !x.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Position, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Position, index }.into());
         }
         let (b, scale) = inverted(&corners)?;
         let [x12, x13, x23] = positions;
@@ -136,11 +136,19 @@ impl SphericalCube {
         let sum: f64 = inside.iter().sum();
         for value in inside {
             if !(value > 0.0 && sum.is_finite()) {
-                return Err(Error::ParameterOutOfRange { name: ErrorItem::Position, value, min: 0.0, max: f64::MAX });
+                return Err(NumberError::ParameterOutOfRange {
+                    name: ErrorItem::Position,
+                    value,
+                    min: 0.0,
+                    max: f64::MAX,
+                }
+                .into());
             }
         }
         if !(0.0..=1.0).contains(&turn) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Turn, value: turn, min: 0.0, max: 1.0 });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Turn, value: turn, min: 0.0, max: 1.0 }.into()
+            );
         }
         let (b, scale) = inverted(&corners)?;
         let weights = inside.map(|weight| weight / sum);
@@ -254,7 +262,7 @@ fn inverted(corners: &[Point3; 4]) -> Result<([Vec3; 3], f64)> {
     for (second, p) in corners.iter().enumerate().skip(1) {
         let (distance, limit) = (p.distance(corners[0]), COINCIDENT * scale);
         if distance <= limit {
-            return Err(Error::CoincidentPoints { first: 0, second, distance, limit });
+            return Err(PointError::CoincidentPoints { first: 0, second, distance, limit }.into());
         }
     }
     let inverse = |k: usize| {
@@ -288,7 +296,7 @@ fn check_determined([b1, b2, b3]: &[Vec3; 3]) -> Result<()> {
     let sides = [*b1 - *b2, *b2 - *b3, *b3 - *b1];
     let measured = sides[0].cross(sides[1]).length();
     let limit = FLAT * sides.iter().map(|side| side.length_squared()).fold(0.0, f64::max);
-    if measured > limit { Ok(()) } else { Err(Error::ConcircularCube { measured, limit }) }
+    if measured > limit { Ok(()) } else { Err(VolumeError::ConcircularCube { measured, limit }.into()) }
 }
 
 /// `W` and `N` of the module's formula: `|W|` is at least twice the area of the triangle of the neighbours. The corners may change places in

@@ -2,8 +2,8 @@
 
 use crate::data::p;
 use cyclide::{
-    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, ErrorItem, Mobius, ParamCurve,
-    Point3, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
+    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, ErrorItem, Mobius, NumberError,
+    ParamCurve, Point3, PointError, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
 };
 use proptest::prelude::*;
 
@@ -111,14 +111,14 @@ fn bad_input_is_refused_by_name() {
     bad[2].y = f64::NAN;
     assert_eq!(
         CircleSpline::from_points(&bad, &open).unwrap_err(),
-        Error::NotFinite { what: ErrorItem::Point, index: 2 }
+        Error::Number(NumberError::NotFinite { what: ErrorItem::Point, index: 2 })
     );
     let huge = [p(-1e308, 0.0, 0.0), p(1e308, 0.0, 0.0), p(0.0, 1.0, 0.0)];
     assert_eq!(reason(&huge, &open), "parameter-out-of-range");
     // A repeated first point closes nothing, and a billionth of the size is not nothing.
     let repeated = [good[0], good[1], good[2], good[0]];
     let error = CircleSpline::from_points(&repeated, &closed()).unwrap_err();
-    assert!(matches!(error, Error::CoincidentPoints { first: 3, second: 0, .. }));
+    assert!(matches!(error, Error::Point(PointError::CoincidentPoints { first: 3, second: 0, .. })));
     let near = |h: f64| [good[0], good[1], p(1.0, h, 0.0), good[3]];
     assert_eq!(reason(&near(1e-12), &open), "coincident-points");
     assert!(CircleSpline::from_points(&near(1e-9), &open).is_ok());
@@ -149,8 +149,8 @@ fn hermite_segments_are_checked() {
     let hermite = |t1: Vec3, t2: Vec3| BlendSegment::hermite(a, t1, b, t2, 2, BlendVariant::Rational);
     let s = hermite(Vec3::new(0.0, 7.0, 0.0), Vec3::new(0.0, 0.0, 0.1)).unwrap();
     assert!((s.start_tangent() - Vec3::Y).length() < 1e-15 && (s.end_tangent() - Vec3::Z).length() < 1e-15);
-    assert_eq!(hermite(Vec3::ZERO, Vec3::X).unwrap_err(), Error::ZeroTangent { index: 0 });
-    assert_eq!(hermite(Vec3::X, Vec3::ZERO).unwrap_err(), Error::ZeroTangent { index: 1 });
+    assert_eq!(hermite(Vec3::ZERO, Vec3::X).unwrap_err(), Error::Point(PointError::ZeroTangent { index: 0 }));
+    assert_eq!(hermite(Vec3::X, Vec3::ZERO).unwrap_err(), Error::Point(PointError::ZeroTangent { index: 1 }));
     // Backwards along the chord at either end: the circle is the outer part of its line.
     assert_eq!(hermite(-Vec3::X, Vec3::X).unwrap_err().reason(), "arc-through-infinity");
     assert_eq!(hermite(Vec3::X, -Vec3::X).unwrap_err().reason(), "arc-through-infinity");

@@ -1,7 +1,7 @@
 //! Data that nobody wants: named errors, no panic, no runaway.
 
 use crate::data::*;
-use cyclide::{Error, FairFit, FairFitOptions, Point3};
+use cyclide::{Error, FairFit, FairFitOptions, FitError, Point3};
 
 fn reason(points: &[[f64; 3]], options: &FairFitOptions) -> &'static str {
     let points: Vec<Point3> = points.iter().map(|p| Point3::from(*p)).collect();
@@ -116,7 +116,7 @@ fn wild_data_end_in_a_curve_or_a_named_error() {
                 let options = FairFitOptions { closed, max_fits: 3, ..FairFitOptions::new(tolerance) };
                 match FairFit::new(&points, &options) {
                     Ok(fit) => assert!(fit.certificate().deviation <= tolerance),
-                    Err(Error::ToleranceNotReached { points: outside, deviation, .. }) => {
+                    Err(Error::Fit(FitError::ToleranceNotReached { points: outside, deviation, .. })) => {
                         assert!(!outside.is_empty() && outside.iter().all(|i| *i < points.len()));
                         // Measured, not "infinite": no farther than the data are large, or a curve that swings out.
                         assert!(deviation > tolerance && deviation < 1e3);

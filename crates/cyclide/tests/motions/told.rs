@@ -1,8 +1,8 @@
 //! What is refused or told of motions that would harm a machine: turns on the spot, rests, reversals, half turns.
 
 use cyclide::{
-    Error, Motion, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind, SwingPart, TimeLaw,
-    TimedPose, Timing, Vec3, Warning,
+    Error, Motion, MotionError, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind, SwingPart,
+    TimeLaw, TimedPose, Timing, Vec3, Warning,
 };
 
 const BY_WAY: [TimeLaw; 2] = [TimeLaw::ConstantSpeed, TimeLaw::Eased];
@@ -34,7 +34,9 @@ fn turns_on_the_spot_are_refused() {
         for law in BY_WAY {
             let error = Timing::new(&motion, law, Point3::ORIGIN, 0.0).unwrap_err();
             assert_eq!((error.reason(), error.index()), ("span-without-way", Some(2)));
-            let Error::SpanWithoutWay { turn, length, limit, .. } = error else { panic!("by its reason") };
+            let Error::Motion(MotionError::SpanWithoutWay { turn, length, limit, .. }) = error else {
+                panic!("by its reason")
+            };
             assert!((turn - 1.5).abs() < 1e-12 && length <= limit && limit < 1e-11, "{turn} {length}");
             assert!(
                 error.to_string().contains("turns by 86 degrees on the spot") && error.to_string().contains("an `arm`")

@@ -2,8 +2,8 @@
 
 use crate::data::{PLACES, cyclide_grid, gap, generic_grid, inverted, kink, nets};
 use cyclide::{
-    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Shell, Vec3,
-    surface_joints,
+    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, PartError, PatchError, Point3, Quat,
+    Shell, Vec3, surface_joints,
 };
 use proptest::prelude::*;
 use std::ops::Range;
@@ -96,8 +96,8 @@ fn beyond_the_focal_surface_patches_flip() {
     assert_eq!(net.offset(-1.9).unwrap().flipped_patches().len(), 16);
     let error = net.thick(-1.0).unwrap_err();
     assert_eq!(error.reason(), "offset-not-regular");
-    let cyclide::Error::InQuad { quad, cause } = error else { panic!("in a quad") };
-    let cyclide::Error::OffsetNotRegular { limit, .. } = *cause else { panic!("a limit") };
+    let cyclide::Error::Part(PartError::InQuad { quad, cause }) = error else { panic!("in a quad") };
+    let cyclide::Error::Patch(PatchError::OffsetNotRegular { limit, .. }) = *cause else { panic!("a limit") };
     // The limit is where it begins: a millionth less is made, a millionth more is not.
     let patch = net.patches().nth(quad).unwrap();
     assert!(

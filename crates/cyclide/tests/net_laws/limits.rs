@@ -2,8 +2,9 @@
 
 use super::data::cyclide_grid;
 use cyclide::{
-    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Error, Frame, MOST_PIECES, Mobius, NetFrame, Point3,
-    QuadGrid, Quat, Shell, SurfaceObject, Vec3, flatten_within, tessellate, tessellate_within,
+    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Error, Frame, MOST_PIECES, Mobius, NetFrame,
+    NumberError, Point3, PointError, QuadGrid, Quat, Shell, SurfaceObject, Vec3, flatten_within, tessellate,
+    tessellate_within,
 };
 
 fn at(distance: f64) -> Point3 {
@@ -26,7 +27,9 @@ fn cyclides_below_the_rounding_of_their_place_have_one_error() {
     ] {
         let error = placed(size, place, Vec3::new(1.0, -1.0, -1.0)).unwrap_err();
         assert_eq!(error.reason(), "below-rounding-of-place", "{error}");
-        let Error::BelowRoundingOfPlace { size: measured, limit, place, .. } = error else { panic!("{error}") };
+        let Error::Point(PointError::BelowRoundingOfPlace { size: measured, limit, place, .. }) = error else {
+            panic!("{error}")
+        };
         assert!(measured <= limit && (limit - 65536.0 * f64::EPSILON * place).abs() <= 1e-15 * limit);
     }
     // However small, at the origin.
@@ -129,7 +132,10 @@ fn refinements_have_a_cap_that_is_told_before_memory_is_taken() {
     assert_eq!(error.reason(), "too-many-pieces");
     let body = ring.to_bodies([4, 4]).unwrap().remove(0);
     let error = tessellate(&body, 1e-9).unwrap_err();
-    assert!(matches!(error, Error::TooManyPieces { needed, cap: MOST_PIECES, .. } if needed > 1e9), "{error}");
+    assert!(
+        matches!(error, Error::Number(NumberError::TooManyPieces { needed, cap: MOST_PIECES, .. }) if needed > 1e9),
+        "{error}"
+    );
     // The cap counts all bodies, and is the caller's.
     let one = tessellate(&body, 1e-2).unwrap().faces.len();
     assert_eq!(tessellate_within([&body, &body], 1e-2, 2 * one).unwrap().faces.len(), 2 * one);

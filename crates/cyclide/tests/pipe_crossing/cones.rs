@@ -2,8 +2,8 @@
 
 use super::{canals, normal};
 use cyclide::{
-    Body, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, TeeEnds, Vec3,
-    surface_joints,
+    BallError, Body, CrossingError, CrossingPipe, CrossingSide, Error, MadeCrossing, NumberError, ParamSurface,
+    PipeCrossing, PipeError, Point3, TeeEnds, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -250,19 +250,26 @@ fn cones_that_are_no_crossing_are_refused_with_their_measures() {
     let refused = |cones: Cones, blend: f64| cones.whole(blend).made().map(|_| ()).expect_err("no crossing");
     let (cones, blend) = CASES[0];
     // A cone that comes to its apex before its end: 2 less 7 tan 0.3.
-    let Error::ConeReachesApex { apex, reached } = refused(Cones { pipes: [[2.0, 0.3], [2.0, 0.0]], ..cones }, blend)
+    let Error::Pipe(PipeError::ConeReachesApex { apex, reached }) =
+        refused(Cones { pipes: [[2.0, 0.3], [2.0, 0.0]], ..cones }, blend)
     else {
         panic!("an apex")
     };
     assert!((apex - 2.0 / 0.3_f64.tan()).abs() < 1e-13 && (reached - 7.0).abs() < 1e-15, "{apex} {reached}");
     // Axes at an angle that the tapers fill.
     let tapers = Cones { pipes: [[2.0, 0.1], [2.0, 0.12]], degrees: 12.0, ..cones };
-    assert!(matches!(refused(tapers, blend), Error::AngleOutOfRange { min, .. } if (min - 0.22).abs() < 1e-15));
+    assert!(
+        matches!(refused(tapers, blend), Error::Number(NumberError::AngleOutOfRange { min, .. }) if (min - 0.22).abs() < 1e-15)
+    );
     // Radii that differ by more than the axes are apart; the limit is that of cylinders as the taper goes to nothing.
     let near = Cones { pipes: [[2.0, 1e-9], [3.0, 0.0]], distance: 0.9, ..cones };
-    assert!(matches!(refused(near, blend), Error::CrossingAxesTooNear { limit, .. } if (limit - 1.0).abs() < 1e-8));
+    assert!(
+        matches!(refused(near, blend), Error::Crossing(CrossingError::AxesTooNear { limit, .. }) if (limit - 1.0).abs() < 1e-8)
+    );
     let apart = Cones { distance: 5.0, ..cones };
-    assert!(matches!(refused(apart, 0.3), Error::RadiusTooSmall { limit, .. } if limit > 0.4 && limit < 0.5));
+    assert!(
+        matches!(refused(apart, 0.3), Error::Ball(BallError::RadiusTooSmall { limit, .. }) if limit > 0.4 && limit < 0.5)
+    );
     let mixed = Cones { side: CrossingSide::Mixed, ..cones };
     assert_eq!(refused(mixed, blend).reason(), "crossing-needs-cylinders");
     let law = cones.whole(blend).with_radii(&[[0.0, 0.5], [2.0, 0.6]]).and_then(|c| c.made());

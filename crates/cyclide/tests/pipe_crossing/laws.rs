@@ -3,7 +3,8 @@
 
 use super::{askew, canals, crossing, normal, off_axes};
 use cyclide::{
-    Body, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3, Vec3, surface_joints,
+    Body, CrossingError, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3,
+    PointError, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -305,7 +306,7 @@ fn laws_that_are_none_are_refused() {
     // A law that leaps: the ball grows more than it moves on.
     let wild = crossing([2.0, 2.0], 3.0, 0.5).and_then(|c| c.with_radii(&[[0.0, 0.3], [0.1, 1.6], [0.2, 0.3]]));
     let wild = wild.and_then(|c| c.made()).map(|_| ()).expect_err("it folds");
-    assert!(matches!(wild, Error::CrossingFolds { left, .. } if left <= 0.0), "{wild}");
+    assert!(matches!(wild, Error::Crossing(CrossingError::Folds { left, .. }) if left <= 0.0), "{wild}");
     // One that no pieces follow, however short.
     let pair = Pair { radii: [1.46, 2.0], distance: 2.566, degrees: 90.0, side: CrossingSide::Inside };
     let leap = pair.whole(0.2).with_radii(&[[3.9566, 0.29], [3.9926, 0.1835]]).and_then(|c| c.made());
@@ -355,7 +356,7 @@ fn tiny_lenses_of_wide_pipes_are_made_or_refused_by_their_size() {
     assert!(made.body.is_solid() && bounds.max.z - 1.0 < 1e-12 && bounds.min.z - 0.99 > -1e-12, "{bounds:?}");
     for (overlap, ball) in [(1e-3, 1e-4), (1e-4, 1e-5)] {
         match lens(overlap, ball).map(|_| ()) {
-            Err(Error::BelowRoundingOfPlace { size, place, limit, .. }) => {
+            Err(Error::Point(PointError::BelowRoundingOfPlace { size, place, limit, .. })) => {
                 assert!((size - ball).abs() <= 0.0 && place > 1000.0 && limit >= 2.0 * size);
             }
             other => panic!("{other:?}"),

@@ -7,8 +7,8 @@ mod cones;
 mod laws;
 
 use cyclide::{
-    Body, CrossingPipe, CrossingSide, Error, FaceSurface, FoldRemedy, MadeCrossing, PipeCrossing, Point3,
-    RationalBezierSurface, ShellFace, TeeEnds, Vec3, surface_joints,
+    BallError, Body, CrossingError, CrossingPipe, CrossingSide, Error, FaceSurface, FoldRemedy, MadeCrossing,
+    PipeCrossing, Point3, RationalBezierSurface, ShellFace, TeeEnds, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -202,32 +202,37 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
     let refused = |radii, distance, blend| {
         crossing(radii, distance, blend).and_then(|c| c.made().map(|_| ())).expect_err("no crossing")
     };
-    assert_eq!(refused([2.0, 3.0], 1.0, 0.5), Error::CrossingAxesTooNear { distance: 1.0, limit: 1.0 });
-    assert_eq!(refused([2.0, 2.0], 5.0, 0.5), Error::RadiusTooSmall { radius: 0.5, limit: 0.5 });
+    assert_eq!(
+        refused([2.0, 3.0], 1.0, 0.5),
+        Error::Crossing(CrossingError::AxesTooNear { distance: 1.0, limit: 1.0 })
+    );
+    assert_eq!(refused([2.0, 2.0], 5.0, 0.5), Error::Ball(BallError::RadiusTooSmall { radius: 0.5, limit: 0.5 }));
     let inside = |distance, blend| {
         let whole = crossing([2.0, 2.0], distance, blend).expect("a crossing").with_side(CrossingSide::Inside);
         whole.made().map(|_| ()).expect_err("no ball inside")
     };
-    assert_eq!(inside(3.0, 0.5), Error::CrossingBallTooLarge { radius: 0.5, limit: 0.5 });
-    assert_eq!(inside(5.0, 0.1), Error::CrossingBallTooLarge { radius: 0.1, limit: -0.5 });
+    assert_eq!(inside(3.0, 0.5), Error::Crossing(CrossingError::BallTooLarge { radius: 0.5, limit: 0.5 }));
+    assert_eq!(inside(5.0, 0.1), Error::Crossing(CrossingError::BallTooLarge { radius: 0.1, limit: -0.5 }));
     assert_eq!(refused([2.0, -2.0], 3.0, 0.5).reason(), "radius-not-positive");
     assert_eq!(refused([2.0, 2.0], f64::NAN, 0.5).reason(), "not-finite");
     // Contacts with the first pipe go as far as the second is wide, and farther.
     let pipe = |radius, start| CrossingPipe { radius, taper: 0.0, ends: [start, END] };
     let short = PipeCrossing::new([pipe(2.0, -2.4), pipe(3.0, -END)], 3.5, 0.6).and_then(|c| c.made());
-    let Err(Error::CrossingPipeTooShort { pipe: 0, end, needed }) = short else { panic!("too short: {short:?}") };
+    let Err(Error::Crossing(CrossingError::PipeTooShort { pipe: 0, end, needed })) = short else {
+        panic!("too short: {short:?}")
+    };
     assert!((end + 2.4).abs() < 1e-15 && needed < -2.5 && needed > -3.6, "{needed}");
     // A thin pipe nearly inside a thick one is held all round.
-    let Error::CrossingHoleTooWide { pipe: 1, angle, limit } = refused([6.0, 1.0], 5.02, 0.3) else {
+    let Error::Crossing(CrossingError::HoleTooWide { pipe: 1, angle, limit }) = refused([6.0, 1.0], 5.02, 0.3) else {
         panic!("too wide: {:?}", refused([6.0, 1.0], 5.02, 0.3))
     };
     assert!(angle > limit);
     // A ball of four times the pipes has no room to roll.
-    let Error::CrossingFolds { left, .. } = refused([2.0, 2.0], 3.0, 9.0) else { panic!("it folds") };
+    let Error::Crossing(CrossingError::Folds { left, .. }) = refused([2.0, 2.0], 3.0, 9.0) else { panic!("it folds") };
     assert!(left <= 0.0, "{left}");
     // A ball that hardly fits through a bridge turns on the spot; one that is too large has no room.
     let remedy = |distance, blend| match refused([2.0, 1.5], distance, blend) {
-        Error::CrossingFolds { remedy, .. } => remedy,
+        Error::Crossing(CrossingError::Folds { remedy, .. }) => remedy,
         other => panic!("{other}"),
     };
     assert_eq!(remedy(4.5, 0.52), FoldRemedy::LargerBall);

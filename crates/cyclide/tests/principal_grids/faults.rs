@@ -2,7 +2,7 @@
 
 use super::surfaces::{self, Mesh};
 use super::{edge, laid};
-use cyclide::{Error, GridBorder, Point3, PrincipalGridOptions, SurfaceFault, UmbilicRule};
+use cyclide::{Error, GridBorder, Point3, PrincipalGridError, PrincipalGridOptions, SurfaceFault, UmbilicRule};
 use std::f64::consts::TAU;
 
 fn refused(mesh: &Mesh, options: &PrincipalGridOptions) -> Error {
@@ -16,7 +16,7 @@ fn meshes_that_are_no_surface_with_a_border() {
         let mut mesh = hypar.clone();
         change(&mut mesh);
         match refused(&mesh, &edge(1.0)) {
-            Error::NotASurface { fault, .. } => fault,
+            Error::PrincipalGrid(PrincipalGridError::NotASurface { fault, .. }) => fault,
             other => panic!("{other}"),
         }
     };
@@ -68,7 +68,8 @@ fn meshes_that_are_no_surface_with_a_border() {
 }
 
 fn is_noise(error: &Error) -> bool {
-    matches!(error, Error::FlatSurface { noise: Some(_), .. }) && error.to_string().contains("smooth the mesh first")
+    matches!(error, Error::PrincipalGrid(PrincipalGridError::FlatSurface { noise: Some(_), .. }))
+        && error.to_string().contains("smooth the mesh first")
 }
 
 #[test]
@@ -113,7 +114,7 @@ fn one_grid_has_no_room_for_umbilics() {
         PrincipalGridOptions { border: GridBorder::Cover, ..edge(0.4) },
     ] {
         match refused(&dome, &options) {
-            Error::UmbilicsRemain { at, halves, .. } => {
+            Error::PrincipalGrid(PrincipalGridError::UmbilicsRemain { at, halves, .. }) => {
                 assert!(at[0].hypot(at[1]) < 0.6 && halves > 0, "{at:?} {halves}")
             }
             other => panic!("{other}"),

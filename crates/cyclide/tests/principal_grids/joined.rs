@@ -2,8 +2,8 @@
 
 use super::{edge, laid, reasons, surfaces};
 use cyclide::{
-    CircularMeshOptions, Error, GridBorder, JoinFault, NetLayout, Point3, PrincipalGridOptions, QuadLayout,
-    UmbilicRule, make_layout_circular, surface_joints,
+    CircularMeshOptions, Error, GridBorder, JoinFault, NetLayout, Point3, PrincipalGridError, PrincipalGridOptions,
+    QuadLayout, UmbilicRule, make_layout_circular, surface_joints,
 };
 use surfaces::Mesh;
 
@@ -107,7 +107,7 @@ fn joining_needs_umbilics() {
 #[test]
 fn what_cannot_be_joined_is_named() {
     let fault = |mesh: &Mesh, length: f64| match laid(mesh, &joined(length)) {
-        Err(Error::UmbilicsNotJoined { fault, .. }) => fault,
+        Err(Error::PrincipalGrid(PrincipalGridError::UmbilicsNotJoined { fault, .. })) => fault,
         other => panic!("{:?}", other.map(|found| found.report)),
     };
     let hole = monkey(40).without(|p| (p.x - 3.0).hypot(p.y - 3.0) < 0.7);

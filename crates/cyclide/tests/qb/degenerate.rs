@@ -2,8 +2,8 @@
 
 use crate::data::PARAMETERS;
 use cyclide::{
-    Error, HPoint, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode,
-    QbSpline, Quat, Vec3, circle_tangents,
+    Error, HPoint, InterpolationError, MoebiusSplineOptions, NodeParameters, NurbsError, ParamCurve, Point3, QbCurve,
+    QbInterpolation, QbNode, QbSpline, Quat, Vec3, circle_tangents,
 };
 
 fn five() -> [Point3; 5] {
@@ -59,7 +59,7 @@ fn high_degrees_are_refused() {
     for count in [27, 41, 101, 401, 2001] {
         for parameters in [NodeParameters::Uniform, NodeParameters::Chord] {
             let error = QbInterpolation::through_points(&wild(count), &parameters).unwrap_err();
-            assert_eq!(error, Error::DegreeTooHigh { degree: count as usize / 2, limit: 12 });
+            assert_eq!(error, Error::Nurbs(NurbsError::DegreeTooHigh { degree: count as usize / 2, limit: 12 }));
         }
     }
     let node = |(k, point): (usize, &Point3)| QbNode {
@@ -69,7 +69,7 @@ fn high_degrees_are_refused() {
     };
     let nodes: Vec<QbNode> = wild(41).iter().enumerate().map(node).collect();
     let error = QbInterpolation::through_nodes(&nodes).unwrap_err();
-    assert_eq!(error, Error::DegreeTooHigh { degree: (41 + 42) / 2, limit: 12 });
+    assert_eq!(error, Error::Nurbs(NurbsError::DegreeTooHigh { degree: (41 + 42) / 2, limit: 12 }));
 }
 
 /// A curve that is not plane, of degree 2, and its parameters.
@@ -107,7 +107,7 @@ fn a_few_points_off_a_curve_of_low_degree_are_named() {
         points[off] = points[off] + Vec3::new(0.0, 0.1, 0.2);
     }
     let error = QbInterpolation::through_points(&points, &NodeParameters::Given(t)).unwrap_err();
-    let Error::UnattainablePoint { points, .. } = error else { panic!("{error}") };
+    let Error::Interpolation(InterpolationError::UnattainablePoint { points, .. }) = error else { panic!("{error}") };
     assert_eq!(points, [0, 123]);
 }
 

@@ -5,7 +5,7 @@
 mod ends;
 
 use cyclide::{
-    Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
+    Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3, ProfileError,
     RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -173,7 +173,9 @@ fn profiles_that_meet_themselves_are_no_solids() {
     let eight = [[10.0, 0.0], [30.0, 30.0], [30.0, 0.0], [10.0, 30.0]];
     assert_eq!(reason(&eight, true), Some("profile-meets-itself"));
     // Where the two lines cross.
-    let Err(Error::ProfileMeetsItself { radius, height, .. }) = whole().body(&chain(&eight, true), true) else {
+    let Err(Error::Profile(ProfileError::MeetsItself { radius, height, .. })) =
+        whole().body(&chain(&eight, true), true)
+    else {
         panic!("it is no solid")
     };
     assert!((radius - 20.0).abs() < 1e-12 && (height - 15.0).abs() < 1e-12, "{radius} {height}");
@@ -210,7 +212,10 @@ fn profiles_that_touch_the_axis_between_their_ends_are_refused() {
         for turn in [whole(), half] {
             let profile = chain(points, false);
             let error = turn.body(&profile, false).unwrap_err();
-            assert!(matches!(error, Error::CrossesAxis { piece, distance: 0.0, .. } if piece == touches), "{error}");
+            assert!(
+                matches!(error, Error::Profile(ProfileError::CrossesAxis { piece, distance: 0.0, .. }) if piece == touches),
+                "{error}"
+            );
             let same = turn.warnings(&[(profile, false)]).unwrap_err();
             assert_eq!(same.reason(), "crosses-axis");
         }
@@ -336,8 +341,12 @@ fn the_point_of_the_axis_that_is_given_changes_nothing() {
     }
     // Heights in messages are from the point given.
     let eight = chain(&[[10.0, 0.0], [30.0, 30.0], [30.0, 0.0], [10.0, 30.0]], true);
-    let Err(Error::ProfileMeetsItself { height: near, .. }) = at(0.0).body(&eight, true) else { panic!("an eight") };
-    let Err(Error::ProfileMeetsItself { height: far, .. }) = at(1e6).body(&eight, true) else { panic!("an eight") };
+    let Err(Error::Profile(ProfileError::MeetsItself { height: near, .. })) = at(0.0).body(&eight, true) else {
+        panic!("an eight")
+    };
+    let Err(Error::Profile(ProfileError::MeetsItself { height: far, .. })) = at(1e6).body(&eight, true) else {
+        panic!("an eight")
+    };
     assert!((far + 1e6 - near).abs() < 1e-6, "{far} {near}");
     // About an axis in space, from a point a million times as far away as the bore is wide.
     let (h, d, axis) = (2f64.sqrt(), 1e-2, Vec3::new(0.0, 1.0, 1.0));

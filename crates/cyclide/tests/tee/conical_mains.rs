@@ -2,6 +2,7 @@
 
 use super::crosses::{on_side, sum_of_tees, volume};
 use super::*;
+use cyclide::PipeError;
 
 fn cone(taper: f64) -> TeeMain {
     TeeMain { taper, ..MAIN }
@@ -150,10 +151,12 @@ fn scale_and_place_change_no_tee_on_a_cone() {
 fn cones_that_are_no_main_pipe_are_refused() {
     let refused = |taper: f64, branch, wall| made(cone(taper), vec![branch], wall, TeeEnds::Flat).expect_err("no tee");
     // Radius 3 less 16 tan 0.2 is below zero, and so is 3 less 14 tan 0.22 on the other side.
-    let Error::ConeReachesApex { apex, reached } = refused(0.2, branch(), None) else { panic!("the apex") };
+    let Error::Pipe(PipeError::ConeReachesApex { apex, reached }) = refused(0.2, branch(), None) else {
+        panic!("the apex")
+    };
     assert!((apex - 3.0 / 0.2_f64.tan()).abs() < 1e-12 && (reached - 16.0).abs() < 1e-12);
-    assert!(matches!(refused(-0.22, branch(), None), Error::ConeReachesApex { .. }));
-    assert!(matches!(refused(0.15, branch(), Some(0.7)), Error::ConeReachesApex { .. }));
+    assert!(matches!(refused(-0.22, branch(), None), Error::Pipe(PipeError::ConeReachesApex { .. })));
+    assert!(matches!(refused(0.15, branch(), Some(0.7)), Error::Pipe(PipeError::ConeReachesApex { .. })));
     assert_eq!(refused(2.0, branch(), None).reason(), "parameter-out-of-range");
     // A branch as wide as the cone at its foot, and a line of one along a line of the other.
     let wide = TeeBranch { radius: 3.0, ..branch() };

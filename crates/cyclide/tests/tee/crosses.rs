@@ -1,6 +1,7 @@
 //! Branches beside each other on the main pipe: crosses, rows of branches, equal crosses.
 
 use super::*;
+use cyclide::TeeError;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -160,7 +161,7 @@ fn scale_and_place_change_no_cross() {
 #[test]
 fn branches_without_room_beside_each_other_are_refused() {
     let refused = |branches| made(MAIN, branches, None, TeeEnds::Flat).expect_err("no room");
-    let Error::TeeBranchesMeet { first: 0, second: 1, distance, round, .. } =
+    let Error::Tee(TeeError::BranchesMeet { first: 0, second: 1, distance, round, .. }) =
         refused(vec![on_side(60.0, TeeBranch { at: 1.0, ..branch() }), branch()])
     else {
         panic!("they overlap")
@@ -174,7 +175,7 @@ fn branches_without_room_beside_each_other_are_refused() {
     let beside = |at: f64| TeeBranch { at, ..TeeBranch::upright(2.2, 10.0, 0.3) };
     let pair = || [0.0, 120.0].map(|degrees| on_side(degrees, TeeBranch::upright(1.5, 10.0, 0.3)));
     let four = |at: f64| pair().into_iter().chain([on_side(60.0, between()), on_side(240.0, beside(at))]).collect();
-    assert_eq!(refused(four(2.5)), Error::TeeNoFreeLine { first: 0, second: 1 });
+    assert_eq!(refused(four(2.5)), Error::Tee(TeeError::NoFreeLine { first: 0, second: 1 }));
     // Beside the pair only it is fine.
     assert!(made(MAIN, four(-1.0), None, TeeEnds::Flat).is_ok_and(|tee| tee.body.is_solid()));
     // A row of two that reaches far round: the line beyond the first would be 169 degrees from the middle of the second.
@@ -183,12 +184,12 @@ fn branches_without_room_beside_each_other_are_refused() {
         TeeBranch { at: 2.7, ..TeeBranch::upright(1.8, 10.0, 0.3) },
         on_side(125.0, TeeBranch { at: 0.5, ..TeeBranch::upright(1.0, 10.0, 0.3) }),
     ];
-    assert_eq!(refused(far), Error::TeeNoFreeLine { first: 0, second: 1 });
+    assert_eq!(refused(far), Error::Tee(TeeError::NoFreeLine { first: 0, second: 1 }));
     // Equal pipes are opposite each other exactly, or apart.
     let equal = || TeeBranch::upright(3.0, 14.0, 0.5);
     for other in [on_side(179.0, equal()), on_side(180.0, TeeBranch { at: 0.01, ..equal() })] {
         let error = refused(vec![equal(), other]);
-        let Error::TeeEqualBranchesNotOpposite { first: 0, second: 1, angle, along, needed } = error else {
+        let Error::Tee(TeeError::EqualBranchesNotOpposite { first: 0, second: 1, angle, along, needed }) = error else {
             panic!("{error}")
         };
         // One is off by a degree, the other by 0.01 along the pipe: radii and blends on both sides are between them.
@@ -206,7 +207,7 @@ fn branches_without_room_beside_each_other_are_refused() {
     // Beside one of them, which ends before the other.
     let lateral = on_side(180.0, TeeBranch { angle: 0.6, ..TeeBranch::upright(3.0, 20.0, 0.3) });
     let error = refused(vec![equal(), lateral, TeeBranch { at: 5.0, ..TeeBranch::upright(0.8, 10.0, 0.2) }]);
-    assert_eq!(error, Error::TeeNoFreeLine { first: 1, second: 2 });
+    assert_eq!(error, Error::Tee(TeeError::NoFreeLine { first: 1, second: 2 }));
 }
 
 proptest! {

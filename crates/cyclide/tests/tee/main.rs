@@ -6,8 +6,8 @@ mod conical_mains;
 mod crosses;
 
 use cyclide::{
-    Body, Error, FaceSurface, MadeTee, ParamCurve as _, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend,
-    TeeBranch, TeeEnds, TeeMain, Vec3, surface_joints,
+    Body, Error, FaceSurface, MadeTee, ParamCurve as _, PartError, PipeTee, Point3, RationalBezierSurface, ShellFace,
+    TeeBlend, TeeBranch, TeeEnds, TeeError, TeeMain, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -328,7 +328,7 @@ fn a_wall_that_folds_the_blend_is_named() {
     };
     for (radius, wall) in [(18.0, 17.0), (30.0, 29.0)] {
         let error = tee(radius, wall).expect_err("its inner side folds");
-        assert!(matches!(error, Error::TeeBlendFolds { wall: Some(_), .. }), "{error}");
+        assert!(matches!(error, Error::Tee(TeeError::BlendFolds { wall: Some(_), .. })), "{error}");
         assert!(error.to_string().contains("take a thinner wall"), "{error}");
     }
     assert!(tee(18.0, 12.0).is_ok());
@@ -336,7 +336,7 @@ fn a_wall_that_folds_the_blend_is_named() {
     let leaning = TeeBranch { angle: 0.4, ..TeeBranch::upright(15.0, 400.0, 10.0) };
     let long = TeeMain { ends: [-400.0, 400.0], ..main };
     let error = made(long, vec![leaning], Some(1.0), TeeEnds::Flat).expect_err("folds");
-    assert!(matches!(error, Error::TeeBlendFolds { wall: None, .. }), "{error}");
+    assert!(matches!(error, Error::Tee(TeeError::BlendFolds { wall: None, .. })), "{error}");
 }
 
 #[test]
@@ -368,7 +368,7 @@ fn a_manifold_is_one_solid_that_adds_up() {
 fn what_is_no_tee_is_refused_with_its_measures() {
     let refused = |main, branches| made(main, branches, None, TeeEnds::Flat).expect_err("no tee");
     let beside = TeeBranch { offset: 1.2, ..branch() };
-    let wide = Error::TeeBranchTooWide { branch: 0, reach: 3.2, limit: 3.0, rest: 1e-4 * 3.0, offset: 1.2 };
+    let wide = Error::Tee(TeeError::BranchTooWide { branch: 0, reach: 3.2, limit: 3.0, rest: 1e-4 * 3.0, offset: 1.2 });
     assert_eq!(refused(MAIN, vec![beside]), wide);
     // Thinner by too little: what helps is said, and it does.
     let narrow = |radius: f64| TeeBranch { radius, ..TeeBranch::upright(1.0, 10.0, 0.3) };
@@ -382,9 +382,12 @@ fn what_is_no_tee_is_refused_with_its_measures() {
     }
     // The contact of the ball in the crotch is at 2.5 along the main pipe, and sqrt(3.5²) up.
     let short = TeeMain { ends: [-14.0, 2.4], ..MAIN };
-    let Error::TeePipeTooShort { end, needed, .. } = refused(short, vec![branch()]) else { panic!("too short") };
+    let Error::Tee(TeeError::PipeTooShort { end, needed, .. }) = refused(short, vec![branch()]) else {
+        panic!("too short")
+    };
     assert!((end - 2.4).abs() < 1e-15 && (needed - 2.503).abs() < 1e-6, "{needed}");
-    let Error::TeePipeTooShort { needed, .. } = refused(MAIN, vec![TeeBranch { length: 3.4, ..branch() }]) else {
+    let Error::Tee(TeeError::PipeTooShort { needed, .. }) = refused(MAIN, vec![TeeBranch { length: 3.4, ..branch() }])
+    else {
         panic!("too short")
     };
     assert!((needed - 3.502).abs() < 1e-6, "{needed}");
@@ -487,7 +490,10 @@ fn radii_are_proved_to_be_positive() {
     let error = PipeTee::new(MAIN, vec![branch(), negative]).expect_err("no tee");
     assert_eq!((error.reason(), error.index()), ("radius-not-positive", Some(1)));
     let error = made(MAIN, vec![TeeBranch::upright(2.0, 12.0, -1.0)], None, TeeEnds::Flat).expect_err("no tee");
-    assert!(matches!(error, Error::InBranch { branch: 0, what: cyclide::ErrorItem::Blend, .. }), "{error}");
+    assert!(
+        matches!(error, Error::Part(PartError::InBranch { branch: 0, what: cyclide::ErrorItem::Blend, .. })),
+        "{error}"
+    );
 }
 
 #[test]
@@ -514,7 +520,7 @@ fn branches_that_run_into_each_other_are_refused() {
     // The lying branch goes through the blend of the stub, and through its wall.
     for (blend, offset) in [(25.0, 4.5), (2.0, -10.0)] {
         let error = made(main, vec![stub(blend), lying(600.0, offset)], None, TeeEnds::Flat).expect_err("meet");
-        let Error::TeeBranchesTooNear { first: 0, second: 1, point, .. } = error else { panic!("{error}") };
+        let Error::Tee(TeeError::BranchesTooNear { first: 0, second: 1, point, .. }) = error else { panic!("{error}") };
         // The stub is that wide with its blend, and that high.
         let [x, y, z] = point;
         assert!((x + 310.0).abs() < 9.0 + blend && (y + 12.0).abs() < 9.0 + blend && z > 30.0 && z < 91.0, "{error}");

@@ -2,8 +2,8 @@
 
 use crate::data::tori;
 use cyclide::{
-    ArcLength, Error, ErrorItem, Frame, ParamCurve, Point2, Point3, Torus, TorusSeam, TorusSpline, TorusSplineOptions,
-    length,
+    ArcLength, Error, ErrorItem, Frame, NumberError, ParamCurve, Point2, Point3, Torus, TorusError, TorusSeam,
+    TorusSpline, TorusSplineOptions, length,
 };
 use std::f64::consts::PI;
 
@@ -33,7 +33,9 @@ fn seams_that_fold_by_their_height_are_refused_for_it() {
     let torus = Torus::new(Frame::WORLD, 40.0, 15.0).unwrap();
     let round = TorusSpline::knot(&torus, [0, 1], Point2::default()).unwrap();
     let error = TorusSeam::new(3.0, [-14.9, 1.0]).unwrap().body(&round, 1e-2).unwrap_err();
-    let Error::ParameterOutOfRange { name: ErrorItem::Height, value, min, max } = error else { panic!("{error}") };
+    let Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Height, value, min, max }) = error else {
+        panic!("{error}")
+    };
     // A twentieth of the speed of the curve is left at 0.95 of the radius.
     assert!((value + 14.9).abs() < 1e-15 && (min + 0.95 * 15.0).abs() < 1e-9 && max <= 25.0, "{min} {max}");
     assert!(TorusSeam::new(3.0, [min + 0.1, 1.0]).unwrap().body(&round, 1e-2).is_ok());
@@ -98,7 +100,7 @@ fn what_folds_or_leaves_the_tube_is_refused() {
     let options = TorusSplineOptions { closed: true, ..Default::default() };
     let ring = TorusSpline::through_places(torus, &places, &options).unwrap();
     let body = |width: f64, heights: [f64; 2]| TorusSeam::new(width, heights).and_then(|seam| seam.body(&ring, 1e-3));
-    let Err(Error::SeamTooWide { point, limit, piece, .. }) = body(2.0, [-0.1, 0.1]) else {
+    let Err(Error::Torus(TorusError::SeamTooWide { point, limit, piece, .. })) = body(2.0, [-0.1, 0.1]) else {
         unreachable!("wider than the ring")
     };
     // The width named is right at that place, where the seam folded first, and a little less will do.
@@ -107,7 +109,7 @@ fn what_folds_or_leaves_the_tube_is_refused() {
     let off = (0..=128).map(|k| ring.piece_point(piece, f64::from(k) / 128.0).distance(Point3::from(point)));
     assert!(off.fold(f64::INFINITY, f64::min) < 1e-12 * torus.major_radius(), "the place is on the curve");
     let height = |width: f64, heights: [f64; 2]| match body(width, heights) {
-        Err(Error::ParameterOutOfRange { name, .. }) => name,
+        Err(Error::Number(NumberError::ParameterOutOfRange { name, .. })) => name,
         other => unreachable!("{other:?}"),
     };
     for heights in
@@ -146,7 +148,9 @@ fn seams_that_run_through_themselves_are_refused() {
         }
         let body = |width: f64| TorusSeam::new(width, [-0.2, 0.2]).unwrap().body(&knot, 1e-3);
         assert!(body(0.9 * nearest).is_ok(), "{turns:?} {nearest}");
-        let Err(Error::SeamMeetsItself { point, distance, width, first, second }) = body(1.15 * nearest) else {
+        let Err(Error::Torus(TorusError::SeamMeetsItself { point, distance, width, first, second })) =
+            body(1.15 * nearest)
+        else {
             panic!("{turns:?}: turns {nearest} apart")
         };
         assert!(first < second && distance <= width, "{first} {second} {distance}");
@@ -182,7 +186,9 @@ fn thin_seams_that_cross_themselves_are_refused() {
     ] {
         let seam = TorusSeam::new(width, heights).unwrap();
         let error = seam.body(&eight, tolerance).unwrap_err();
-        let Error::SeamMeetsItself { point, distance, .. } = error else { panic!("{width}: {error}") };
+        let Error::Torus(TorusError::SeamMeetsItself { point, distance, .. }) = error else {
+            panic!("{width}: {error}")
+        };
         // Places of the curve are 0.1 apart.
         let nearest = (0..4000).map(|k| eight.point(f64::from(k) / 4000.0).distance(point.into()));
         assert!(nearest.fold(f64::INFINITY, f64::min) < width.hypot(heights[1]) + 0.1, "{width}");

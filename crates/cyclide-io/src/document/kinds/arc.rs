@@ -1,6 +1,6 @@
 //! A circular arc or straight segment.
 
-use cyclide::{Arc, CurveObject, Quat, Vec3};
+use cyclide::{Arc, ArcError, CurveObject, NumberError, PointError, Quat, Vec3};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -82,10 +82,14 @@ impl Kind for ArcSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
         match error {
-            E::NotFinite { what: I::Tangent, .. } | E::ZeroTangent { .. } | E::TangentOpposesChord { .. } => {
+            E::Number(NumberError::NotFinite { what: I::Tangent, .. })
+            | E::Point(PointError::ZeroTangent { .. })
+            | E::Arc(ArcError::TangentOpposesChord { .. }) => {
                 Some(Blame::Field(if self.tangent.is_some() { "tangent" } else { "end_tangent" }))
             }
-            E::NotInImH { .. } | E::PoleOnSegment { .. } if self.bulge.is_some() => Some(Blame::Field("bulge")),
+            E::Arc(ArcError::NotInImH { .. } | ArcError::PoleOnSegment { .. }) if self.bulge.is_some() => {
+                Some(Blame::Field("bulge"))
+            }
             _ => None,
         }
     }
@@ -125,15 +129,15 @@ impl Builder<'_> {
         let kept = |arc: Arc| {
             let rest = std::f64::consts::TAU - arc.angle();
             let limit = FULL_CIRCLE_LIMIT;
-            if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
+            if rest < limit { Err(ArcError::NearlyFullCircle { rest, limit }.into()) } else { Ok(arc) }
         };
         let even = |arc: Arc| {
             let ratio = arc.weight_ratio().norm();
             if (EVEN_RATIO.recip()..=EVEN_RATIO).contains(&ratio) { arc } else { arc.evened() }
         };
         let arc = arc.map(even).and_then(kept).map_err(|error| match error {
-            cyclide::Error::NearlyFullCircle { rest, .. } => {
-                cyclide::Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }
+            cyclide::Error::Arc(ArcError::NearlyFullCircle { rest, .. }) => {
+                cyclide::Error::Arc(ArcError::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT })
             }
             other => other,
         });

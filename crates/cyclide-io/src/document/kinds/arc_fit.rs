@@ -1,8 +1,8 @@
 //! The fewest arcs near points, tangent-continuous.
 
 use cyclide::{
-    Arc, ArcFit, ArcFitOptions, CurveObject, CurvePlace, Effort, FitCertificate, FitTarget, ParamCurve, Point3,
-    ShortNumber, Warning, WaverRemedy, flatten_within,
+    Arc, ArcFit, ArcFitOptions, CurveObject, CurvePlace, Effort, FitCertificate, FitError, FitTarget, NumberError,
+    ParamCurve, Point3, ShortNumber, Warning, WaverRemedy, flatten_within,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -143,7 +143,7 @@ impl Builder<'_> {
         for (contour, curve) in curves.iter().enumerate() {
             let (path, facts, warnings) = arc_fit_of_curve(spec, curve).map_err(|e| match e {
                 // The places of its own polyline say nothing to anybody.
-                cyclide::Error::NoG1SplineInTube { .. } => {
+                cyclide::Error::Fit(FitError::NoG1SplineInTube { .. }) => {
                     let words = format!(
                         "no arcs that meet smoothly were found within {} of the curve: a larger tolerance, or arcs by halving, as `-o FILE.dxf` has them of the \
                          curve itself",
@@ -151,14 +151,14 @@ impl Builder<'_> {
                     );
                     self.refused_in_words(["tolerance".into()], e.reason(), words)
                 }
-                cyclide::Error::TooManyPieces { .. } => {
+                cyclide::Error::Number(NumberError::TooManyPieces { .. }) => {
                     let words = format!(
                         "a polyline a tenth of {} from the curve has more than {MOST_VERTICES} vertices, and arcs are searched along one: a larger tolerance",
                         ShortNumber(spec.tolerance)
                     );
                     self.refused_in_words(["tolerance".into()], e.reason(), words)
                 }
-                cyclide::Error::ToleranceNotPositive { .. } => self.refused_at(["tolerance".into()], &e),
+                cyclide::Error::Number(NumberError::ToleranceNotPositive { .. }) => self.refused_at(["tolerance".into()], &e),
                 e => self.refused_at(["of".into()], &e),
             })?;
             let of_contour = several.then_some(contour);
@@ -200,7 +200,7 @@ fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
 /// and are no more than what would be fitted to them.
 pub(in crate::document) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
     if !(spec.tolerance > 0.0 && spec.tolerance.is_finite()) {
-        return Err(cyclide::Error::ToleranceNotPositive { tolerance: spec.tolerance });
+        return Err(NumberError::ToleranceNotPositive { tolerance: spec.tolerance }.into());
     }
     let itself = || -> Made {
         let fit = FitCertificate::of_itself(curve.as_curve()).map(Fitted::Arcs);

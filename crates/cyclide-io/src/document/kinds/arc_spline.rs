@@ -1,6 +1,6 @@
 //! Arcs through points, tangent-continuous.
 
-use cyclide::{ArcPath, ArcSplineOptions, BiarcRule, CurveObject, ErrorItem, Vec3, WaverRemedy};
+use cyclide::{ArcPath, ArcSplineOptions, BiarcRule, CurveObject, ErrorItem, NumberError, Vec3, WaverRemedy};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -79,11 +79,7 @@ pub(in crate::document) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) ->
             let given = given.lists.get(at.index).map_or(&[][..], Vec::as_slice);
             // Tangents belong to the points as given; those of points that were merged away go with them.
             let tangents: Option<Vec<Vec3>> = at.kept.iter().map(|&i| given.get(i).map(|t| t.vector())).collect();
-            Some(tangents.ok_or(cyclide::Error::CountDiffers {
-                what: ErrorItem::Tangent,
-                given: given.len(),
-                needed,
-            })?)
+            Some(tangents.ok_or(NumberError::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed })?)
         }
     };
     let options = ArcSplineOptions { closed: spec.closed, rule: spec.rule, tangents };

@@ -1,6 +1,6 @@
 //! Two arcs between two points with given directions.
 
-use cyclide::{Biarc, BiarcRule, CurveObject};
+use cyclide::{ArcError, Biarc, BiarcRule, CurveObject, NumberError, PointError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -55,9 +55,9 @@ impl Kind for BiarcSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
-        let (E::NotFinite { what: I::Tangent, index }
-        | E::ZeroTangent { index }
-        | E::TangentOpposesChord { index, .. }) = *error
+        let (E::Number(NumberError::NotFinite { what: I::Tangent, index })
+        | E::Point(PointError::ZeroTangent { index })
+        | E::Arc(ArcError::TangentOpposesChord { index, .. })) = *error
         else {
             return None;
         };

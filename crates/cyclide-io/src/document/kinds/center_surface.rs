@@ -1,6 +1,6 @@
 //! The surface of the centres of the balls between two pipes.
 
-use cyclide::{Body, Shell, SurfaceObject};
+use cyclide::{Body, CrossingError, Shell, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -56,7 +56,8 @@ impl Builder<'_> {
     /// The surface of all centres.
     pub(in crate::document) fn center_surface(&self, spec: &CenterSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let surface = self.centers_of_source()?.surface(spec.margin).map_err(|e| {
-            let field = if matches!(e, cyclide::Error::NoCenterSurface) { "of" } else { "margin" };
+            let field =
+                if matches!(e, cyclide::Error::Crossing(CrossingError::NoCenterSurface)) { "of" } else { "margin" };
             self.refused_at([Step::from(field)], &e)
         })?;
         let outer = Shell::from_surface(surface).map_err(|e| self.refused(&e, None))?;

@@ -1,6 +1,6 @@
 //! A full circle.
 
-use cyclide::{Circle, CurveObject, Vec3};
+use cyclide::{ArcError, Circle, CurveObject, Vec3};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -54,7 +54,7 @@ impl Kind for CircleSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        matches!(error, cyclide::Error::DegenerateCircle { .. }).then_some(Blame::Field("through"))
+        matches!(error, cyclide::Error::Arc(ArcError::DegenerateCircle { .. })).then_some(Blame::Field("through"))
     }
 }
 

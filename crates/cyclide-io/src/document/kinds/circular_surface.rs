@@ -1,6 +1,6 @@
 //! Arcs between two curves.
 
-use cyclide::{RailSurface, ShortNumber, SurfaceObject, Vec3};
+use cyclide::{ArcError, BridgeError, NumberError, PointError, RailSurface, ShortNumber, SurfaceObject, Vec3};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -53,17 +53,17 @@ impl Kind for CircularSurfaceSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::Error as E;
         blame_size(error).or(Some(match error {
-            E::ZeroTangent { index } if self.tangent.0.len() > 1 => Blame::Entry("tangent", *index),
-            E::ZeroTangent { .. }
-            | E::OppositeTangents { .. }
-            | E::TangentOpposesChord { .. }
-            | E::CountDiffers { .. } => Blame::Field("tangent"),
+            E::Point(PointError::ZeroTangent { index }) if self.tangent.0.len() > 1 => Blame::Entry("tangent", *index),
+            E::Point(PointError::ZeroTangent { .. })
+            | E::Bridge(BridgeError::OppositeTangents { .. })
+            | E::Arc(ArcError::TangentOpposesChord { .. })
+            | E::Number(NumberError::CountDiffers { .. }) => Blame::Field("tangent"),
             _ => Blame::Field("rails"),
         }))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
-        let cyclide::Error::CoincidentPoints { distance, limit, .. } = error else { return None };
+        let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
             "the curves meet, or are {} apart in one place, and an arc joins points that are more than {} apart",
             ShortNumber(*distance),

@@ -1,7 +1,8 @@
 //! A cylinder or cone blended with a sphere or a plate.
 
 use cyclide::{
-    BlendBase, BlendRing, BlendTube, ContactBlend, NeckSide, PlateShape, RingBlend, SurfaceObject, TeeEnds, Vec3,
+    BlendBase, BlendRing, BlendTube, BridgeError, ContactBlend, ContactError, NeckSide, NumberError, PipeError,
+    PlateShape, RingBlend, SurfaceObject, TeeEnds, Vec3,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -223,21 +224,27 @@ fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<C
 pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
+        E::Number(NumberError::NotFinite { what: I::Radius, index: 1 })
+        | E::Contact(ContactError::BlendFolds { .. })
+        | E::Pipe(PipeError::BallDoesNotFit { .. }) => Blame::Field("blend"),
+        E::Number(NumberError::RadiusNotPositive { .. })
+            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 =>
+        {
             Blame::Field("blend")
         }
-        E::RadiusNotPositive { .. } if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 => {
-            Blame::Field("blend")
-        }
-        E::RadiusNotPositive { .. }
+        E::Number(NumberError::RadiusNotPositive { .. })
             if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0)
                 && spec.sphere.is_some_and(|sphere| sphere <= 0.0) =>
         {
             Blame::Field("sphere")
         }
-        E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
-        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. } => Blame::Field(name.word()),
+        E::Pipe(PipeError::PlateTooSmall { .. }) | E::Bridge(BridgeError::RulingsCross { .. }) => Blame::Field("plate"),
+        E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
+            Blame::Field("tolerance")
+        }
+        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. }) => {
+            Blame::Field(name.word())
+        }
         _ => Blame::Field(if spec.ring.is_some() { "ring" } else { "tube" }),
     }
 }

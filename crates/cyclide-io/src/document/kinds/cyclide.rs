@@ -1,6 +1,6 @@
 //! A whole Dupin cyclide.
 
-use cyclide::{DupinCyclide, SurfaceObject, Torus};
+use cyclide::{DupinCyclide, PointError, SurfaceObject, Torus};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -77,12 +77,12 @@ impl Kind for CyclideSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        matches!(error, cyclide::Error::ZeroAxis { .. }).then_some(Blame::Field("axis"))
+        matches!(error, cyclide::Error::Point(PointError::ZeroAxis { .. })).then_some(Blame::Field("axis"))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         // What is the normal of a frame to the kernel.
-        matches!(error, cyclide::Error::ZeroAxis { .. }).then(|| "the axis is zero".to_owned())
+        matches!(error, cyclide::Error::Point(PointError::ZeroAxis { .. })).then(|| "the axis is zero".to_owned())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Blocks in a grid.
 
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, PartError, PatchError, PoseError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -144,7 +144,8 @@ impl Builder<'_> {
         };
         let place = |k: usize| [Step::from("whole"), Step::from("mu"), Step::from(k)];
         if let Some(k) = (1..mu.len()).find(|&k| !(mu[k] > mu[k - 1])) {
-            let error = cyclide::Error::ParametersNotIncreasing { index: k, value: mu[k], before: mu[k - 1] };
+            let error =
+                cyclide::Error::Pose(PoseError::ParametersNotIncreasing { index: k, value: mu[k], before: mu[k - 1] });
             return Err(self.refused_at(place(k), &error));
         }
         // Outwards the outer part of a horn gets longer: what is common to all is that of the first. That of a spindle gets shorter.
@@ -229,8 +230,8 @@ pub(in crate::document) fn blocks_of_grid(spec: &CyclideGridSpec) -> f64 {
 /// The distance of an offset that is refused since layers fold there.
 fn folding_offset(error: &cyclide::Error) -> Option<f64> {
     match error {
-        cyclide::Error::InQuad { cause, .. } => folding_offset(cause),
-        cyclide::Error::OffsetNotRegular { distance, .. } => Some(*distance),
+        cyclide::Error::Part(PartError::InQuad { cause, .. }) => folding_offset(cause),
+        cyclide::Error::Patch(PatchError::OffsetNotRegular { distance, .. }) => Some(*distance),
         _ => None,
     }
 }

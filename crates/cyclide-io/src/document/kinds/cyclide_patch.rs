@@ -1,6 +1,6 @@
 //! One patch of a Dupin cyclide, bounded by four circular arcs.
 
-use cyclide::{CyclidePatch, SurfaceObject};
+use cyclide::{CyclidePatch, NumberError, PatchError, PointError, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -54,18 +54,19 @@ impl Kind for CyclidePatchSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
         match *error {
-            E::NotConcircular { .. } | E::CrossingQuad { .. } => Some(Blame::Entry("corners", 3)),
-            E::NotFinite { what: I::Point, index } | E::CoincidentPoints { second: index, .. } => {
-                Some(Blame::Entry("corners", index))
+            E::Patch(PatchError::NotConcircular { .. } | PatchError::CrossingQuad { .. }) => {
+                Some(Blame::Entry("corners", 3))
             }
+            E::Number(NumberError::NotFinite { what: I::Point, index })
+            | E::Point(PointError::CoincidentPoints { second: index, .. }) => Some(Blame::Entry("corners", index)),
             _ => None,
         }
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         match error {
-            cyclide::Error::FrameNotOrthonormal { .. } => Some(frame_words(self.frame)),
-            cyclide::Error::CrossingQuad { .. } => Some(format!(
+            cyclide::Error::Patch(PatchError::FrameNotOrthonormal { .. }) => Some(frame_words(self.frame)),
+            cyclide::Error::Patch(PatchError::CrossingQuad { .. }) => Some(format!(
                 "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
             )),
             _ => None,

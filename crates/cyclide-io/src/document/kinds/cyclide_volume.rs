@@ -1,6 +1,6 @@
 //! A block whose coordinate surfaces are cyclides that cross at right angles.
 
-use cyclide::{CyclideVolume, ErrorItem, Point3, SphericalCube};
+use cyclide::{CyclideVolume, ErrorItem, NumberError, Point3, PointError, SphericalCube};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -115,12 +115,14 @@ impl Builder<'_> {
             [a, b, c, d, e, f, g] => SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?,
             [a, b, c, d, e, f, g, last] => {
                 let cube = SphericalCube::new([a, b, c, d, e, f, g]).map_err(|e| match e {
-                    cyclide::Error::CoincidentPoints { .. } => match Self::order_of_corners(&corners) {
-                        Some(remedy) => {
-                            self.refused_in_words([Step::from("corners")], e.reason(), format!("{e}{remedy}"))
+                    cyclide::Error::Point(PointError::CoincidentPoints { .. }) => {
+                        match Self::order_of_corners(&corners) {
+                            Some(remedy) => {
+                                self.refused_in_words([Step::from("corners")], e.reason(), format!("{e}{remedy}"))
+                            }
+                            None => refused(e),
                         }
-                        None => refused(e),
-                    },
+                    }
                     e => refused(e),
                 })?;
                 let follows = cube.corners()[7];
@@ -144,7 +146,8 @@ impl Builder<'_> {
 
     /// What is wrong with `inside`, if it is that.
     fn refused_inside(&self, inside: Option<[f64; 3]>, error: &cyclide::Error) -> Option<Error> {
-        let (Some(inside), cyclide::Error::ParameterOutOfRange { name: ErrorItem::Position, .. }) = (inside, error)
+        let (Some(inside), cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Position, .. })) =
+            (inside, error)
         else {
             return None;
         };

@@ -1,6 +1,6 @@
 //! An ellipse or an arc of one.
 
-use cyclide::{CurveObject, Ellipse, Vec3};
+use cyclide::{CurveObject, Ellipse, NumberError, PointError, Vec3};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -77,9 +77,9 @@ impl Builder<'_> {
         error: &cyclide::Error,
     ) -> Error {
         let field = match error {
-            cyclide::Error::RadiusNotPositive { .. } | cyclide::Error::NotFinite { .. } => size,
-            cyclide::Error::ZeroAxis { index: 1, .. } => "x_direction",
-            cyclide::Error::ZeroAxis { .. } => axis,
+            cyclide::Error::Number(NumberError::RadiusNotPositive { .. } | NumberError::NotFinite { .. }) => size,
+            cyclide::Error::Point(PointError::ZeroAxis { index: 1, .. }) => "x_direction",
+            cyclide::Error::Point(PointError::ZeroAxis { .. }) => axis,
             _ => "center",
         };
         self.refused_at([field.into()], error)

@@ -1,6 +1,6 @@
 //! Half circles between two ellipses.
 
-use cyclide::{EllipseBridge, ShortNumber, SurfaceObject};
+use cyclide::{EllipseBridge, PointError, ShortNumber, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -79,7 +79,7 @@ impl Kind for EllipseBridgeSpec {
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
-        let cyclide::Error::CoincidentPoints { distance, limit, .. } = error else { return None };
+        let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
             "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
             ShortNumber(*distance),

@@ -1,7 +1,8 @@
 //! A local smooth curve through points that Möbius maps keep.
 
 use cyclide::{
-    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, QbSpline, Vec3, WaverRemedy,
+    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, NumberError, NurbsError,
+    PoseError, QbSpline, Vec3, WaverRemedy,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,10 +103,9 @@ impl Kind for MoebiusSplineSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
         match *error {
-            E::ParametersNotIncreasing { index, .. } | E::NotFinite { what: I::Knot, index } => {
-                Some(Blame::Entry("knots", index))
-            }
-            E::CountDiffers { what: I::Knot | I::Parameter, .. } => Some(Blame::Field("knots")),
+            E::Pose(PoseError::ParametersNotIncreasing { index, .. })
+            | E::Number(NumberError::NotFinite { what: I::Knot, index }) => Some(Blame::Entry("knots", index)),
+            E::Number(NumberError::CountDiffers { what: I::Knot | I::Parameter, .. }) => Some(Blame::Field("knots")),
             _ => None,
         }
     }
@@ -121,8 +121,9 @@ pub(in crate::document) fn moebius_spline(spec: &MoebiusSplineSpec, at: &Contour
                 &CircleSplineOptions { closed, order: 1, corners, ..Default::default() },
             )?;
             circles.check_finite()?;
-            let no_spline =
-                cyclide::Error::NotASpline { detail: "a circle spline of order 1 is one of quaternion pairs" };
+            let no_spline = cyclide::Error::Nurbs(NurbsError::NotASpline {
+                detail: "a circle spline of order 1 is one of quaternion pairs",
+            });
             QbSpline::from_circle_spline(&circles).ok_or(no_spline)?
         }
         MoebiusContinuity::C1 => {
@@ -153,7 +154,7 @@ fn tangents(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> cyclide::Result<Vec<O
     let Some(given) = &spec.tangents else { return Ok(Vec::new()) };
     let needed = given_count(at);
     if given.len() != needed {
-        return Err(cyclide::Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
+        return Err(NumberError::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed }.into());
     }
     Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|FreeOr(t)| t.map(Coordinates::vector)).collect())
 }

@@ -1,6 +1,6 @@
 //! A rational B-spline curve.
 
-use cyclide::{CurveObject, NurbsCurve, Point3, ShortNumber, WaverRemedy};
+use cyclide::{CurveError, CurveObject, NumberError, NurbsCurve, NurbsError, Point3, ShortNumber, WaverRemedy};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -103,7 +103,8 @@ fn are_clamped(spec: &NurbsSpec) -> bool {
 
 /// What helps where the count of knots does not fit.
 pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String> {
-    let is_count = matches!(error, cyclide::Error::CountDiffers { what: cyclide::ErrorItem::Knot, .. });
+    let is_count =
+        matches!(error, cyclide::Error::Number(NumberError::CountDiffers { what: cyclide::ErrorItem::Knot, .. }));
     is_count.then(|| {
         format!(
             "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
@@ -115,14 +116,17 @@ pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String>
 pub(in crate::document) fn blame_nurbs(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match *error {
-        E::ParameterOutOfRange { name: I::Degree, .. } => Blame::Field("degree"),
-        E::WeightNotPositive { index, .. } | E::WeightsUneven { second: index, .. } => Blame::Entry("weights", index),
-        E::CountDiffers { what: I::Weight, .. } => Blame::Field("weights"),
-        E::KnotsDecrease { index, .. } | E::KnotMultiplicity { index, .. } | E::NotFinite { what: I::Knot, index } => {
-            Blame::Entry("knots", index)
+        E::Number(NumberError::ParameterOutOfRange { name: I::Degree, .. }) => Blame::Field("degree"),
+        E::Nurbs(NurbsError::WeightNotPositive { index, .. } | NurbsError::WeightsUneven { second: index, .. }) => {
+            Blame::Entry("weights", index)
         }
-        E::CountDiffers { .. } | E::EmptyInterval { .. } | E::NotASpline { .. } => Blame::Field("knots"),
-        E::NotFinite { what: I::ControlPoint, index } => Blame::Entry("control_points", index),
+        E::Number(NumberError::CountDiffers { what: I::Weight, .. }) => Blame::Field("weights"),
+        E::Nurbs(NurbsError::KnotsDecrease { index, .. } | NurbsError::KnotMultiplicity { index, .. })
+        | E::Number(NumberError::NotFinite { what: I::Knot, index }) => Blame::Entry("knots", index),
+        E::Number(NumberError::CountDiffers { .. })
+        | E::Curve(CurveError::EmptyInterval { .. })
+        | E::Nurbs(NurbsError::NotASpline { .. }) => Blame::Field("knots"),
+        E::Number(NumberError::NotFinite { what: I::ControlPoint, index }) => Blame::Entry("control_points", index),
         _ => Blame::Field("control_points"),
     }
 }

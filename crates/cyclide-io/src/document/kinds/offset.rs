@@ -1,6 +1,9 @@
 //! A parallel surface, or the solid between.
 
-use cyclide::{Body, CurveObject, CyclidePatch, Shell, ShellFace, SurfaceObject, Torus, Warning};
+use cyclide::{
+    Body, CurveObject, CyclidePatch, NumberError, PartError, PatchError, Shell, ShellError, ShellFace, SurfaceObject,
+    Torus, Warning,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -60,13 +63,14 @@ impl Kind for OffsetSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
-        let is_of_distance = matches!(error, E::ParameterOutOfRange { name: I::Distance, .. }) || is_of_distance(error);
+        let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }))
+            || is_of_distance(error);
         is_of_distance.then_some(Blame::Field("distance"))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         use cyclide::{Error as E, ErrorItem as I};
-        let is_of_distance = matches!(error, E::ParameterOutOfRange { name: I::Distance, .. });
+        let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }));
         (is_of_distance && self.distance == 0.0)
             .then(|| "a solid between a surface and its offset needs a distance other than 0".to_owned())
     }
@@ -149,8 +153,9 @@ impl Builder<'_> {
 pub(in crate::document) fn is_of_distance(error: &cyclide::Error) -> bool {
     use cyclide::Error as E;
     match error {
-        E::InQuad { cause, .. } => is_of_distance(cause),
-        E::OffsetOnFocalSet { .. } | E::OffsetNotRegular { .. } | E::NotAShell { .. } => true,
+        E::Part(PartError::InQuad { cause, .. }) => is_of_distance(cause),
+        E::Patch(PatchError::OffsetOnFocalSet { .. } | PatchError::OffsetNotRegular { .. })
+        | E::Shell(ShellError::NotAShell { .. }) => true,
         _ => false,
     }
 }

@@ -1,7 +1,7 @@
 //! The tube about a curve of arcs and segments.
 
 use cyclide::{
-    CurveObject, FairFit, FairFitOptions, Lower as _, ParamCurve as _, Pipe, PipeEnds, Point3, ShortNumber,
+    CurveObject, FairFit, FairFitOptions, Lower as _, ParamCurve as _, Pipe, PipeEnds, PipeError, Point3, ShortNumber,
     SurfaceObject,
 };
 use schemars::JsonSchema;
@@ -89,7 +89,7 @@ impl Builder<'_> {
         let mut bodies = Vec::with_capacity(spines.len());
         for (curve, spine) in curves.iter().zip(&spines) {
             bodies.push(pipe.body(spine).map_err(|e| match e {
-                cyclide::Error::MitreDoesNotFit { .. } | cyclide::Error::CornerNotMitred { .. } => {
+                cyclide::Error::Pipe(PipeError::MitreDoesNotFit { .. } | PipeError::CornerNotMitred { .. }) => {
                     match self.fit_for_pipe(curve, &pipe, spec.radius) {
                         Some(remedy) => self.refused_in_words(["radius".into()], e.reason(), format!("{e}{remedy}")),
                         None => refused(e),

@@ -2,7 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use cyclide::{CrossingPipe, CrossingSide, PipeCrossing, SurfaceObject, TeeEnds};
+use cyclide::{
+    BallError, CrossingError, CrossingPipe, CrossingSide, NumberError, PipeCrossing, PipeError, PointError,
+    SurfaceObject, TeeEnds,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -227,33 +230,40 @@ fn crossing(spec: &PipeCrossingSpec, values: &[[f64; 2]]) -> cyclide::Result<Pip
 pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::PipeEndsReversed { pipe, .. }
-        | E::CrossingPipeTooShort { pipe, .. }
-        | E::CrossingHoleTooWide { pipe, .. }
-        | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
-        E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
-        E::NotFinite { what: I::Taper, index } => Blame::Entry("pipes", *index),
-        E::CrossingNeedsCylinders { what, .. } => Blame::Field(what.word()),
-        E::AngleOutOfRange { .. } if spec.angle.is_some() => Blame::Field(I::Angle.word()),
-        E::RadiusTooSmall { .. }
-        | E::CrossingBallTooLarge { .. }
-        | E::CoincidentPoints { .. }
-        | E::TooFewPoints { .. }
-        | E::BelowRoundingOfPlace { .. }
-        | E::CrossingFolds { .. }
-        | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
-        E::RadiusNotPositive { .. } | E::ConeReachesApex { .. } => {
+        E::Pipe(PipeError::EndsReversed { pipe, .. })
+        | E::Crossing(
+            CrossingError::PipeTooShort { pipe, .. }
+            | CrossingError::HoleTooWide { pipe, .. }
+            | CrossingError::HoleTurnsBack { pipe, .. },
+        ) => Blame::Entry("pipes", *pipe),
+        E::Number(NumberError::NotFinite { what: I::Radius, index }) if *index < 2 => Blame::Entry("pipes", *index),
+        E::Number(NumberError::NotFinite { what: I::Taper, index }) => Blame::Entry("pipes", *index),
+        E::Crossing(CrossingError::NeedsCylinders { what, .. }) => Blame::Field(what.word()),
+        E::Number(NumberError::AngleOutOfRange { .. }) if spec.angle.is_some() => Blame::Field(I::Angle.word()),
+        E::Ball(BallError::RadiusTooSmall { .. })
+        | E::Crossing(CrossingError::BallTooLarge { .. })
+        | E::Point(
+            PointError::CoincidentPoints { .. }
+            | PointError::TooFewPoints { .. }
+            | PointError::BelowRoundingOfPlace { .. },
+        )
+        | E::Crossing(CrossingError::Folds { .. })
+        | E::Number(NumberError::NotFinite { what: I::Radius, .. }) => Blame::Field("blend"),
+        E::Number(NumberError::RadiusNotPositive { .. }) | E::Pipe(PipeError::ConeReachesApex { .. }) => {
             match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
                 Some(pipe) => Blame::Entry("pipes", pipe),
                 None => Blame::Field("blend"),
             }
         }
-        E::CrossingAxesTooNear { .. }
-        | E::CrossingPipesApart { .. }
-        | E::NotTimelikePair { .. }
-        | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
-        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
+        E::Crossing(CrossingError::AxesTooNear { .. } | CrossingError::PipesApart { .. })
+        | E::Ball(BallError::NotTimelikePair { .. })
+        | E::Number(NumberError::NotFinite { what: I::Distance, .. }) => Blame::Field("distance"),
+        E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
+            Blame::Field("tolerance")
+        }
+        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. }) => {
+            Blame::Field(name.word())
+        }
         _ => Blame::Field("pipes"),
     }
 }

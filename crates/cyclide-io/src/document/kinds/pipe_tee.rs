@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use cyclide::{PipeTee, SurfaceObject, TeeBlend, TeeBranch, TeeEnds, TeeMain};
+use cyclide::{
+    NumberError, PartError, PipeError, PipeTee, SurfaceObject, TeeBlend, TeeBranch, TeeEnds, TeeError, TeeMain,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -288,25 +290,31 @@ impl Builder<'_> {
 pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::TeeBranchTooWide { branch, .. }
-        | E::TeeBlendTooLarge { branch, .. }
-        | E::TeeLawOnEqualPipes { branch, .. }
-        | E::TeeBlendFolds { branch, .. }
-        | E::TeeHoleFolds { branch, .. }
-        | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
-        E::InBranch { branch, what, .. } => Blame::FieldOfEntry("branches", *branch, what.word()),
-        E::TeePipeTooShort { .. }
-        | E::PipeEndsReversed { .. }
-        | E::RadiusNotPositive { .. }
-        | E::ConeReachesApex { .. }
-        | E::ParameterOutOfRange { name: I::Taper, .. }
-        | E::NotFinite { what: I::Radius | I::Taper, .. } => Blame::Field("main"),
-        E::TeeBranchesMeet { second, .. }
-        | E::TeeBranchesTooNear { second, .. }
-        | E::TeeEqualBranchesNotOpposite { second, .. }
-        | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
-        E::NotFinite { index, .. } => Blame::Entry("branches", *index),
-        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
+        E::Tee(
+            TeeError::BranchTooWide { branch, .. }
+            | TeeError::BlendTooLarge { branch, .. }
+            | TeeError::LawOnEqualPipes { branch, .. }
+            | TeeError::BlendFolds { branch, .. }
+            | TeeError::HoleFolds { branch, .. }
+            | TeeError::PipeTooShort { what: I::Branch, branch, .. },
+        ) => Blame::Entry("branches", *branch),
+        E::Part(PartError::InBranch { branch, what, .. }) => Blame::FieldOfEntry("branches", *branch, what.word()),
+        E::Tee(TeeError::PipeTooShort { .. })
+        | E::Pipe(PipeError::EndsReversed { .. })
+        | E::Number(NumberError::RadiusNotPositive { .. })
+        | E::Pipe(PipeError::ConeReachesApex { .. })
+        | E::Number(
+            NumberError::ParameterOutOfRange { name: I::Taper, .. }
+            | NumberError::NotFinite { what: I::Radius | I::Taper, .. },
+        ) => Blame::Field("main"),
+        E::Tee(
+            TeeError::BranchesMeet { second, .. }
+            | TeeError::BranchesTooNear { second, .. }
+            | TeeError::EqualBranchesNotOpposite { second, .. }
+            | TeeError::NoFreeLine { second, .. },
+        ) => Blame::Entry("branches", *second),
+        E::Number(NumberError::NotFinite { index, .. }) => Blame::Entry("branches", *index),
+        E::Number(NumberError::ParameterOutOfRange { name: name @ I::Wall, .. }) => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
     }
 }

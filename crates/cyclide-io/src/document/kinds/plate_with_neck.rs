@@ -1,6 +1,6 @@
 //! A pipe on a plate with a rounded neck.
 
-use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape, SurfaceObject};
+use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, NumberError, PipeError, PlateShape, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -138,10 +138,11 @@ impl Kind for PlateWithNeckSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::Error as E;
         blame_size(error).or(Some(match error {
-            E::RadiusNotPositive { .. } if self.pipe_radius <= 0.0 => Blame::Field("pipe_radius"),
-            E::RadiusNotPositive { .. } | E::BallDoesNotFit { .. } | E::NeckFolds { .. } => Blame::Field("ball_radius"),
-            E::AngleOutOfRange { .. } => Blame::Field("slope"),
-            E::PlateTooSmall { .. } => Blame::Field("plate"),
+            E::Number(NumberError::RadiusNotPositive { .. }) if self.pipe_radius <= 0.0 => Blame::Field("pipe_radius"),
+            E::Number(NumberError::RadiusNotPositive { .. })
+            | E::Pipe(PipeError::BallDoesNotFit { .. } | PipeError::NeckFolds { .. }) => Blame::Field("ball_radius"),
+            E::Number(NumberError::AngleOutOfRange { .. }) => Blame::Field("slope"),
+            E::Pipe(PipeError::PlateTooSmall { .. }) => Blame::Field("plate"),
             _ => Blame::Object,
         }))
     }

@@ -1,6 +1,6 @@
 //! Segments through points, corners rounded by arcs.
 
-use cyclide::{ArcPath, CurveObject, ErrorItem};
+use cyclide::{ArcPath, CurveObject, ErrorItem, NumberError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -61,7 +61,7 @@ pub(in crate::document) fn polyline(spec: &PolylineSpec, at: &Contour<'_>) -> Ma
             // Of the points as given, those that were merged away included; a point that repeats the first one may have its own.
             let needed = at.kept.last().map_or(0, |last| last + 1);
             if given.len() != needed && !(spec.closed && given.len() == needed + 1) {
-                return Err(cyclide::Error::CountDiffers { what: ErrorItem::Radius, given: given.len(), needed });
+                return Err(NumberError::CountDiffers { what: ErrorItem::Radius, given: given.len(), needed }.into());
             }
             at.kept.iter().filter_map(|&i| given.get(i).copied()).collect()
         }

@@ -1,6 +1,6 @@
 //! A rational curve of lowest degree through points.
 
-use cyclide::{CurveObject, ErrorItem, QbInterpolation, QbNode, QbSpline, Vec3, WaverRemedy};
+use cyclide::{CurveObject, ErrorItem, NumberError, PointError, QbInterpolation, QbNode, QbSpline, Vec3, WaverRemedy};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -72,9 +72,11 @@ impl Kind for QbInterpolationSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         use cyclide::{Error as E, ErrorItem as I};
         match error {
-            E::CountDiffers { what: I::Parameter, .. } => None,
-            E::CountDiffers { .. } | E::NotFinite { what: I::Tangent, .. } => Some(Blame::Field("derivatives")),
-            E::ParameterOutOfRange { name: I::Parameter, .. } => Some(Blame::Field("parameters")),
+            E::Number(NumberError::CountDiffers { what: I::Parameter, .. }) => None,
+            E::Number(NumberError::CountDiffers { .. } | NumberError::NotFinite { what: I::Tangent, .. }) => {
+                Some(Blame::Field("derivatives"))
+            }
+            E::Number(NumberError::ParameterOutOfRange { name: I::Parameter, .. }) => Some(Blame::Field("parameters")),
             _ => None,
         }
     }
@@ -84,7 +86,7 @@ pub(in crate::document) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Con
     let points = &at.list.points;
     // One point is a curve of degree 0, which goes nowhere.
     if points.len() < 3 && spec.derivatives.is_none() {
-        return Err(cyclide::Error::TooFewPoints { given: points.len(), needed: 3 });
+        return Err(PointError::TooFewPoints { given: points.len(), needed: 3 }.into());
     }
     let parameters = node_parameters(&spec.parameters, at, 0);
     let found = match &spec.derivatives {
@@ -94,12 +96,12 @@ pub(in crate::document) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Con
                 at.kept.iter().filter_map(|&i| Some(vectors(given.get(i).filter(|_| at.index == 0)?))).collect();
             if given.len() != points.len() {
                 let what = ErrorItem::Tangent;
-                return Err(cyclide::Error::CountDiffers { what, given: given.len(), needed: points.len() });
+                return Err(NumberError::CountDiffers { what, given: given.len(), needed: points.len() }.into());
             }
             // Points and derivatives are the conditions: a single one is a point, and no curve.
             let conditions = points.len() + given.iter().map(Vec::len).sum::<usize>();
             if conditions < 2 {
-                return Err(cyclide::Error::TooFewPoints { given: conditions, needed: 3 });
+                return Err(PointError::TooFewPoints { given: conditions, needed: 3 }.into());
             }
             let parameters = parameters.of(points)?;
             let node = |i: usize| QbNode { parameter: parameters[i], point: points[i], derivatives: given[i].clone() };

@@ -1,6 +1,6 @@
 //! What a curve sweeps when it turns about an axis.
 
-use cyclide::{CurveObject, Revolution, ShortNumber, SurfaceObject, Vec3};
+use cyclide::{CurveObject, NumberError, PointError, Revolution, ShortNumber, SurfaceObject, Vec3};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -63,8 +63,8 @@ impl Kind for RevolutionSpec {
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         match error {
-            cyclide::Error::ZeroAxis { .. } => Some(Blame::Field("axis")),
-            cyclide::Error::AngleOutOfRange { .. } => Some(Blame::Field("angle")),
+            cyclide::Error::Point(PointError::ZeroAxis { .. }) => Some(Blame::Field("axis")),
+            cyclide::Error::Number(NumberError::AngleOutOfRange { .. }) => Some(Blame::Field("angle")),
             _ => None,
         }
     }

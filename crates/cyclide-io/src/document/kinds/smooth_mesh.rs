@@ -1,7 +1,8 @@
 //! A smooth surface through the vertices of a triangle mesh.
 
 use cyclide::{
-    Error as KernelError, ErrorItem, NormalWeights, ShortNumber, SmoothMesh, SurfaceObject, VertexNormals, Warning,
+    Error as KernelError, ErrorItem, MeshError, NormalWeights, NumberError, PartError, ShortNumber, SmoothMesh,
+    SurfaceObject, VertexNormals, Warning,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -203,7 +204,7 @@ impl Builder<'_> {
                 for (index, triangle) in triangles.iter().enumerate() {
                     if let Some(place) = triangle.iter().position(|v| *v as usize >= count) {
                         let vertex = triangle[place] as usize;
-                        let error = KernelError::NoSuchVertex { triangle: index, vertex, count };
+                        let error = KernelError::Mesh(MeshError::NoSuchVertex { triangle: index, vertex, count });
                         return Err(self.refused_at(["triangles".into(), index.into(), place.into()], &error));
                     }
                 }
@@ -230,7 +231,11 @@ impl Builder<'_> {
                     return Err(self.unfit("a list of `normals` goes with `vertices`: of a file take \"file\""));
                 }
                 if given_count != needed {
-                    let error = KernelError::CountDiffers { what: ErrorItem::Normal, given: given_count, needed };
+                    let error = KernelError::Number(NumberError::CountDiffers {
+                        what: ErrorItem::Normal,
+                        given: given_count,
+                        needed,
+                    });
                     return Err(self.refused_at(["normals".into()], &error));
                 }
                 given.mesh.normals = normals.iter().map(|n| n.vector()).collect();
@@ -312,9 +317,9 @@ impl Builder<'_> {
     fn refused_smooth(&self, given: &Given, mesh: &TriangleMesh, error: &KernelError) -> Error {
         let (error, triangle, vertices) = in_given_numbers(mesh, error.clone());
         let field = match (&error, &given.file) {
-            (KernelError::AngleOutOfRange { .. }, _) => "crease_angle",
-            (KernelError::NotFinite { what: ErrorItem::Normal, .. }, _) => "normals",
-            (KernelError::UndefinedNormal { .. }, None) if given.lists_normals => "normals",
+            (KernelError::Number(NumberError::AngleOutOfRange { .. }), _) => "crease_angle",
+            (KernelError::Number(NumberError::NotFinite { what: ErrorItem::Normal, .. }), _) => "normals",
+            (KernelError::Mesh(MeshError::UndefinedNormal { .. }), None) if given.lists_normals => "normals",
             _ => given.field,
         };
         let mut words = error.to_string();
@@ -331,7 +336,9 @@ impl Builder<'_> {
         let mut steps: Vec<Step> = vec![field.into()];
         match (triangle, &error) {
             (Some(triangle), _) if field == "triangles" => steps.push(triangle.into()),
-            (_, &KernelError::UndefinedNormal { vertex, .. }) if field == "normals" => steps.push(vertex.into()),
+            (_, &KernelError::Mesh(MeshError::UndefinedNormal { vertex, .. })) if field == "normals" => {
+                steps.push(vertex.into())
+            }
             _ => {}
         }
         if self.document.text.is_empty() {
@@ -367,19 +374,28 @@ fn in_given_numbers(mesh: &TriangleMesh, error: KernelError) -> (KernelError, Op
     let given = |vertex: usize| mesh.vertices.get(vertex).copied().unwrap_or(vertex);
     let corners = |triangle: usize| mesh.triangles.get(triangle).map_or(Vec::new(), |t| t.to_vec());
     match error {
-        E::InTriangle { triangle, cause } => {
-            (E::InTriangle { triangle: polygon(triangle), cause }, Some(polygon(triangle)), corners(triangle))
-        }
-        E::NonManifoldEdge { vertices, triangle, count } => {
-            let error = E::NonManifoldEdge { vertices: vertices.map(given), triangle: polygon(triangle), count };
+        E::Part(PartError::InTriangle { triangle, cause }) => (
+            E::Part(PartError::InTriangle { triangle: polygon(triangle), cause }),
+            Some(polygon(triangle)),
+            corners(triangle),
+        ),
+        E::Mesh(MeshError::NonManifoldEdge { vertices, triangle, count }) => {
+            let error = E::Mesh(MeshError::NonManifoldEdge {
+                vertices: vertices.map(given),
+                triangle: polygon(triangle),
+                count,
+            });
             (error, Some(polygon(triangle)), vertices.to_vec())
         }
-        E::InconsistentOrientation { vertices, triangles } => {
-            let error = E::InconsistentOrientation { vertices: vertices.map(given), triangles: triangles.map(polygon) };
+        E::Mesh(MeshError::InconsistentOrientation { vertices, triangles }) => {
+            let error = E::Mesh(MeshError::InconsistentOrientation {
+                vertices: vertices.map(given),
+                triangles: triangles.map(polygon),
+            });
             (error, Some(polygon(triangles[1])), vertices.to_vec())
         }
-        E::UndefinedNormal { vertex, length, limit } => {
-            (E::UndefinedNormal { vertex: given(vertex), length, limit }, None, vec![vertex])
+        E::Mesh(MeshError::UndefinedNormal { vertex, length, limit }) => {
+            (E::Mesh(MeshError::UndefinedNormal { vertex: given(vertex), length, limit }), None, vec![vertex])
         }
         other => (other, None, Vec::new()),
     }

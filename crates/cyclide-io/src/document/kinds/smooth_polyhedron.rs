@@ -1,6 +1,9 @@
 //! A convex polyhedron with its edges and corners rounded.
 
-use cyclide::{ConvexPolyhedron, Error as KernelError, ErrorItem, Point3, ShortNumber, SurfaceObject};
+use cyclide::{
+    ConvexPolyhedron, Error as KernelError, ErrorItem, NumberError, Point3, PointError, PolyhedronError, ShortNumber,
+    SurfaceObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -181,8 +184,10 @@ impl Builder<'_> {
     /// The message for what the kernel said about the polyhedron.
     fn refused_mesh(&self, mesh: &Mesh, error: &KernelError) -> Error {
         let few_digits = match *error {
-            KernelError::NotConvex { angle, .. } => angle > -FEW_DIGITS,
-            KernelError::NonPlanarFace { distance, .. } | KernelError::PlanesMissPoint { distance, .. } => {
+            KernelError::Polyhedron(PolyhedronError::NotConvex { angle, .. }) => angle > -FEW_DIGITS,
+            KernelError::Polyhedron(
+                PolyhedronError::NonPlanarFace { distance, .. } | PolyhedronError::PlanesMissPoint { distance, .. },
+            ) => {
                 let size = cyclide::Aabb::of_points(mesh.points.iter().copied()).map_or(0.0, |b| b.diagonal());
                 distance < FEW_DIGITS * size
             }
@@ -191,7 +196,9 @@ impl Builder<'_> {
         let mut words = error.to_string();
         if let (
             Some(file),
-            &(KernelError::NotConvex { first, second, .. } | KernelError::NotClosed { first, second, .. }),
+            &KernelError::Polyhedron(
+                PolyhedronError::NotConvex { first, second, .. } | PolyhedronError::NotClosed { first, second, .. },
+            ),
         ) = (&mesh.file, error)
         {
             let at = |k: usize| {
@@ -202,24 +209,34 @@ impl Builder<'_> {
         }
         let is_shape = matches!(
             error,
-            KernelError::NotConvex { .. }
-                | KernelError::NotAFace { .. }
-                | KernelError::NonPlanarFace { .. }
-                | KernelError::PlanesMissPoint { .. }
+            KernelError::Polyhedron(
+                PolyhedronError::NotConvex { .. }
+                    | PolyhedronError::NotAFace { .. }
+                    | PolyhedronError::NonPlanarFace { .. }
+                    | PolyhedronError::PlanesMissPoint { .. }
+            )
         );
         if mesh.faces.is_none() && is_shape {
             words += "; the hull of the points has no faces in planes within this `flatness`: take a larger one, the rounding of the points";
         } else if few_digits {
             words += "; where coordinates have few digits, give their rounding as `flatness`";
-        } else if matches!(error, KernelError::NotConvex { .. }) {
+        } else if matches!(error, KernelError::Polyhedron(PolyhedronError::NotConvex { .. })) {
             words += "; `\"hull\": true` takes the convex hull";
         }
         let steps: Vec<Step> = match *error {
-            KernelError::RadiusNotPositive { .. }
-            | KernelError::ParameterOutOfRange { name: ErrorItem::Radius, .. }
-            | KernelError::BelowRoundingOfPlace { what: ErrorItem::Radius, .. } => vec!["radius".into()],
-            KernelError::ParameterOutOfRange { name: ErrorItem::Flatness, .. } => vec!["flatness".into()],
-            KernelError::NotAFace { face, .. } if mesh.field == "faces" => vec!["faces".into(), face.into()],
+            KernelError::Number(
+                NumberError::RadiusNotPositive { .. }
+                | NumberError::ParameterOutOfRange { name: ErrorItem::Radius, .. },
+            )
+            | KernelError::Point(PointError::BelowRoundingOfPlace { what: ErrorItem::Radius, .. }) => {
+                vec!["radius".into()]
+            }
+            KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Flatness, .. }) => {
+                vec!["flatness".into()]
+            }
+            KernelError::Polyhedron(PolyhedronError::NotAFace { face, .. }) if mesh.field == "faces" => {
+                vec!["faces".into(), face.into()]
+            }
             _ => vec![mesh.field.into()],
         };
         if self.document.text.is_empty() {

@@ -1,6 +1,9 @@
 //! A smooth patch over one triangle, shaped by three spheres.
 
-use cyclide::{Error as KernelError, ErrorItem, SphereBlend, SurfaceObject, TriangleSurface};
+use cyclide::{
+    Error as KernelError, ErrorItem, MeshError, NumberError, PartError, PatchError, SphereBlend, SurfaceObject,
+    TriangleError, TriangleSurface,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -77,14 +80,19 @@ impl Builder<'_> {
 
     fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
         let shape = if spec.control.is_some() { "control" } else { "normals" };
-        let error = if let KernelError::InTriangle { cause, .. } = error { cause } else { error };
+        let error = if let KernelError::Part(PartError::InTriangle { cause, .. }) = error { cause } else { error };
         let steps: Vec<Step> = match *error {
-            KernelError::ControlPointOnCircumcircle { corner, .. } => vec!["control".into(), corner.into()],
-            KernelError::UndefinedNormal { vertex, .. } if spec.normals.is_some() => {
+            KernelError::Triangle(TriangleError::ControlPointOnCircumcircle { corner, .. }) => {
+                vec!["control".into(), corner.into()]
+            }
+            KernelError::Mesh(MeshError::UndefinedNormal { vertex, .. }) if spec.normals.is_some() => {
                 vec!["normals".into(), vertex.into()]
             }
-            KernelError::NotFinite { what: ErrorItem::Normal, index } => vec!["normals".into(), index.into()],
-            KernelError::OppositeSpheres { .. } | KernelError::PatchThroughInfinity { .. } => vec![shape.into()],
+            KernelError::Number(NumberError::NotFinite { what: ErrorItem::Normal, index }) => {
+                vec!["normals".into(), index.into()]
+            }
+            KernelError::Triangle(TriangleError::OppositeSpheres { .. })
+            | KernelError::Patch(PatchError::ThroughInfinity { .. }) => vec![shape.into()],
             _ => vec!["corners".into()],
         };
         self.refused_at(steps, error)

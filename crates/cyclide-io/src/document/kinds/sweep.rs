@@ -1,6 +1,9 @@
 //! A plane section along a path.
 
-use cyclide::{CurveObject, EdgeCurve, ShortNumber, SurfaceObject, Sweep, SweepFrame, SweepOptions};
+use cyclide::{
+    CurveError, CurveObject, EdgeCurve, NumberError, PipeError, ProfileError, ShortNumber, SurfaceObject, Sweep,
+    SweepFrame, SweepOptions, TubeError,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -165,39 +168,43 @@ impl Builder<'_> {
     fn refused_sweep(&self, spec: &SweepSpec, error: &cyclide::Error) -> Error {
         use cyclide::Error as E;
         let (field, words) = match error {
-            E::SectionNotPlane { .. } if spec.in_place => (
+            E::Profile(ProfileError::SectionNotPlane { .. }) if spec.in_place => (
                 "section",
                 format!(
                     "{error}: with `in_place` the section lies across the path at its start; turn it there, or draw it in the plane z = 0 without `in_place`"
                 ),
             ),
-            E::SectionNotPlane { .. } => (
+            E::Profile(ProfileError::SectionNotPlane { .. }) => (
                 "section",
                 format!(
                     "{error}: a section is drawn in the plane z = 0, where its origin runs on the path; with `\"in_place\": true` across the path at its start"
                 ),
             ),
-            E::SectionMeetsItself { .. } => ("section", error.to_string()),
-            E::TubeFolds { piece, .. } => (
+            E::Profile(ProfileError::SectionMeetsItself { .. }) => ("section", error.to_string()),
+            E::Tube(TubeError::Folds { piece, .. }) => (
                 "of",
                 format!(
                     "the bend in piece {piece} of the path is narrower than the section reaches to its inner side: take wider bends, or move or turn the section"
                 ),
             ),
-            E::MitreDoesNotFit { piece, needed, length } => (
+            E::Pipe(PipeError::MitreDoesNotFit { piece, needed, length }) => (
                 "of",
                 format!(
                     "segment {piece} of the path has the length {length}, and the section needs more than {needed} in the mitres at its ends: take a smaller section or longer segments"
                 ),
             ),
-            E::CornerNotMitred { joint, turn, limit, .. } => (
+            E::Pipe(PipeError::CornerNotMitred { joint, turn, limit, .. }) => (
                 "of",
                 format!(
                     "the path has a corner of {turn} rad before piece {joint}: corners between segments are mitred, up to {limit} rad; round it (polyline with radius)"
                 ),
             ),
-            E::NoFrame { .. } => ("frame", format!("{error}; take the frame `rotation-minimizing`, or another `up`")),
-            E::ParameterOutOfRange { .. } | E::TooManyPieces { .. } => ("tolerance", error.to_string()),
+            E::Curve(CurveError::NoFrame { .. }) => {
+                ("frame", format!("{error}; take the frame `rotation-minimizing`, or another `up`"))
+            }
+            E::Number(NumberError::ParameterOutOfRange { .. } | NumberError::TooManyPieces { .. }) => {
+                ("tolerance", error.to_string())
+            }
             _ => ("section", error.to_string()),
         };
         self.refused_in_words([field.into()], error.reason(), words)

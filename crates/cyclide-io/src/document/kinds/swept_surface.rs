@@ -1,6 +1,8 @@
 //! What a curve of a moving body runs over.
 
-use cyclide::{CurveObject, Point3, RationalMotion, ShortNumber, SurfaceObject, SweptSurface, Vec3, bounds};
+use cyclide::{
+    CurveObject, MotionError, Point3, RationalMotion, ShortNumber, SurfaceObject, SweptSurface, Vec3, bounds,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -78,7 +80,7 @@ impl Builder<'_> {
             let make = if spec.ends == SweepEnds::Flat { SweptSurface::solid } else { SweptSurface::new };
             let swept = curve.exact_pieces().and_then(|(pieces, closed)| make(&pieces, closed, form.motion()));
             let swept = swept.map_err(|e| match e {
-                cyclide::Error::MotionAtRest { length, limit } => {
+                cyclide::Error::Motion(MotionError::AtRest { length, limit }) => {
                     let words = format!(
                         "the motion is at rest: the profile moves by {}, which must be above {}, and runs over no surface",
                         ShortNumber(length),

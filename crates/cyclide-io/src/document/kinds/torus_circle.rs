@@ -1,6 +1,6 @@
 //! A circle of a torus.
 
-use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusSpline};
+use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusError, TorusSpline};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -113,7 +113,11 @@ impl Kind for TorusCircleSpec {
         use cyclide::Error as E;
         let angles = if self.at.is_some() { "at" } else { "through" };
         Some(match error {
-            E::PointOnAxis { .. } | E::PointOnCoreCircle { .. } | E::PointOffTorus { .. } => Blame::Field(angles),
+            E::Torus(
+                TorusError::PointOnAxis { .. }
+                | TorusError::PointOnCoreCircle { .. }
+                | TorusError::PointOffTorus { .. },
+            ) => Blame::Field(angles),
             _ => blame_on_torus(&TorusFields { angles, ..TorusFields::SPLINE }, error),
         })
     }

@@ -1,6 +1,8 @@
 //! A closed quartic of one type on a torus.
 
-use cyclide::{CircleFamily, CurveObject, Error as E, ErrorItem as I, Point2, QuarticType, TorusSpline};
+use cyclide::{
+    CircleFamily, CurveObject, Error as E, ErrorItem as I, NumberError, Point2, QuarticType, TorusError, TorusSpline,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -59,7 +61,7 @@ impl Kind for TorusQuarticSpec {
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
         let fields = TorusFields { angles: "start", ..TorusFields::SPLINE };
         Some(match error {
-            cyclide::Error::NotCoprime { .. } => Blame::Field("ratio"),
+            cyclide::Error::Torus(TorusError::NotCoprime { .. }) => Blame::Field("ratio"),
             _ => blame_on_torus(&fields, error),
         })
     }
@@ -79,9 +81,10 @@ impl Builder<'_> {
         let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
         TorusSpline::closed_quartic(&torus, kind, start, ratio).map_err(|e| match e {
             // The range is that of its reciprocal too: said of what was typed.
-            E::ParameterOutOfRange { name: I::Ratio, min, max, .. } => {
-                self.refused(&E::ParameterOutOfRange { name: I::Ratio, value: spec.ratio, min, max }, None)
-            }
+            E::Number(NumberError::ParameterOutOfRange { name: I::Ratio, min, max, .. }) => self.refused(
+                &E::Number(NumberError::ParameterOutOfRange { name: I::Ratio, value: spec.ratio, min, max }),
+                None,
+            ),
             other => self.refused(&other, None),
         })
     }

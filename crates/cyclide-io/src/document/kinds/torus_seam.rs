@@ -1,6 +1,9 @@
 //! A raised or sunk seam along a curve of a torus.
 
-use cyclide::{Body, Error as E, ErrorItem as I, ShortNumber, SurfaceObject, TorusSeam};
+use cyclide::{
+    Body, CurveError, Error as E, ErrorItem as I, NumberError, NurbsError, PointError, ShortNumber, SurfaceObject,
+    TorusError, TorusSeam,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -88,19 +91,22 @@ impl Builder<'_> {
 pub(in crate::document) fn blame_seam(error: &cyclide::Error) -> Blame {
     let fields = TorusFields { turns: "tolerance", ..TorusFields::SPLINE };
     match error {
-        E::ZeroTangent { .. }
-        | E::NotFinite { what: I::Tangent | I::Knot, .. }
-        | E::CountDiffers { what: I::Tangent | I::Knot, .. }
-        | E::EmptyInterval { .. }
-        | E::Disconnected { .. }
-        | E::WeightNotPositive { .. }
-        | E::NotCoprime { .. }
-        | E::ParameterOutOfRange { name: I::Width | I::Height | I::Ratio, .. }
-        | E::RadiusNotPositive { .. }
-        | E::SeamMeetsItself { .. }
-        | E::SeamTooWide { .. }
-        | E::ToleranceNotPositive { .. }
-        | E::TooManyPieces { .. } => blame_on_torus(&fields, error),
+        E::Point(PointError::ZeroTangent { .. })
+        | E::Number(
+            NumberError::NotFinite { what: I::Tangent | I::Knot, .. }
+            | NumberError::CountDiffers { what: I::Tangent | I::Knot, .. },
+        )
+        | E::Curve(CurveError::EmptyInterval { .. } | CurveError::Disconnected { .. })
+        | E::Nurbs(NurbsError::WeightNotPositive { .. })
+        | E::Torus(TorusError::NotCoprime { .. })
+        | E::Number(
+            NumberError::ParameterOutOfRange { name: I::Width | I::Height | I::Ratio, .. }
+            | NumberError::RadiusNotPositive { .. },
+        )
+        | E::Torus(TorusError::SeamMeetsItself { .. } | TorusError::SeamTooWide { .. })
+        | E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
+            blame_on_torus(&fields, error)
+        }
         _ => Blame::Field("of"),
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use cyclide::{
-    CurveObject, Error as E, ErrorItem as I, Lower as _, Point2, Torus, TorusSpline, TorusSplineOptions, TorusTangent,
-    TorusWinding, WaverRemedy,
+    CurveObject, ErrorItem as I, Lower as _, NumberError, Point2, PointError, Torus, TorusSpline, TorusSplineOptions,
+    TorusTangent, TorusWinding, WaverRemedy,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -210,11 +210,11 @@ impl Kind for TorusSplineSpec {
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         match error {
-            cyclide::Error::ZeroTangent { index } if is_given(self, *index) => {
+            cyclide::Error::Point(PointError::ZeroTangent { index }) if is_given(self, *index) => {
                 Some(format!("tangent {index} is normal to the torus there: nothing of it runs along the torus"))
             }
             // Angles a whole turn apart are one place.
-            cyclide::Error::CoincidentPoints { .. }
+            cyclide::Error::Point(PointError::CoincidentPoints { .. })
                 if !self.closed && self.winding.is_none() && self.angles.is_some() =>
             {
                 Some(format!(
@@ -342,7 +342,7 @@ fn of_kept<T>(
     let needed = at.kept.last().map_or(0, |last| last + 1).max(at.kept.len());
     // The last point of a closed list may repeat the first.
     if given.len() < needed || given.len() > needed + 1 {
-        return Err(E::CountDiffers { what: I::Tangent, given: given.len(), needed });
+        return Err(NumberError::CountDiffers { what: I::Tangent, given: given.len(), needed }.into());
     }
     let own = at.kept.iter().zip(places).filter_map(|(&i, place)| given.get(i).map(|g| tangent(g, *place)));
     Ok(own.map(Option::unwrap_or_default).collect())

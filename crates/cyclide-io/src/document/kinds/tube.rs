@@ -3,8 +3,8 @@
 use std::fmt;
 
 use cyclide::{
-    Ball, Body, CurveObject, Exactness, Lower as _, PipeEnds, Point3, RadiusLaw, ShortNumber, SurfaceObject,
-    TaperedTube, Tube,
+    ArcError, Ball, Body, CurveError, CurveObject, Exactness, Lower as _, NumberError, PipeEnds, PipeError, Point3,
+    RadiusLaw, ShortNumber, SurfaceObject, TaperedTube, Tube, TubeError,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -358,10 +358,14 @@ pub(in crate::document) fn blame_tube(spec: &TubeSpec, error: &cyclide::Error) -
     use cyclide::{Error as E, ErrorItem as I};
     let through = spec.balls.is_some();
     match error {
-        E::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. } => Blame::Field(name.word()),
-        E::CornerNotMitred { .. } | E::ArcThroughInfinity { .. } => Blame::Field("of"),
-        E::TubeRadiusVanishes { piece, .. } | E::TubeFolds { piece, .. } if through => Blame::Entry("balls", *piece),
-        E::NotFinite { index, .. } if through => Blame::Entry("balls", *index),
+        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. }) => {
+            Blame::Field(name.word())
+        }
+        E::Pipe(PipeError::CornerNotMitred { .. }) | E::Arc(ArcError::ThroughInfinity { .. }) => Blame::Field("of"),
+        E::Tube(TubeError::RadiusVanishes { piece, .. } | TubeError::Folds { piece, .. }) if through => {
+            Blame::Entry("balls", *piece)
+        }
+        E::Number(NumberError::NotFinite { index, .. }) if through => Blame::Entry("balls", *index),
         _ if through => error.index().map_or(Blame::Field("balls"), |index| Blame::Entry("balls", index)),
         _ => Blame::Field("radius"),
     }
@@ -407,7 +411,7 @@ fn along(
             }),
         };
         match made {
-            Err(cyclide::Error::NotWithinTolerance { .. }) if !shares.as_slice().is_empty() => {}
+            Err(cyclide::Error::Curve(CurveError::NotWithinTolerance { .. })) if !shares.as_slice().is_empty() => {}
             made => return made,
         }
     }

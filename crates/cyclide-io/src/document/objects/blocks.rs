@@ -1,6 +1,6 @@
 //! Blocks: how many there may be, their bodies and frames.
 
-use cyclide::{Body, CyclideVolume};
+use cyclide::{Body, CyclideVolume, NumberError, PatchError};
 
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::frame::{FrameSpec, frame_words};
@@ -18,13 +18,13 @@ impl Builder<'_> {
         if count <= MOST_BLOCKS as f64 {
             return Ok(());
         }
-        let error = cyclide::Error::TooManyPieces {
+        let error = cyclide::Error::Number(NumberError::TooManyPieces {
             what: "the grid of blocks",
             segment: None,
             needed: count,
             cap: MOST_BLOCKS,
             remedy: "make fewer and larger blocks, and divide these by `cells`",
-        };
+        });
         Err(self.refused_at([Step::from(field)], &error))
     }
 
@@ -49,7 +49,10 @@ impl Builder<'_> {
 
     /// What is wrong with the directions of a frame, if it is these.
     pub(in crate::document) fn refused_frame(&self, frame: FrameSpec, error: &cyclide::Error) -> Option<Error> {
-        let (FrameSpec::First(given), cyclide::Error::FrameNotOrthonormal { .. }) = (frame, error) else { return None };
+        let (FrameSpec::First(given), cyclide::Error::Patch(PatchError::FrameNotOrthonormal { .. })) = (frame, error)
+        else {
+            return None;
+        };
         Some(self.refused_in_words([Step::from("frame")], error.reason(), frame_words(given)))
     }
 

@@ -1,6 +1,8 @@
 //! Contours: their points after merging, and what is known of the curve that is made of them.
 
-use cyclide::{CurveObject, ErrorItem, FairFitCertificate, FitCertificate, Torus, Warning, corners_by_angle};
+use cyclide::{
+    CurveObject, ErrorItem, FairFitCertificate, FitCertificate, NumberError, Torus, Warning, corners_by_angle,
+};
 
 use crate::document::angle::Angle;
 use crate::document::objects::facts::InterpolationFacts;
@@ -74,12 +76,9 @@ pub(in crate::document) fn corners(
     if let Some(angle) = angle.map(Angle::radians) {
         let max = std::f64::consts::PI;
         if !(angle > 0.0 && angle <= max) {
-            return Err(cyclide::Error::ParameterOutOfRange {
-                name: ErrorItem::CornerAngle,
-                value: angle,
-                min: 0.0,
-                max,
-            });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::CornerAngle, value: angle, min: 0.0, max }.into()
+            );
         }
         corners.extend(corners_by_angle(&at.list.points, closed, angle));
         corners.sort_unstable();

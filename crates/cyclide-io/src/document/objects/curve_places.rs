@@ -1,6 +1,6 @@
 //! Curves so small and so far from the origin that rounding is their shape.
 
-use cyclide::{Arc, BlendSegment, CurveObject, ErrorItem, Vec3, bounds};
+use cyclide::{Arc, BlendSegment, CurveObject, ErrorItem, PointError, Vec3, bounds};
 
 use crate::document::objects::Builder;
 use crate::error::Result;
@@ -70,5 +70,5 @@ fn check_in_place(curve: &CurveObject, roundings: f64) -> cyclide::Result<()> {
     if size > limit {
         return Ok(());
     }
-    Err(cyclide::Error::BelowRoundingOfPlace { what: ErrorItem::Curve, size, place, limit })
+    Err(PointError::BelowRoundingOfPlace { what: ErrorItem::Curve, size, place, limit }.into())
 }

@@ -1,6 +1,9 @@
 //! What the kernel refused, shown at the point or field it is about.
 
-use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
+use cyclide::{
+    ArcError, CurveError, ErrorItem, GridError, InterpolationError, NumberError, PatchError, PipeError, Point3,
+    PointError, ShortNumber, Warning,
+};
 
 use super::kind::Blame;
 use crate::document::angle::Angle;
@@ -20,10 +23,12 @@ impl Builder<'_> {
             remark.contour == Some(contour) && remark.warning.as_ref().is_some_and(merges)
         };
         match error {
-            cyclide::Error::TooFewPoints { .. } if self.remarks.iter().any(merged) => {
+            cyclide::Error::Point(PointError::TooFewPoints { .. }) if self.remarks.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
             }
-            cyclide::Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, .. } => {
+            cyclide::Error::Number(NumberError::ParameterOutOfRange {
+                name: ErrorItem::CornerAngle, value, ..
+            }) => {
                 let written = self.kind.corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
@@ -133,7 +138,10 @@ fn corner_angle_words(angle: Angle, radians: f64) -> String {
 
 /// The point that a refused coordinate belongs to: the one that is farthest out.
 fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
-    let cyclide::Error::ParameterOutOfRange { name: ErrorItem::Coordinate, value, .. } = *error else { return None };
+    let cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Coordinate, value, .. }) = *error
+    else {
+        return None;
+    };
     points.iter().position(|p| p.to_vec().max_abs() >= value.abs())
 }
 
@@ -142,13 +150,13 @@ pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Bla
     kind.blame(error).or_else(|| blame_by_word(error)).or_else(|| kind.blame_otherwise()).unwrap_or_else(|| {
         use cyclide::{Error as E, ErrorItem as I};
         match *error {
-            E::ZeroAxis { .. } => Blame::Field("normal"),
-            E::ParameterOutOfRange { name: I::SegmentsAlongS, .. } => Blame::Entry("segments", 0),
-            E::ParameterOutOfRange { name: I::SegmentsAlongT, .. } => Blame::Entry("segments", 1),
-            E::OrderOutOfRange { .. } => Blame::Field("order"),
-            E::CountDiffers { .. } => Blame::Field("tangents"),
-            E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
-            E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
+            E::Point(PointError::ZeroAxis { .. }) => Blame::Field("normal"),
+            E::Number(NumberError::ParameterOutOfRange { name: I::SegmentsAlongS, .. }) => Blame::Entry("segments", 0),
+            E::Number(NumberError::ParameterOutOfRange { name: I::SegmentsAlongT, .. }) => Blame::Entry("segments", 1),
+            E::Number(NumberError::OrderOutOfRange { .. }) => Blame::Field("order"),
+            E::Number(NumberError::CountDiffers { .. }) => Blame::Field("tangents"),
+            E::Number(NumberError::ParameterOutOfRange { name: I::EdgePoints, .. }) => Blame::Field("polyline"),
+            E::Number(NumberError::ParameterOutOfRange { name, .. }) => Blame::Field(name.word()),
             _ => error.index().map_or(Blame::Object, Blame::Point),
         }
     })
@@ -158,23 +166,29 @@ pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Bla
 fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
     use cyclide::{Error as E, ErrorItem as I};
     Some(match *error {
-        E::RepeatedParameter { second, .. } => Blame::Entry("parameters", second),
-        E::NotFinite { what: I::Parameter, index } => Blame::Entry("parameters", index),
-        E::CountDiffers { what: I::Parameter, .. } => Blame::Field("parameters"),
-        E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
-            Blame::Entry("tangents", index)
+        E::Interpolation(InterpolationError::RepeatedParameter { second, .. }) => Blame::Entry("parameters", second),
+        E::Number(NumberError::NotFinite { what: I::Parameter, index }) => Blame::Entry("parameters", index),
+        E::Number(NumberError::CountDiffers { what: I::Parameter, .. }) => Blame::Field("parameters"),
+        E::Number(NumberError::NotFinite { what: I::Tangent, index })
+        | E::Point(PointError::ZeroTangent { index })
+        | E::Arc(ArcError::TangentOpposesChord { index, .. }) => Blame::Entry("tangents", index),
+        E::Number(NumberError::NotFinite { what: I::Weight, index }) | E::Arc(ArcError::ZeroWeight { index }) => {
+            Blame::Entry("weights", index)
         }
-        E::NotFinite { what: I::Weight, index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
-        E::NotFinite { what: I::FrameVector, index } => Blame::Entry("frame", index),
-        E::FrameNotOrthonormal { .. } => Blame::Field("frame"),
-        E::NotFinite { what: I::Tolerance, .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
-        E::NotFinite { what: I::Bulge, .. } => Blame::Field("bulge"),
-        E::NotInImH { .. } | E::PoleOnSegment { .. } => Blame::Field("weights"),
-        E::RadiusNotPositive { .. } => Blame::Field("radius"),
-        E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
-        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
-        E::NotOfArcs { .. } | E::CellsUnfit { .. } => Blame::Field("of"),
-        E::CountDiffers { what: I::Radius, .. } => Blame::Field("radius"),
+        E::Number(NumberError::NotFinite { what: I::FrameVector, index }) => Blame::Entry("frame", index),
+        E::Patch(PatchError::FrameNotOrthonormal { .. }) => Blame::Field("frame"),
+        E::Number(NumberError::NotFinite { what: I::Tolerance, .. } | NumberError::ToleranceNotPositive { .. }) => {
+            Blame::Field("tolerance")
+        }
+        E::Number(NumberError::NotFinite { what: I::Bulge, .. }) => Blame::Field("bulge"),
+        E::Arc(ArcError::NotInImH { .. } | ArcError::PoleOnSegment { .. }) => Blame::Field("weights"),
+        E::Number(NumberError::RadiusNotPositive { .. }) => Blame::Field("radius"),
+        E::Pipe(PipeError::TooWide { .. } | PipeError::MitreDoesNotFit { .. } | PipeError::MeetsItself { .. }) => {
+            Blame::Field("radius")
+        }
+        E::Number(NumberError::ParameterOutOfRange { name: name @ I::Wall, .. }) => Blame::Field(name.word()),
+        E::Curve(CurveError::NotOfArcs { .. }) | E::Grid(GridError::CellsUnfit { .. }) => Blame::Field("of"),
+        E::Number(NumberError::CountDiffers { what: I::Radius, .. }) => Blame::Field("radius"),
         _ => return None,
     })
 }
@@ -183,9 +197,10 @@ fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
 pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. } => {
-            Some(Blame::Field(name.word()))
-        }
+        E::Number(NumberError::ParameterOutOfRange {
+            name: name @ (I::Height | I::Thickness | I::Wall | I::Depth),
+            ..
+        }) => Some(Blame::Field(name.word())),
         _ => None,
     }
 }
@@ -193,7 +208,11 @@ pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
 /// Directions of a curve with `ends`.
 pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
     use cyclide::{Error as E, ErrorItem as I};
-    let is_tangent =
-        matches!(error, E::NotFinite { what: I::Tangent, .. } | E::ZeroTangent { .. } | E::TangentOpposesChord { .. });
+    let is_tangent = matches!(
+        error,
+        E::Number(NumberError::NotFinite { what: I::Tangent, .. })
+            | E::Point(PointError::ZeroTangent { .. })
+            | E::Arc(ArcError::TangentOpposesChord { .. })
+    );
     is_tangent.then_some(Blame::Field("ends"))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use cyclide::{Error, LayoutFault, QuadGrid, QuadLayout};
+use cyclide::{Error, GridError, LayoutFault, QuadGrid, QuadLayout};
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::input::exported_faces::{doubled, turned_over};
@@ -353,7 +353,7 @@ impl<'a> Mesh<'a> {
     /// The regular grids of the mesh.
     fn layout_of_pieces(&self) -> Result<QuadLayout, Box<Diagnostic>> {
         QuadLayout::new(self.polygons.points.clone(), &self.quads).map_err(|error| match error {
-            Error::NotAQuadLayout { fault: fault @ (LayoutFault::Crowded | LayoutFault::Holes), index } => {
+            Error::Grid(GridError::NotAQuadLayout { fault: fault @ (LayoutFault::Crowded | LayoutFault::Holes), index }) => {
                 let what = match fault {
                     LayoutFault::Holes => "of a mesh with holes, or of a tube: fill the holes with quads, or lead them to the border; cut the tube open",
                     _ => "whose quads reach the border, or those of another such vertex: divide every quad into four, or nine",
@@ -361,8 +361,8 @@ impl<'a> Mesh<'a> {
                 let message = format!("point {} is an inner vertex without four quads {what}", index + 1);
                 self.refused_at_vertex(index, "extraordinary-vertex", message)
             }
-            Error::NotAQuadLayout { index, .. } => self.not_a_grid(index.min(self.quads.len() - 1)),
-            Error::CellsUnfit { .. } => self.refused_in_steps(&error),
+            Error::Grid(GridError::NotAQuadLayout { index, .. }) => self.not_a_grid(index.min(self.quads.len() - 1)),
+            Error::Grid(GridError::CellsUnfit { .. }) => self.refused_in_steps(&error),
             other => self.refused_by_kernel(&other, &(0..self.polygons.points.len()).collect::<Vec<_>>()),
         })
     }
@@ -414,7 +414,7 @@ impl<'a> Mesh<'a> {
     /// The kernel's refusal of a part of a rectangle.
     fn refused_in_steps(&self, error: &Error) -> Box<Diagnostic> {
         let message = match error {
-            Error::CellsUnfit { fault: cyclide::GridCellFault::Enclosed, .. } => {
+            Error::Grid(GridError::CellsUnfit { fault: cyclide::GridCellFault::Enclosed, .. }) => {
                 "the mesh has a hole: fill it with quads and list them in `openings` of the net".to_owned()
             }
             _ => error.to_string(),

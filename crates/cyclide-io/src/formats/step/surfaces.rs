@@ -15,7 +15,7 @@ use crate::export::options::StepEdges;
 use crate::export::scaled_weights::scaled_weights;
 use crate::text::number::push_step;
 use cyclide::{
-    Arc, CyclidePatch, EdgeCurve, Error, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3,
+    Arc, CyclidePatch, EdgeCurve, FaceSurface, Frame, NurbsError, ParamSurface as _, PatchKind, Point3,
     RationalBezierSurface, Result, Shell, ShellFace, Vec3,
 };
 use std::fmt::Write as _;
@@ -193,7 +193,7 @@ fn b_spline(data: &mut Data, [p, q]: [usize; 2], points: &[Point3], weights: &[f
     let weights = scaled_weights(weights);
     for (index, &weight) in weights.iter().enumerate() {
         if !(weight > 0.0) {
-            return Err(Error::WeightNotPositive { index, weight });
+            return Err(NurbsError::WeightNotPositive { index, weight }.into());
         }
     }
     let points: Vec<usize> = points.iter().map(|point| data.point(*point)).collect();

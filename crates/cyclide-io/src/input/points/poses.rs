@@ -1,6 +1,6 @@
 //! Tables of poses: columns by their names.
 
-use cyclide::{Error, Pose, Quat, Units, Vec3};
+use cyclide::{Error, Pose, PoseError, Quat, Units, Vec3};
 use std::f64::consts::{PI, TAU};
 
 use super::clock::Clock;
@@ -151,7 +151,13 @@ pub(crate) fn read_poses(
             RotationColumns::None => exact(Pose::new(Quat::ONE, translation)),
         };
         let index = poses.len();
-        let of_row = |e| if let Error::ZeroRotation { .. } = e { Error::ZeroRotation { index } } else { e };
+        let of_row = |e| {
+            if let Error::Pose(PoseError::ZeroRotation { .. }) = e {
+                Error::Pose(PoseError::ZeroRotation { index })
+            } else {
+                e
+            }
+        };
         let (pose, off) = made
             .map_err(of_row)
             .map_err(|e: Error| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;

@@ -1,6 +1,6 @@
 //! The law of a radius through values at angles, once round: no rational loop of balls has it exactly, so loops follow it within a tolerance.
 
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 use std::f64::consts::TAU;
 
 /// Angles nearer to each other than this are one.
@@ -8,10 +8,10 @@ pub(in crate::construct::bodies) const SAME_ANGLE: f64 = 1e-9;
 
 pub(in crate::construct::bodies) fn check_radius(radius: f64, index: usize) -> Result<()> {
     if !radius.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
     }
     if radius <= 0.0 {
-        return Err(Error::RadiusNotPositive { radius });
+        return Err(NumberError::RadiusNotPositive { radius }.into());
     }
     Ok(())
 }
@@ -28,11 +28,11 @@ impl Law {
     /// `too-few-points`, `not-finite`, `radius-not-positive`, `coincident-points`.
     pub(in crate::construct::bodies) fn new(given: &[[f64; 2]]) -> Result<Self> {
         if given.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         for (index, [angle, radius]) in given.iter().enumerate() {
             if !angle.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Angle, index }.into());
             }
             check_radius(*radius, index)?;
         }
@@ -48,7 +48,7 @@ impl Law {
             if count > 1 && gap(k) <= SAME_ANGLE {
                 let (first, second) = (order[k], order[(k + 1) % count]);
                 let (first, second) = (first.min(second), first.max(second));
-                return Err(Error::CoincidentPoints { first, second, distance: gap(k), limit: SAME_ANGLE });
+                return Err(PointError::CoincidentPoints { first, second, distance: gap(k), limit: SAME_ANGLE }.into());
             }
         }
         let chord = |k: usize| (given[order[(k + 1) % count]][1] - given[order[k]][1]) / gap(k);

@@ -2,7 +2,7 @@
 //! (`docs/math/canal-blends.md#the-surface-of-centres`; source: `002`, section 4 and Fig. 4).
 
 use crate::base::planar::Point2;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CrossingError, ErrorItem, NumberError, NurbsError, Result};
 use crate::rational::{NurbsCurve, Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::surface::{MovedCylinders, SkewCylinders};
 use std::f64::consts::PI;
@@ -66,9 +66,15 @@ impl BallCenters {
     /// # Errors
     /// `no-center-surface` (unless the blend is one of two pipes that pass each other, outside or inside both), `parameter-out-of-range` (a margin that is not from 0 up to below 1).
     pub fn surface(&self, margin: f64) -> Result<RationalBezierSurface> {
-        let torus = self.torus.as_ref().ok_or(Error::NoCenterSurface)?;
+        let torus = self.torus.as_ref().ok_or(CrossingError::NoCenterSurface)?;
         if !(0.0..1.0).contains(&margin) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Margin, value: margin, min: 0.0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Margin,
+                value: margin,
+                min: 0.0,
+                max: 1.0,
+            }
+            .into());
         }
         let [u, v] = torus.reach.map(|[from, to]| [from * (1.0 - margin), PI - (PI - to) * (1.0 - margin)]);
         let surface = match &torus.pair {
@@ -134,7 +140,7 @@ fn push_positive(curves: &mut Vec<RationalBezier>, curve: RationalBezier, halvin
     }
     if halvings == 0 {
         let weight = rows.iter().map(|row| row[3]).fold(f64::INFINITY, f64::min);
-        return Err(Error::WeightNotPositive { index: curves.len(), weight });
+        return Err(NurbsError::WeightNotPositive { index: curves.len(), weight }.into());
     }
     let (first, second) = curve.split(0.5)?;
     push_positive(curves, first, halvings - 1)?;

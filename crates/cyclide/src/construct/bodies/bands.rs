@@ -4,7 +4,7 @@ use super::planar_area::Cover;
 use super::turned_patch::turned_patch;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, Result, ShellError};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Sewing};
 
@@ -115,7 +115,7 @@ impl Bands {
                 (Err(pole), Ok(to)) => [gathered(&to, pole), to],
                 (Err(_), Err(_)) => {
                     let detail = "a ruled face joins two points";
-                    return Err(Error::NotAShell { item: ErrorItem::Face, index: i, detail });
+                    return Err(ShellError::NotAShell { item: ErrorItem::Face, index: i, detail }.into());
                 }
             };
             RationalBezierSurface::from_polynomial_rows(&[PolynomialRow::of_rows(&from), PolynomialRow::of_rows(&to)])

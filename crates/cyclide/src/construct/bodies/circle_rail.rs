@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use super::rail_surface::RailSurface;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, Circle};
-use crate::error::{Error, Result};
+use crate::error::{PointError, Result};
 use crate::topology::EdgeCurve;
 
 /// Places of each piece by which the middle of a curve is found.
@@ -42,7 +42,7 @@ impl RailSurface {
     /// `too-few-points` (fewer than two pieces).
     pub fn cut_circle(circle: &Circle, other: &[EdgeCurve]) -> Result<Vec<EdgeCurve>> {
         if other.len() < 2 {
-            return Err(Error::TooFewPoints { given: other.len(), needed: 2 });
+            return Err(PointError::TooFewPoints { given: other.len(), needed: 2 }.into());
         }
         let equal = || (0..other.len()).map(|k| TAU * k as f64 / other.len() as f64).collect();
         let angles: Vec<f64> = joint_angles(circle, other).unwrap_or_else(equal);

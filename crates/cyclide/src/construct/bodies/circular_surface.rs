@@ -32,7 +32,7 @@ use super::rail_surface::RailSurface;
 use super::rails::{RailPiece, rail_pieces};
 use crate::base::vector::Vec3;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, BridgeError, Error, ErrorItem, NumberError, NurbsError, PointError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
 use crate::warning::Warning;
@@ -98,7 +98,7 @@ impl RationalBezierSurface {
         };
         let degree = rows.iter().flat_map(|row| &row.0).map(Polynomial::degree).max().unwrap_or(0);
         if degree > LARGEST_DEGREE {
-            return Err(Error::DegreeTooHigh { degree, limit: LARGEST_DEGREE });
+            return Err(NurbsError::DegreeTooHigh { degree, limit: LARGEST_DEGREE }.into());
         }
         let weights = || rows.iter().flat_map(|row| row.weight().coefficients());
         let largest = weights().fold(0.0, |largest: f64, w| largest.max(w.abs()));
@@ -133,7 +133,7 @@ impl RailSurface {
         let parts_of_arcs = || std::iter::successors(Some(1), |&n| (n < MOST_PARTS).then_some(2 * n));
         // Even arcs have a higher degree: only where chords differ so much that others do not do.
         let tries = parts_of_arcs().map(|n| (one, n)).chain(parts_of_arcs().map(|n| (Speed::Even, n)));
-        let mut negative = Error::WeightNotPositive { index: 0, weight: 0.0 };
+        let mut negative = Error::Nurbs(NurbsError::WeightNotPositive { index: 0, weight: 0.0 });
         for (speed, count) in tries {
             match cut(&pieces, speed, count) {
                 Ok(made) => {
@@ -144,7 +144,7 @@ impl RailSurface {
                         kinks(rails, closed, &body, &starts).into_iter().chain(nearly_full(&pieces)).collect();
                     return Ok(Self { body, warnings });
                 }
-                Err(error @ Error::WeightNotPositive { .. }) => negative = error,
+                Err(error @ Error::Nurbs(NurbsError::WeightNotPositive { .. })) => negative = error,
                 Err(error) => return Err(error),
             }
         }
@@ -234,7 +234,7 @@ impl ArcPiece {
 
     fn crossing_at(&self, s: f64, t: f64) -> Error {
         let [from, to] = self.rails.part;
-        Error::ArcsCross { piece: self.rails.piece, at: [from + (to - from) * s, t] }
+        Error::Bridge(BridgeError::ArcsCross { piece: self.rails.piece, at: [from + (to - from) * s, t] })
     }
 
     /// Both halves along the rails.
@@ -250,14 +250,14 @@ impl ArcPiece {
 fn tangents_of_joints(given: &[Vec3], pieces: usize, closed: bool) -> Result<Vec<Vec3>> {
     let needed = pieces + usize::from(!closed);
     if given.len() != 1 && given.len() != needed {
-        return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
+        return Err(NumberError::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed }.into());
     }
     for (index, v) in given.iter().enumerate() {
         if !v.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());
         }
         if v.max_abs() == 0.0 {
-            return Err(Error::ZeroTangent { index });
+            return Err(PointError::ZeroTangent { index }.into());
         }
     }
     let tangents: Vec<Vec3> = (0..=pieces).map(|k| given[k % given.len()]).collect();
@@ -265,7 +265,7 @@ fn tangents_of_joints(given: &[Vec3], pieces: usize, closed: bool) -> Result<Vec
         let length = least_between([pair[0], pair[1]]);
         if !(length > OPPOSITE_TANGENTS) {
             let second = (first + 1) % given.len();
-            return Err(Error::OppositeTangents { first, second, length, limit: OPPOSITE_TANGENTS });
+            return Err(BridgeError::OppositeTangents { first, second, length, limit: OPPOSITE_TANGENTS }.into());
         }
     }
     Ok(tangents)
@@ -302,11 +302,11 @@ fn speed(pieces: &[ArcPiece]) -> Result<f64> {
         for s in places() {
             let (distance, length) = (piece.chord(s).length(), piece.tangent(s).length());
             if !(distance > limit) {
-                return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+                return Err(PointError::CoincidentPoints { first: 0, second: 1, distance, limit }.into());
             }
             let angle = piece.opening(s);
             if angle < OPPOSED {
-                return Err(Error::TangentOpposesChord { index: piece.rails.piece, angle, limit: OPPOSED });
+                return Err(ArcError::TangentOpposesChord { index: piece.rails.piece, angle, limit: OPPOSED }.into());
             }
             sum += (distance / length).ln();
         }
@@ -327,7 +327,7 @@ fn cut(pieces: &[ArcPiece], speed: Speed, count: usize) -> Result<Vec<(ArcPiece,
         if least > 0.0 {
             made.push((piece, surface));
         } else if halvings == MOST_HALVINGS {
-            return Err(Error::WeightNotPositive { index: piece.rails.piece, weight: least });
+            return Err(NurbsError::WeightNotPositive { index: piece.rails.piece, weight: least }.into());
         } else {
             let [first, second] = piece.halved()?;
             waiting.extend([(second, halvings + 1), (first, halvings + 1)]);

@@ -17,7 +17,7 @@ use super::ellipse_ring::{Ellipse, Sector, direction};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BridgeError, ErrorItem, NumberError, PointError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
 use crate::warning::Warning;
@@ -65,17 +65,17 @@ impl EllipseBridge {
     pub fn new(first: [f64; 2], second: [f64; 2]) -> Result<Self> {
         for (index, radius) in [first, second].into_iter().flatten().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
         for d in 0..2 {
             let (distance, limit) = ((second[d] - first[d]).abs(), SEPARATION * first[d].max(second[d]));
             if distance <= limit {
-                return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+                return Err(PointError::CoincidentPoints { first: 0, second: 1, distance, limit }.into());
             }
         }
         let speed = ((second[0] - first[0]).abs() * (second[1] - first[1]).abs()).sqrt();
@@ -98,7 +98,7 @@ impl EllipseBridge {
     /// `angle-out-of-range` unless `0 < to - from < π`.
     pub fn surface(&self, from: f64, to: f64) -> Result<RationalBezierSurface> {
         if !(to - from > 0.0 && to - from < PI) {
-            return Err(Error::AngleOutOfRange { angle: to - from, min: 0.0, max: PI });
+            return Err(NumberError::AngleOutOfRange { angle: to - from, min: 0.0, max: PI }.into());
         }
         self.over(&Sector::new(from, to))
     }
@@ -210,18 +210,18 @@ impl EllipseBridge {
 
     fn check_solid(&self, depth: f64) -> Result<()> {
         if !depth.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Depth, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Depth, index: 0 }.into());
         }
         if !(depth >= range::MIN_DISTANCE) {
             let (min, max) = (range::MIN_DISTANCE, f64::MAX);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max }.into());
         }
         self.check_uncrossed()
     }
 
     fn check_uncrossed(&self) -> Result<()> {
         match self.crossing() {
-            Some([along_x, along_y]) => Err(Error::EllipsesCross { along_x, along_y }),
+            Some([along_x, along_y]) => Err(BridgeError::EllipsesCross { along_x, along_y }.into()),
             None => Ok(()),
         }
     }

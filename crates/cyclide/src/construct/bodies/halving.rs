@@ -1,6 +1,6 @@
 //! Spans halved until what is made over each keeps to a tolerance.
 
-use crate::error::{Error, Result};
+use crate::error::{NumberError, Result};
 
 /// Where halving ends.
 pub(super) struct Halving {
@@ -36,13 +36,14 @@ impl Halving {
             let needed = made.len() + 2 * left.len() + 4;
             let is_leap = !(from < middle && middle < to) || to - from < self.least;
             if needed > self.cap || is_leap {
-                return Err(Error::TooManyPieces {
+                return Err(NumberError::TooManyPieces {
                     what: self.what,
                     segment: None,
                     needed: if is_leap { f64::INFINITY } else { needed as f64 },
                     cap: self.cap,
                     remedy: self.remedy,
-                });
+                }
+                .into());
             }
             left.extend([[middle, to], [from, middle]]);
         }

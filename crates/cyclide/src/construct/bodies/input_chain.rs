@@ -1,6 +1,6 @@
 //! Chains of curves as they are given: pieces that follow each other, with positive weights.
 
-use crate::error::{Error, Result};
+use crate::error::{CurveError, NurbsError, Result};
 use crate::topology::EdgeCurve;
 
 /// Refuses pieces of which one does not begin where the one before ends, the first after the last if `closed`.
@@ -13,7 +13,7 @@ pub(super) fn check_connected(pieces: &[EdgeCurve], closed: bool, limit: f64) ->
         let piece = (next + n - 1) % n;
         let gap = pieces[piece].end().distance(pieces[next].start());
         if gap > limit {
-            return Err(Error::Disconnected { piece, next, gap, limit });
+            return Err(CurveError::Disconnected { piece, next, gap, limit }.into());
         }
     }
     Ok(())
@@ -26,7 +26,7 @@ pub(super) fn check_connected(pieces: &[EdgeCurve], closed: bool, limit: f64) ->
 pub(super) fn check_weights(piece: &EdgeCurve, index: usize) -> Result<()> {
     let EdgeCurve::Rational(curve) = piece else { return Ok(()) };
     match curve.rows().iter().map(|row| row[3]).find(|weight| !(*weight > 0.0)) {
-        Some(weight) => Err(Error::WeightNotPositive { index, weight }),
+        Some(weight) => Err(NurbsError::WeightNotPositive { index, weight }.into()),
         None => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use super::LARGEST_ARC;
 use super::input_chain::{check_connected, check_weights};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{BridgeError, PointError, Result};
 use crate::rational::RationalBezier;
 use crate::topology::EdgeCurve;
 
@@ -25,10 +25,10 @@ pub(super) struct RailPiece {
 pub(super) fn rail_pieces(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<Vec<RailPiece>> {
     let [first, second] = rails.map(<[EdgeCurve]>::len);
     if first != second {
-        return Err(Error::PieceCountsDiffer { first, second });
+        return Err(BridgeError::PieceCountsDiffer { first, second }.into());
     }
     if first == 0 {
-        return Err(Error::TooFewPoints { given: 0, needed: 1 });
+        return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
     }
     for rail in rails {
         check_rail(rail, closed)?;

@@ -8,7 +8,7 @@ use super::{MadeContactBlend, Revolution, TeeBlendFacts};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, Circle};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ContactError, ErrorItem, NumberError, PipeError, Result, TorusError};
 use crate::topology::EdgeCurve;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -81,16 +81,16 @@ impl RingBlend {
     fn new(ring: BlendRing, base: RingBase, [other, ball]: [f64; 2]) -> Result<Self> {
         for (index, radius) in [ring.radius, ball, other, ring.tube].into_iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
         range::check_point(0, Vec3::Z * ring.height)?;
         if !(ring.tube < ring.radius) {
-            return Err(Error::NotARingTorus { major: ring.radius, minor: ring.tube });
+            return Err(TorusError::NotARingTorus { major: ring.radius, minor: ring.tube }.into());
         }
         Ok(Self { ring, base, ball, thickness: None })
     }
@@ -123,7 +123,7 @@ impl RingBlend {
         let between = if corners[0].passes(across) { 1.0 - 2.0 * self.ball / apart } else { 1.0 };
         let left = tightest.min(between);
         if !(left > 0.0) {
-            return Err(Error::ContactBlendFolds { angle: 0.0, left });
+            return Err(ContactError::BlendFolds { angle: 0.0, left }.into());
         }
         let profile = self.profile(corners)?;
         let body = Revolution::new(Point3::ORIGIN, Vec3::Z, TAU)?.body(&profile, false)?;
@@ -158,12 +158,12 @@ impl RingBlend {
             }
         };
         if !(square > 0.0) {
-            return Err(Error::ContactLoopOpen { ring: true, angle: 0.0, measured: square });
+            return Err(ContactError::LoopOpen { ring: true, angle: 0.0, measured: square }.into());
         }
         let half = square.sqrt();
         let balls = [-half, half].map(|t| [foot[0] + t * way[0], foot[1] + t * way[1]]);
         if balls.iter().any(|ball| !(ball[0] > 0.0)) {
-            return Err(Error::BallDoesNotFit { radius: self.ball, limit: self.largest_ball() });
+            return Err(PipeError::BallDoesNotFit { radius: self.ball, limit: self.largest_ball() }.into());
         }
         Ok(balls)
     }
@@ -224,7 +224,7 @@ impl RingBlend {
             RingBase::Disk(radius) => {
                 let needed = base_out.x;
                 if !(radius > needed * (1.0 + LEAST_REST)) {
-                    return Err(Error::PlateTooSmall { what: ErrorItem::Blend, reach: radius, needed });
+                    return Err(PipeError::PlateTooSmall { what: ErrorItem::Blend, reach: radius, needed }.into());
                 }
                 let mut corners = vec![base_out, point([radius, 0.0])];
                 if let Some(thickness) = self.thickness {

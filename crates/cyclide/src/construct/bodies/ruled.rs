@@ -9,7 +9,7 @@ use super::kinks::kinks;
 use super::rail_surface::RailSurface;
 use super::rails::{RailPiece, rail_pieces};
 use super::rulings::check_rulings;
-use crate::error::{Error, Result};
+use crate::error::{PointError, Result};
 use crate::topology::{Body, EdgeCurve};
 
 /// Pieces nearer to each other than this part of their coordinates are one.
@@ -56,7 +56,7 @@ fn check_apart(pieces: &[RailPiece]) -> Result<()> {
         let distance = places().map(|s| first.point(s).distance(second.point(s))).fold(0.0, f64::max);
         let limit = SAME * places().map(|s| first.point(s).to_vec().max_abs()).fold(0.0, f64::max);
         if distance <= limit {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance, limit }.into());
         }
         check_rulings(piece)?;
     }

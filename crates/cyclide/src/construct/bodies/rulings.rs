@@ -6,7 +6,7 @@
 
 use super::rails::RailPiece;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{BridgeError, Error, Result};
 
 /// Places of a piece at which rulings are looked at, less one.
 const PLACES: u32 = 64;
@@ -64,7 +64,12 @@ impl Ruling {
 
     fn crossed(&self, piece: &RailPiece, t: f64, normal: f64) -> Error {
         let [from, to] = piece.part;
-        Error::RulingsCross { piece: piece.piece, at: [from + (to - from) * self.s, t], normal, limit: ZERO }
+        Error::Bridge(BridgeError::RulingsCross {
+            piece: piece.piece,
+            at: [from + (to - from) * self.s, t],
+            normal,
+            limit: ZERO,
+        })
     }
 }
 

@@ -5,7 +5,7 @@ use super::planar_area::{Cover, Plane};
 use super::rails::rail_pieces;
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{ProfileError, Result};
 use crate::topology::EdgeCurve;
 
 /// Places of a curve that stand for it where contours are nested and crossings looked for.
@@ -58,7 +58,7 @@ pub(super) fn sections(contours: &[(Vec<EdgeCurve>, bool)], covered: bool) -> Re
         let size = size.map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let (distance, limit) = (off(&plane, &pieces), PLANE * size);
         if distance > limit {
-            return Err(Error::SectionNotPlane { contour, distance, limit });
+            return Err(ProfileError::SectionNotPlane { contour, distance, limit }.into());
         }
         if !closed {
             made.push((contour, Section { contours: vec![pieces], closed: false, cover: None }));
@@ -66,12 +66,12 @@ pub(super) fn sections(contours: &[(Vec<EdgeCurve>, bool)], covered: bool) -> Re
         }
         let polygon: Vec<Point2> = sampled(&pieces).into_iter().map(|p| Point2::new(p.x, p.y)).collect();
         if area(&polygon).abs() <= NO_AREA * size * size {
-            return Err(Error::SectionMeetsItself { contour });
+            return Err(ProfileError::SectionMeetsItself { contour }.into());
         }
         loops.push((contour, pieces, polygon));
     }
     if let Some(contour) = crossing(&loops) {
-        return Err(Error::SectionMeetsItself { contour });
+        return Err(ProfileError::SectionMeetsItself { contour }.into());
     }
     let around: Vec<Vec<usize>> = (0..loops.len())
         .map(|k| (0..loops.len()).filter(|&j| j != k && is_inside(loops[k].2[0], &loops[j].2)).collect())
@@ -88,7 +88,7 @@ pub(super) fn sections(contours: &[(Vec<EdgeCurve>, bool)], covered: bool) -> Re
         let cover = match covered {
             true => {
                 let cover = Cover::of_contours(&plane, contours.clone())?;
-                Some(cover.ok_or(Error::SectionMeetsItself { contour: loops[k].0 })?)
+                Some(cover.ok_or(ProfileError::SectionMeetsItself { contour: loops[k].0 })?)
             }
             false => None,
         };

@@ -12,7 +12,7 @@ use super::section::covered;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, MotionError, NurbsError, Result, ShellError};
 use crate::motion::{Pose, RationalMotion};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
@@ -87,7 +87,7 @@ impl SweptSurface {
         check_moves(&pieces, &motion)?;
         let degree = pieces.iter().map(|piece| rows_of(piece).len() - 1).max().unwrap_or(0).max(2 * motion.degree());
         if degree > LARGEST_DEGREE {
-            return Err(Error::DegreeTooHigh { degree, limit: LARGEST_DEGREE });
+            return Err(NurbsError::DegreeTooHigh { degree, limit: LARGEST_DEGREE }.into());
         }
         let faces: Vec<Vec<RationalBezierSurface>> =
             pieces.iter().map(|piece| surfaces(piece, &motion)).collect::<Result<_>>()?;
@@ -211,7 +211,7 @@ fn check_moves(pieces: &[EdgeCurve], motion: &RationalMotion) -> Result<()> {
     let all = || places().flat_map(|time| moved(motion.pose(time)));
     let length = all().map(|(length, _)| length).fold(0.0, f64::max);
     let limit = AT_REST * all().map(|(_, p)| p.to_vec().max_abs()).fold(0.0, f64::max);
-    if length > limit { Ok(()) } else { Err(Error::MotionAtRest { length, limit }) }
+    if length > limit { Ok(()) } else { Err(MotionError::AtRest { length, limit }.into()) }
 }
 
 /// The warning of faces whose normals turn back from one place to the next, or over the border to the face before.
@@ -239,7 +239,7 @@ fn folds(faces: &[Vec<RationalBezierSurface>], closed: bool, comes_back: bool) -
         match shape(surface) {
             FaceShape::Curve => {
                 let detail = "the curve moves along itself there, or stands still: it runs over no surface";
-                return Err(Error::NotAShell { item: ErrorItem::Face, index: face, detail });
+                return Err(ShellError::NotAShell { item: ErrorItem::Face, index: face, detail }.into());
             }
             FaceShape::Folded => {
                 count += 1;

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::options::Border;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{CurveIndex, ParamCurve};
-use crate::error::{Error, Result};
+use crate::error::{Error, GridError, Result};
 use crate::surface::QuadGrid;
 
 /// Two curves meet where they come as close as this part of the median edge.
@@ -129,7 +129,7 @@ pub(super) fn corners_on_curves(grid: &QuadGrid, border: Border<'_>, edge: f64) 
         let vertex = grid.index(i, j);
         points[vertex] = common_point(points[vertex], a, b, edge).map_err(|distance| {
             let limit = MEETING * edge;
-            Error::BorderCurvesApart { vertex, distance, limit }
+            Error::Grid(GridError::BorderCurvesApart { vertex, distance, limit })
         })?;
     }
     grid.with_points(points)

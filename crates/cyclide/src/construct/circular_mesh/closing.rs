@@ -7,7 +7,7 @@
 use super::dense_rows::SparseRow;
 use super::options::Border;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{GridError, PatchError, Result};
 use crate::surface::{GridClosing, QuadGrid, QuadLayout, RingClosing, RoundClosing, StripClosing, closing_limit};
 
 /// Weight of the equations of strips, against those of quads and lines: with 1 the vertices of a tower move a quarter
@@ -120,7 +120,7 @@ impl Closing {
             if let Some(GridClosing { angle, stretch }) = grid.closing(direction)?
                 && !(angle.max(stretch) <= limit)
             {
-                return Err(Error::NetDoesNotClose { direction, line: None, angle, stretch, limit });
+                return Err(PatchError::NetDoesNotClose { direction, line: None, angle, stretch, limit }.into());
             }
         }
         Ok(())
@@ -131,7 +131,7 @@ impl Closing {
             if let Closed::Round(round) = closed {
                 let (angle, at) = round.angle(points);
                 if !(angle <= limit) {
-                    return Err(Error::RingDoesNotClose { vertex: vertices[at], angle, limit });
+                    return Err(GridError::RingDoesNotClose { vertex: vertices[at], angle, limit }.into());
                 }
             }
         }
@@ -162,7 +162,9 @@ pub(super) fn check_pinned(grid: &QuadGrid, border: Border<'_>) -> Result<()> {
             let points: Vec<Point3> = grid.line(direction, line).into_iter().map(|v| grid.points()[v]).collect();
             let angle = RingClosing::new(&points)?.angle();
             if !(angle <= limit) {
-                return Err(Error::NetDoesNotClose { direction, line: Some(line), angle, stretch: 0.0, limit });
+                return Err(
+                    PatchError::NetDoesNotClose { direction, line: Some(line), angle, stretch: 0.0, limit }.into()
+                );
             }
         }
     }

@@ -10,7 +10,7 @@ use super::search::{CircularMeshStep, Problem, is_large, refused};
 use super::{check_distinct, fairness, input_surface, median, residual};
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, GridCellFault, Result};
+use crate::error::{GridCellFault, GridError, Result};
 use crate::shape_change::ShapeChange;
 use crate::surface::{LayoutPiece, QuadGrid, QuadLayout, RoundClosing};
 use crate::warning::Warning;
@@ -88,7 +88,7 @@ pub fn make_layout_circular(
 ) -> Result<CircularLayout> {
     options.check_steps()?;
     if let Border::OnCurves(_) = options.border {
-        return Err(Error::CellsUnfit { fault: GridCellFault::Curves, index: 0 });
+        return Err(GridError::CellsUnfit { fault: GridCellFault::Curves, index: 0 }.into());
     }
     let used = layout.used_vertices();
     let world = layout.points();
@@ -132,7 +132,7 @@ pub fn make_layout_circular(
     let shape = pieces.shape(&given, &points, edge);
     let refusable = !options.allow_shape_change && rejected_quads.is_empty();
     if let Some(change) = shape.filter(|change| refusable && change.is_lost()) {
-        return Err(Error::ShapeLost { change: Box::new(change) });
+        return Err(GridError::ShapeLost { change: Box::new(change) }.into());
     }
     let moves = pieces.moves();
     let [angle_before, angle_after] = pieces.angles();

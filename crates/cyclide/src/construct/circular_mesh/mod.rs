@@ -27,7 +27,7 @@ pub use search::CircularMeshStep;
 use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{GridError, PointError, Result};
 #[cfg(doc)]
 use crate::shape_change::ShapeChange;
 use crate::surface::QuadGrid;
@@ -164,7 +164,7 @@ pub fn make_circular(
     let shape = Guard { grid, before: &given, after: &points, edge }.shape_change();
     let refusable = !options.allow_shape_change && rejected_quads.is_empty();
     if let Some(change) = shape.filter(|change| refusable && change.is_lost()) {
-        return Err(Error::ShapeLost { change: Box::new(change) });
+        return Err(GridError::ShapeLost { change: Box::new(change) }.into());
     }
     let comparison = Comparison { before: input, after: &after, normals: &normals };
     let moves = comparison.moves();
@@ -193,7 +193,7 @@ pub fn make_circular(
 fn check_distinct(points: &[Point3], quads: &[[usize; 4]]) -> Result<()> {
     let sides = quads.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, d], [a, c], [b, d]]);
     match sides.into_iter().find(|&[a, b]| points[a] == points[b]) {
-        Some([first, second]) => Err(Error::CollapsedOnCurve { first, second }),
+        Some([first, second]) => Err(GridError::CollapsedOnCurve { first, second }.into()),
         None => Ok(()),
     }
 }
@@ -224,7 +224,7 @@ fn median(points: &[Point3], edges: impl Iterator<Item = [usize; 2]>, size: f64)
     for [first, second] in edges {
         let distance = points[first].distance(points[second]);
         if !(distance > limit) {
-            return Err(Error::CoincidentPoints { first, second, distance, limit });
+            return Err(PointError::CoincidentPoints { first, second, distance, limit }.into());
         }
         range::check_distance(distance)?;
         lengths.push(distance);

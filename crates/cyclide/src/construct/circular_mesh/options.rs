@@ -1,7 +1,7 @@
 //! What the user can ask of [`make_circular`](super::make_circular).
 
 use crate::curve::ParamCurve;
-use crate::error::{Error, ErrorItem, GridCellFault, Result};
+use crate::error::{ErrorItem, GridCellFault, GridError, NumberError, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
@@ -65,13 +65,15 @@ impl CircularMeshOptions<'_> {
         self.check_steps()?;
         if let Border::OnCurves(sides) = self.border {
             if !grid.is_whole() {
-                return Err(Error::CellsUnfit { fault: GridCellFault::Curves, index: 0 });
+                return Err(GridError::CellsUnfit { fault: GridCellFault::Curves, index: 0 }.into());
             }
             for (side, curve) in sides.iter().enumerate() {
                 // Sides 0 and 1 bound t, sides 2 and 3 bound s.
                 if curve.is_some() && grid.closed()[1 - side / 2] {
                     let name = ErrorItem::BorderCurveSide;
-                    return Err(Error::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 });
+                    return Err(
+                        NumberError::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 }.into()
+                    );
                 }
             }
         }
@@ -82,7 +84,13 @@ impl CircularMeshOptions<'_> {
     /// `parameter-out-of-range`.
     pub(super) fn check_steps(&self) -> Result<()> {
         if self.max_steps == 0 {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::MaxSteps,
+                value: 0.0,
+                min: 1.0,
+                max: f64::MAX,
+            }
+            .into());
         }
         Ok(())
     }

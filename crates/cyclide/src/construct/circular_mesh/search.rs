@@ -7,7 +7,7 @@ use super::dense_rows::{SparseRow, solve};
 use super::normal_equations::{BlockMatrix, Pattern, Workspace};
 use super::residual::{derivatives, largest, residuals};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, GridError, Result};
 
 /// The search ends when no residual is longer: far below the 1e-9 that a patch accepts, far above rounding.
 const RESIDUAL_LIMIT: f64 = 1e-12;
@@ -264,5 +264,5 @@ pub(super) fn is_large(quads: [usize; 2]) -> bool {
 
 /// The error of a search that ends with this residual.
 pub(super) fn refused(step: usize, residual: f64) -> Error {
-    Error::NotConverged { step, residual, limit: RESIDUAL_LIMIT }
+    Error::Grid(GridError::NotConverged { step, residual, limit: RESIDUAL_LIMIT })
 }

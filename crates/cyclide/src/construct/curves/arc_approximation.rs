@@ -8,7 +8,7 @@
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, BlendSegment, CircleSpline, Correspondence, CurvePlace, Span};
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, PointError, Result};
 use std::ops::Range;
 
 /// Turn of the curve's arcs over one interval of a stretch, radians: 15 degrees.
@@ -131,7 +131,7 @@ impl<'a> Stretch<'a> {
         let (piece, s) = self.locate(v, before);
         let jet = self.segment(piece).jet(s);
         let index = piece % self.spline.segments().len();
-        let tangent = jet.tangent().ok_or(Error::ZeroTangent { index })?;
+        let tangent = jet.tangent().ok_or(PointError::ZeroTangent { index })?;
         Ok(Place { v, point: jet.point, tangent })
     }
 
@@ -194,13 +194,13 @@ impl<'a> Stretch<'a> {
 
     fn too_many(&self, v: f64) -> Error {
         let segment = self.locate(v, false).0 % self.spline.segments().len();
-        Error::TooManyPieces {
+        Error::Number(NumberError::TooManyPieces {
             what: "segment",
             segment: Some(segment),
             needed: (self.cap + 1) as f64,
             cap: self.cap,
             remedy: "use a larger tolerance",
-        }
+        })
     }
 
     /// The biarc between two places, if it and the curve stay within the tolerance of each other.

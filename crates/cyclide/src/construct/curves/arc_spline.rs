@@ -13,7 +13,7 @@
 use super::biarc::{Biarc, BiarcRule, starting};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ArcPath;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 
 /// Two unit chords that sum to less than this turn back on themselves: their circle is a line through infinity and
 /// its tangent is noise (`docs/math/circle-blends.md#node-tangent`, has the same limit).
@@ -50,13 +50,18 @@ impl ArcPath {
         check_points(points, options.closed)?;
         let tangents = match &options.tangents {
             Some(given) if given.len() != points.len() => {
-                return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed: points.len() });
+                return Err(NumberError::CountDiffers {
+                    what: ErrorItem::Tangent,
+                    given: given.len(),
+                    needed: points.len(),
+                }
+                .into());
             }
             Some(given) => given.clone(),
             None => estimate_tangents(points, options.closed)?,
         };
         if let Some(index) = tangents.iter().position(|t| *t == Vec3::ZERO) {
-            return Err(Error::ZeroTangent { index });
+            return Err(PointError::ZeroTangent { index }.into());
         }
         let spans = span_count(points.len(), options.closed);
         let mut arcs = Vec::with_capacity(2 * spans);
@@ -81,16 +86,16 @@ impl ArcPath {
     pub fn chain_from_tangent(points: &[Point3], closed: bool, start_tangent: Vec3) -> Result<Self> {
         check_points(points, closed)?;
         if !start_tangent.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index: 0 }.into());
         }
-        let mut t = start_tangent.unit().ok_or(Error::ZeroTangent { index: 0 })?;
+        let mut t = start_tangent.unit().ok_or(PointError::ZeroTangent { index: 0 })?;
         let spans = span_count(points.len(), closed);
         let mut arcs = Vec::with_capacity(spans);
         for k in 0..spans {
             let (a, b) = (points[k], points[(k + 1) % points.len()]);
             arcs.push(starting(a, t, b).map_err(|e| e.in_span(k))?);
             // Normalised again: the reflection keeps the length only up to rounding, which would add up.
-            t = t.reflect(chord(points, k)?).unit().ok_or(Error::ZeroTangent { index: k })?;
+            t = t.reflect(chord(points, k)?).unit().ok_or(PointError::ZeroTangent { index: k })?;
         }
         Ok(Self::from_joined(arcs, closed))
     }
@@ -125,11 +130,15 @@ pub fn estimate_tangents(points: &[Point3], closed: bool) -> Result<Vec<Vec3>> {
         let (l0, l1) = (points[a].distance(points[k]), points[k].distance(points[(k + 1) % n]));
         let sum = (u0 + u1).length();
         if sum <= CUSP_LIMIT {
-            return Err(Error::Cusp { index: k, measured: sum, limit: CUSP_LIMIT });
+            return Err(ArcError::Cusp { index: k, measured: sum, limit: CUSP_LIMIT }.into());
         }
         // u0/l0 + u1/l1, scaled so that neither quotient overflows.
         let m = l0.max(l1);
-        (u0 * (l1 / m) + u1 * (l0 / m)).unit().ok_or(Error::Cusp { index: k, measured: sum, limit: CUSP_LIMIT })
+        (u0 * (l1 / m) + u1 * (l0 / m)).unit().ok_or(Error::Arc(ArcError::Cusp {
+            index: k,
+            measured: sum,
+            limit: CUSP_LIMIT,
+        }))
     };
     if closed {
         return (0..n).map(inner).collect();
@@ -139,7 +148,9 @@ pub fn estimate_tangents(points: &[Point3], closed: bool) -> Result<Vec<Vec3>> {
         *tangent = inner(k)?;
     }
     // Reflections of unit vectors in unit chords: unit up to rounding.
-    let end = |t: Vec3, span: usize| t.reflect(chord(points, span)?).unit().ok_or(Error::ZeroTangent { index: span });
+    let end = |t: Vec3, span: usize| {
+        t.reflect(chord(points, span)?).unit().ok_or(Error::Point(PointError::ZeroTangent { index: span }))
+    };
     tangents[0] = end(tangents[1], 0)?;
     tangents[n - 1] = end(tangents[n - 2], n - 2)?;
     Ok(tangents)
@@ -151,22 +162,24 @@ fn span_count(points: usize, closed: bool) -> usize {
 
 /// Unit chord of span `k` (cyclic).
 fn chord(points: &[Point3], k: usize) -> Result<Vec3> {
-    (points[(k + 1) % points.len()] - points[k]).unit().ok_or(Error::NotFinite { what: ErrorItem::Chord, index: k })
+    (points[(k + 1) % points.len()] - points[k])
+        .unit()
+        .ok_or(Error::Number(NumberError::NotFinite { what: ErrorItem::Chord, index: k }))
 }
 
 fn check_points(points: &[Point3], closed: bool) -> Result<()> {
     let needed = if closed { 3 } else { 2 };
     if points.len() < needed {
-        return Err(Error::TooFewPoints { given: points.len(), needed });
+        return Err(PointError::TooFewPoints { given: points.len(), needed }.into());
     }
     if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Point, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into());
     }
     for first in 0..span_count(points.len(), closed) {
         let second = (first + 1) % points.len();
         let distance = points[first].distance(points[second]);
         if distance == 0.0 {
-            return Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first, second, distance, limit: 0.0 }.into());
         }
     }
     Ok(())

@@ -17,7 +17,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 
 /// The longest leg of the control triangles accepted, in chords: beyond it the joint runs away to infinity.
 const LEG_LIMIT: f64 = 1e8;
@@ -151,22 +151,22 @@ impl Data {
     fn new(p0: Point3, t0: Vec3, p1: Point3, t1: Vec3) -> Result<Self> {
         for (index, p) in [p0, p1].into_iter().enumerate() {
             if !p.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Point, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into());
             }
         }
         let unit = |t: Vec3, index| {
             if t.is_finite() {
-                t.unit().ok_or(Error::ZeroTangent { index })
+                t.unit().ok_or(Error::Point(PointError::ZeroTangent { index }))
             } else {
-                Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+                Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into())
             }
         };
         let (t0, t1) = (unit(t0, 0)?, unit(t1, 1)?);
         let l = p0.distance(p1);
         if l == 0.0 {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: l, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: l, limit: 0.0 }.into());
         }
-        let v = (p1 - p0).unit().ok_or(Error::NotFinite { what: ErrorItem::Chord, index: 0 })?;
+        let v = (p1 - p0).unit().ok_or(NumberError::NotFinite { what: ErrorItem::Chord, index: 0 })?;
         Ok(Self { p0, p1, l, v, t0, t1 })
     }
 
@@ -190,14 +190,14 @@ impl Data {
         // In chords. 0/0 (equal tangents across the chord or backwards) is infinite too.
         let d = if b >= 0.0 { 1.0 / (b + s) } else { (s - b) / a };
         if !(d <= LEG_LIMIT) {
-            return Err(Error::NoFiniteBiarc { measured: "leg over chord", value: d, limit: LEG_LIMIT });
+            return Err(ArcError::NoFiniteBiarc { measured: "leg over chord", value: d, limit: LEG_LIMIT }.into());
         }
         let j = self.p0.midpoint(self.p1) + difference * (0.5 * d * self.l);
         for end in [self.p0, self.p1] {
             let value = j.distance(end) / self.l;
             if !(value >= JOINT_LIMIT) {
                 let measured = "distance of the joint from an end over chord";
-                return Err(Error::NoFiniteBiarc { measured, value, limit: JOINT_LIMIT });
+                return Err(ArcError::NoFiniteBiarc { measured, value, limit: JOINT_LIMIT }.into());
             }
         }
         // A unit vector to rounding, even when a leg is tiny.
@@ -223,7 +223,7 @@ impl Data {
             [Ok(one), Err(_)] | [Err(_), Ok(one)] => Ok(one),
             [Err(_), Err(_)] => {
                 let measured = "number of candidates for the joint";
-                Err(Error::NoFiniteBiarc { measured, value: 0.0, limit: 1.0 })
+                Err(ArcError::NoFiniteBiarc { measured, value: 0.0, limit: 1.0 }.into())
             }
         }
     }

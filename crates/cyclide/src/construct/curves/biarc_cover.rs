@@ -6,7 +6,7 @@
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ParamCurve, PieceHull};
-use crate::error::{Error, Result};
+use crate::error::{NumberError, Result};
 
 /// Samples on each biarc: four to each of the lobes of its distance from a smooth curve.
 const SAMPLES: u32 = 16;
@@ -81,7 +81,13 @@ pub(super) fn append_biarcs(
     }
     let cap = MOST_BIARCS;
     let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
-    arcs.extend(cover.ok_or(Error::TooManyPieces { what: "piece", segment: Some(number), needed, cap, remedy })?);
+    arcs.extend(cover.ok_or(NumberError::TooManyPieces {
+        what: "piece",
+        segment: Some(number),
+        needed,
+        cap,
+        remedy,
+    })?);
     Ok(())
 }
 

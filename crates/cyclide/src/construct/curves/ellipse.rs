@@ -3,7 +3,7 @@
 use super::plane_axes::plane_axes;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -33,10 +33,10 @@ impl Ellipse {
         range::check_point(0, center.to_vec())?;
         for (index, &radius) in semi_axes.iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
@@ -57,10 +57,10 @@ impl Ellipse {
     /// `not-finite`, `angle-out-of-range` (0, or more than a turn).
     pub fn to_nurbs(&self, start: f64, sweep: f64) -> Result<NurbsCurve> {
         if !(start.is_finite() && sweep.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         if sweep == 0.0 || sweep.abs() > TAU * (1.0 + f64::EPSILON) {
-            return Err(Error::AngleOutOfRange { angle: sweep, min: -TAU, max: TAU });
+            return Err(NumberError::AngleOutOfRange { angle: sweep, min: -TAU, max: TAU }.into());
         }
         let count = (sweep.abs() / FRAC_PI_2 - 1e-9).ceil().max(1.0);
         let step = sweep / count;

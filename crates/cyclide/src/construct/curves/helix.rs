@@ -3,7 +3,7 @@
 use super::plane_axes::plane_axes;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, ErrorItem, NumberError, Result};
 use crate::rational::{NurbsCurve, Polynomial, RationalBezier};
 use std::f64::consts::TAU;
 
@@ -53,16 +53,18 @@ impl Helix {
         range::check_point(0, center.to_vec())?;
         for (index, value) in [radius, pitch, turns].into_iter().enumerate() {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
         }
         if radius <= 0.0 {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         range::check_distance(radius)?;
         range::check_point(0, Vec3::new(pitch, pitch * turns, 0.0))?;
         if turns == 0.0 {
-            return Err(Error::AngleOutOfRange { angle: 0.0, min: -TAU * MOST_PIECES, max: TAU * MOST_PIECES });
+            return Err(
+                NumberError::AngleOutOfRange { angle: 0.0, min: -TAU * MOST_PIECES, max: TAU * MOST_PIECES }.into()
+            );
         }
         Ok(Self { center, axes: plane_axes(axis, x_direction)?, radius, pitch, turns })
     }
@@ -117,27 +119,28 @@ impl Helix {
     /// `tolerance-not-positive`; `too-many-pieces`.
     pub fn to_nurbs(&self, tolerance: f64) -> Result<(NurbsCurve, f64)> {
         if !(tolerance > 0.0) {
-            return Err(Error::ToleranceNotPositive { tolerance });
+            return Err(NumberError::ToleranceNotPositive { tolerance }.into());
         }
         let mut per_turn = PIECES[0];
         loop {
             let count = (per_turn * self.turns.abs()).ceil().max(1.0);
             if count > MOST_PIECES {
                 let remedy = "use a larger tolerance or fewer turns";
-                return Err(Error::TooManyPieces {
+                return Err(NumberError::TooManyPieces {
                     what: "the helix",
                     segment: None,
                     needed: count,
                     cap: MOST_PIECES as usize,
                     remedy,
-                });
+                }
+                .into());
             }
             let (height, off) = self.rise(TAU * self.turns / count, count);
             let size = self.center.to_vec().max_abs() + self.radius + self.height().abs();
             let rounding = ROUNDINGS * f64::EPSILON * size;
             if off <= tolerance.max(rounding) || per_turn >= PIECES[1] {
                 if !(off <= tolerance.max(rounding)) {
-                    return Err(Error::NotWithinTolerance { piece: 0, bound: off, tolerance });
+                    return Err(CurveError::NotWithinTolerance { piece: 0, bound: off, tolerance }.into());
                 }
                 // Far from the origin rounding is more than what is left out.
                 return Ok((self.pieces(count as usize, &height)?, off + rounding));

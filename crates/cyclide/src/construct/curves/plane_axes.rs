@@ -1,7 +1,7 @@
 //! Axes of a plane by its normal.
 
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// A direction within this angle of the normal, radians, has none across it.
 const ALONG: f64 = 1e-6;
@@ -14,10 +14,11 @@ const ALONG: f64 = 1e-6;
 pub(super) fn plane_axes(normal: Vec3, x_direction: Option<Vec3>) -> Result<[Vec3; 3]> {
     let finite = |v: Vec3| v.to_array().iter().all(|x| x.is_finite());
     if !finite(normal) || !x_direction.is_none_or(finite) {
-        return Err(Error::NotFinite { what: ErrorItem::FrameVector, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::FrameVector, index: 0 }.into());
     }
-    let none =
-        |index: usize, length: f64, limit: f64| Error::ZeroAxis { what: ErrorItem::Normal, index, length, limit };
+    let none = |index: usize, length: f64, limit: f64| {
+        Error::Point(PointError::ZeroAxis { what: ErrorItem::Normal, index, length, limit })
+    };
     let z = normal.unit().ok_or_else(|| none(0, normal.length(), 0.0))?;
     let across = |v: Vec3| {
         let x = v - z * v.dot(z);

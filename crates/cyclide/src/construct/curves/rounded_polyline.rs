@@ -6,7 +6,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PipeError, PointError, Result};
 
 /// Corners that turn by less have no arc.
 const STRAIGHT: f64 = 1e-9;
@@ -24,27 +24,27 @@ impl ArcPath {
     pub fn rounded_polyline(points: &[Point3], closed: bool, radii: &[f64]) -> Result<Self> {
         let (n, needed) = (points.len(), if closed { 3 } else { 2 });
         if n < needed {
-            return Err(Error::TooFewPoints { given: n, needed });
+            return Err(PointError::TooFewPoints { given: n, needed }.into());
         }
         if radii.len() != n {
-            return Err(Error::CountDiffers { what: ErrorItem::Radius, given: radii.len(), needed: n });
+            return Err(NumberError::CountDiffers { what: ErrorItem::Radius, given: radii.len(), needed: n }.into());
         }
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
         for (index, &radius) in radii.iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius < 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
         }
         let legs = if closed { n } else { n - 1 };
         let ways = (0..legs).map(|k| {
             let way = points[(k + 1) % n] - points[k];
             let (first, second) = (k, (k + 1) % n);
-            way.unit().ok_or(Error::CoincidentPoints { first, second, distance: 0.0, limit: 0.0 })
+            way.unit().ok_or(Error::Point(PointError::CoincidentPoints { first, second, distance: 0.0, limit: 0.0 }))
         });
         let ways: Vec<Vec3> = ways.collect::<Result<_>>()?;
         let corners = (0..n).map(|k| {
@@ -59,7 +59,7 @@ impl ArcPath {
             let (needed, length) = (from.setback + to.setback, points[leg].distance(points[next]));
             if !(needed <= length * (1.0 + LEG_EXCESS)) {
                 let corner = if from.setback > to.setback { leg } else { next };
-                return Err(Error::BendDoesNotFit { corner, radius: radii[corner], needed, length });
+                return Err(PipeError::BendDoesNotFit { corner, radius: radii[corner], needed, length }.into());
             }
             // A leg that its arcs fill has no segment; then both end in one point.
             let filled = needed >= length * (1.0 - LEG_EXCESS);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result, SurfaceFault};
+use crate::error::{MeshError, PrincipalGridError, Result, SurfaceFault};
 
 /// No half edge: the border.
 pub(super) const NONE: usize = usize::MAX;
@@ -31,13 +31,13 @@ impl MeshTable {
     /// `no-triangles`, `no-such-vertex`, `not-a-surface`.
     pub(super) fn new(points: &[Point3], triangles: &[[usize; 3]]) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(Error::NoTriangles { vertices: points.len(), needed: 1 });
+            return Err(MeshError::NoTriangles { vertices: points.len(), needed: 1 }.into());
         }
         let count = points.len();
         let mut number = vec![NONE; count];
         for (triangle, corners) in triangles.iter().enumerate() {
             for &vertex in corners {
-                *number.get_mut(vertex).ok_or(Error::NoSuchVertex { triangle, vertex, count })? = 0;
+                *number.get_mut(vertex).ok_or(MeshError::NoSuchVertex { triangle, vertex, count })? = 0;
             }
         }
         let mut used = Vec::new();
@@ -55,7 +55,8 @@ impl MeshTable {
         for f in 0..table.triangles.len() {
             let [a, b, c] = table.corners(f);
             let double = (b - a).cross(c - a);
-            let normal = double.unit().ok_or(Error::NotASurface { fault: SurfaceFault::NoArea, index: f })?;
+            let normal =
+                double.unit().ok_or(PrincipalGridError::NotASurface { fault: SurfaceFault::NoArea, index: f })?;
             table.normals.push(normal);
             table.areas.push(0.5 * double.length());
         }
@@ -150,7 +151,7 @@ impl MeshTable {
             }
         }
         match seen.iter().position(|seen| !seen) {
-            Some(index) => Err(Error::NotASurface { fault: SurfaceFault::Apart, index }),
+            Some(index) => Err(PrincipalGridError::NotASurface { fault: SurfaceFault::Apart, index }.into()),
             None => Ok(()),
         }
     }
@@ -171,12 +172,12 @@ impl MeshTable {
             self.borders.push(border);
         }
         if self.borders.is_empty() {
-            return Err(Error::NotASurface { fault: SurfaceFault::NoBorder, index: 0 });
+            return Err(PrincipalGridError::NotASurface { fault: SurfaceFault::NoBorder, index: 0 }.into());
         }
         // V - E + F = 2 - 2 handles - borders.
         let euler = (self.points.len() + self.triangles.len()) as i64 - self.edges().count() as i64;
         if euler + self.borders.len() as i64 != 2 {
-            return Err(Error::NotASurface { fault: SurfaceFault::Handles, index: 0 });
+            return Err(PrincipalGridError::NotASurface { fault: SurfaceFault::Handles, index: 0 }.into());
         }
         Ok(())
     }
@@ -196,14 +197,14 @@ fn twins(triangles: &[[usize; 3]]) -> Result<Vec<usize>> {
     for half in 0..3 * triangles.len() {
         let (from, to) = ends(half);
         if from == to {
-            return Err(Error::NotASurface { fault: SurfaceFault::NoArea, index: half / 3 });
+            return Err(PrincipalGridError::NotASurface { fault: SurfaceFault::NoArea, index: half / 3 }.into());
         }
         if let Some(first) = by_ends.insert((from, to), half) {
             // Twice the same way: turned over, or one of more than two.
             let opposite = (0..3 * triangles.len()).filter(|&h| ends(h) == (to, from)).count();
             let same = (0..3 * triangles.len()).filter(|&h| ends(h) == (from, to)).count();
             let fault = if same + opposite == 2 { SurfaceFault::TurnedOver } else { SurfaceFault::EdgeOfMany };
-            return Err(Error::NotASurface { fault, index: half.max(first) / 3 });
+            return Err(PrincipalGridError::NotASurface { fault, index: half.max(first) / 3 }.into());
         }
     }
     let twin = |half: usize| {
@@ -235,7 +236,7 @@ fn leaving(triangles: &[[usize; 3]], twin: &[usize], count: usize) -> Result<Vec
             round += 1;
         }
         if round != uses[vertex] {
-            return Err(Error::NotASurface { fault: SurfaceFault::Pinched, index: first / 3 });
+            return Err(PrincipalGridError::NotASurface { fault: SurfaceFault::Pinched, index: first / 3 }.into());
         }
     }
     Ok(leaving)

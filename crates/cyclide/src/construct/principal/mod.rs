@@ -36,7 +36,7 @@ use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
-use crate::error::{Error, Result, SurfaceFault};
+use crate::error::{Error, GridError, PrincipalGridError, Result, SurfaceFault};
 use crate::surface::{QuadGrid, QuadLayout};
 use crate::warning::Warning;
 use arc_length::by_arc_length;
@@ -178,7 +178,7 @@ pub fn principal_grids(
     let area: f64 = given.areas.iter().sum();
     // Points on a line, but for rounding.
     if !(area > NO_AREA * bounds.map_or(0.0, Aabb::diagonal).powi(2)) {
-        return Err(Error::NotASurface { fault: SurfaceFault::NoArea, index: 0 });
+        return Err(PrincipalGridError::NotASurface { fault: SurfaceFault::NoArea, index: 0 }.into());
     }
     options.check(area)?;
     // The search works about the middle of the surface in units near an edge: powers of two, which round nothing.
@@ -203,12 +203,17 @@ pub fn principal_grids(
     let limit = (FLAT * tensors.median_curvature).max(FLAT_IN_SIZE / size);
     let difference = tensors.median_difference;
     if !(difference > limit) {
-        return Err(Error::FlatSurface { difference: difference / scale, limit: limit / scale, noise: None });
+        return Err(PrincipalGridError::FlatSurface {
+            difference: difference / scale,
+            limit: limit / scale,
+            noise: None,
+        }
+        .into());
     }
     let by_noise = denoise::difference(&table, noise, noisy);
     if difference <= by_noise && (noisy || denoise::is_noise(&table, noise)) {
         let (difference, limit) = (difference / scale, by_noise / scale);
-        return Err(Error::FlatSurface { difference, limit, noise: Some(noise * scale) });
+        return Err(PrincipalGridError::FlatSurface { difference, limit, noise: Some(noise * scale) }.into());
     }
     let smoothed = ladder::smoothed(&table, &tensors, options.umbilics, noisy, progress)?;
     let weights = weights_of_faces(&table.triangles, &tensors.weights);
@@ -228,7 +233,7 @@ pub fn principal_grids(
     let one_grid = options.umbilics == UmbilicRule::Smooth || options.border == GridBorder::Cover;
     if let (true, [first, ..]) = (one_grid, &report.umbilics[..]) {
         let (count, at, halves) = (report.umbilics.len(), first.point.to_array(), first.halves);
-        return Err(Error::UmbilicsRemain { count, at, halves, smoothing: smoothed.mu });
+        return Err(PrincipalGridError::UmbilicsRemain { count, at, halves, smoothing: smoothed.mu }.into());
     }
     let mut warnings = Vec::new();
     if report.umbilics_found > report.umbilics.len() {
@@ -241,7 +246,7 @@ pub fn principal_grids(
     let by_hole = (0..layout.halves.len()).find(|k| *k != layout.outer && layout.halves[*k] % 2 != 0);
     if let (true, Some(hole)) = (one_grid || joins && smoothed.singular.is_empty(), by_hole) {
         let at = to_world(table.points[table.ends(table.borders[hole][0])[0]]).to_array();
-        return Err(Error::FieldNotOrientable { at, halves: layout.halves[hole] });
+        return Err(PrincipalGridError::FieldNotOrientable { at, halves: layout.halves[hole] }.into());
     }
     if joins && !smoothed.singular.is_empty() {
         progress(PrincipalStage::Coordinates);
@@ -251,7 +256,7 @@ pub fn principal_grids(
         let place = |vertex: usize| to_world(table.points[vertex]).to_array();
         let found = surface.joined(edge).map_err(|NotJoined { vertex, fault }| {
             let at = place(vertex);
-            Error::UmbilicsNotJoined { at, fault }
+            Error::PrincipalGrid(PrincipalGridError::UmbilicsNotJoined { at, fault })
         })?;
         warnings.extend(found.left_out.first().map(|first| {
             let (count, at) = (found.left_out.len(), place(*first));
@@ -285,7 +290,9 @@ pub fn principal_grids(
                 [both.periods[1], both.periods[0]]
             };
             if !(round.abs() >= 3.0 * edge) {
-                return Err(Error::NoGrid { edge: options.edge_length, least: lattice::LEAST_CELLS });
+                return Err(
+                    PrincipalGridError::NoGrid { edge: options.edge_length, least: lattice::LEAST_CELLS }.into()
+                );
             }
             // The coordinate runs more slowly than arc length where its lines spread.
             let across = usize::from(both.periods[0].abs() >= both.periods[1].abs());
@@ -293,7 +300,7 @@ pub fn principal_grids(
             report.return_shift = Some(shift * scale);
             let (world, edge_length) = (shift * scale, options.edge_length);
             if shift > OPEN_SPIRAL * edge && options.closed != Some(true) {
-                return Err(Error::SpiralLines { shift: world, edge: edge_length });
+                return Err(PrincipalGridError::SpiralLines { shift: world, edge: edge_length }.into());
             }
             if shift > SPIRAL * edge {
                 warnings.push(Warning::SpiralLines { shift: world, edge: edge_length });
@@ -327,7 +334,7 @@ pub fn principal_grids(
     let walker = Walker { sheet: &sheet, coordinates: &laid_out, passages: &passages, open: &open };
     let found = laid(&walker, &fits, &steps, progress)?;
     if found.is_empty() {
-        return Err(Error::NoGrid { edge: options.edge_length, least: lattice::LEAST_CELLS });
+        return Err(PrincipalGridError::NoGrid { edge: options.edge_length, least: lattice::LEAST_CELLS }.into());
     }
     let mut grids = Vec::new();
     for grid in found {
@@ -345,5 +352,5 @@ pub fn principal_grids(
 
 /// A system of equations that doubles cannot solve, or memory not hold.
 fn no_solution() -> Error {
-    Error::NotConverged { step: 0, residual: f64::INFINITY, limit: 0.0 }
+    Error::Grid(GridError::NotConverged { step: 0, residual: f64::INFINITY, limit: 0.0 })
 }

@@ -1,7 +1,7 @@
 //! What the user can ask of [`principal_grids`](super::principal_grids).
 
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// Options of [`principal_grids`](super::principal_grids).
 ///
@@ -50,7 +50,7 @@ impl PrincipalGridOptions {
     /// # Errors
     /// `parameter-out-of-range`.
     pub(super) fn check(&self, area: f64) -> Result<()> {
-        let out = |name, value, min, max| Err(Error::ParameterOutOfRange { name, value, min, max });
+        let out = |name, value, min, max| Err(NumberError::ParameterOutOfRange { name, value, min, max }.into());
         // Longer edges than the surface is wide: no grid, or none that could be told from rounding.
         let (least, most) = ((area / MOST_CELLS).sqrt(), area.sqrt());
         if !(self.edge_length >= least && self.edge_length <= most) {

@@ -9,7 +9,7 @@ use super::{Arc, FULL_CIRCLE_LIMIT, POLE_LIMIT};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 
 /// Largest cosine between chord and weight that counts as rounding of the input (`000`, Proposition 4).
 const PERPENDICULAR_LIMIT: f64 = 1e-9;
@@ -25,7 +25,7 @@ fn chord(a: Point3, b: Point3, first: usize, second: usize) -> Result<(Vec3, f64
     let c = b - a;
     let l = c.length();
     if l == 0.0 {
-        return Err(Error::CoincidentPoints { first, second, distance: l, limit: 0.0 });
+        return Err(PointError::CoincidentPoints { first, second, distance: l, limit: 0.0 }.into());
     }
     range::check_distance(l)?;
     Ok((c, l))
@@ -34,10 +34,10 @@ fn chord(a: Point3, b: Point3, first: usize, second: usize) -> Result<(Vec3, f64
 /// A tangent with its length, refusing zero and non-finite ones.
 fn tangent(v: Vec3, index: usize) -> Result<f64> {
     if !v.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());
     }
     match v.length() {
-        0.0 => Err(Error::ZeroTangent { index }),
+        0.0 => Err(PointError::ZeroTangent { index }.into()),
         l => Ok(l),
     }
 }
@@ -60,13 +60,13 @@ impl Arc {
     pub fn from_weights(start: Point3, end: Point3, start_weight: Quat, end_weight: Quat) -> Result<Self> {
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Weight, index }.into());
             }
             if w.norm() == 0.0 {
-                return Err(Error::ZeroWeight { index });
+                return Err(ArcError::ZeroWeight { index }.into());
             }
         }
-        let inverse = start_weight.inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let inverse = start_weight.inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         Self::from_weight_ratio(start, end, end_weight * inverse)
     }
 
@@ -80,7 +80,7 @@ impl Arc {
             // A nearly real ratio carries its rounding in the vector part: measured against |w|, it is nothing.
             let along = cosine.abs() * (ratio.vector().length() / ratio.norm());
             if cosine.abs() > PERPENDICULAR_LIMIT && along > RATIO_ROUNDING {
-                return Err(Error::NotInImH { cosine, limit: PERPENDICULAR_LIMIT });
+                return Err(ArcError::NotInImH { cosine, limit: PERPENDICULAR_LIMIT }.into());
             }
         }
         Self::from_ratio_across(start, end, ratio)?.short_of_full_circle()
@@ -132,7 +132,7 @@ impl Arc {
         // e0 × e1 is perpendicular to the chord e0 + e1 up to rounding.
         let p = (end - start).unit().map_or(p, |cu| p - cu * p.dot(cu));
         let arc = Self::from_ratio(start, end, u0.dot(u1) * scale, p).map_err(|e| match e {
-            Error::PoleOnSegment { .. } => Error::at_infinity(ErrorItem::Point, 1),
+            Error::Arc(ArcError::PoleOnSegment { .. }) => Error::at_infinity(ErrorItem::Point, 1),
             other => other,
         })?;
         arc.short_of_full_circle()
@@ -145,7 +145,7 @@ impl Arc {
     /// `not-finite`, `zero-axis` (normal zero or along the chord), `nearly-full-circle` (a bulge beyond 1e7).
     pub fn from_bulge(start: Point3, end: Point3, normal: Vec3, bulge: f64) -> Result<Self> {
         if !bulge.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Bulge, index: 0 }.into());
         }
         if bulge == 0.0 {
             return Self::segment(start, end);
@@ -156,7 +156,7 @@ impl Arc {
             let across = n - cu * n.dot(cu);
             if across.length() <= PERPENDICULAR_LIMIT {
                 let (length, limit) = (across.length(), PERPENDICULAR_LIMIT);
-                return Err(Error::ZeroAxis { what: ErrorItem::Normal, index: 0, length, limit });
+                return Err(PointError::ZeroAxis { what: ErrorItem::Normal, index: 0, length, limit }.into());
             }
             n = across.unit().ok_or(zero)?;
         }
@@ -172,8 +172,8 @@ impl Arc {
         };
         // So large that the half circle less the sweep is rounded away: the pole is then on the chord.
         let full = |e| match e {
-            Error::PoleOnSegment { .. } => {
-                Error::NearlyFullCircle { rest: 4.0 * b.recip().atan(), limit: FULL_CIRCLE_LIMIT }
+            Error::Arc(ArcError::PoleOnSegment { .. }) => {
+                Error::Arc(ArcError::NearlyFullCircle { rest: 4.0 * b.recip().atan(), limit: FULL_CIRCLE_LIMIT })
             }
             other => other,
         };
@@ -189,18 +189,18 @@ impl Arc {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: 0 }.into());
         }
         let limit = std::f64::consts::TAU;
         if !(sweep.abs() < limit) {
-            return Err(Error::SweepOutOfRange { sweep, min: -limit, max: limit });
+            return Err(NumberError::SweepOutOfRange { sweep, min: -limit, max: limit }.into());
         }
         let n = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let v = start - center;
         let d = v - n * v.dot(n);
         let limit = 1e-14 * v.length();
         if d.length() <= limit || d.max_abs() == 0.0 {
-            return Err(Error::ZeroRadius { radius: d.length(), limit });
+            return Err(NumberError::ZeroRadius { radius: d.length(), limit }.into());
         }
         let (s, c) = (0.5 * sweep).sin_cos();
         // The end: d turned by the sweep. The chord is 2 sin(sweep/2) times a perpendicular of the normal.
@@ -232,8 +232,8 @@ impl Arc {
 
 fn opposes(error: Error, index: usize) -> Error {
     match error {
-        Error::PoleOnSegment { real, vector, .. } => {
-            Error::TangentOpposesChord { index, angle: vector.atan2(-real), limit: POLE_LIMIT }
+        Error::Arc(ArcError::PoleOnSegment { real, vector, .. }) => {
+            Error::Arc(ArcError::TangentOpposesChord { index, angle: vector.atan2(-real), limit: POLE_LIMIT })
         }
         other => other,
     }

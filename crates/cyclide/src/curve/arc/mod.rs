@@ -22,7 +22,7 @@ use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, ErrorItem, NumberError, Result};
 use crate::rational::RationalBezier;
 
 /// What an arc must leave of a full turn at least, radians: a bulge of ten millions. Points at a parameter are off their
@@ -84,17 +84,17 @@ impl Arc {
         range::check_point(1, p1.to_vec())?;
         range::check_distance(p0.distance(p1))?;
         if !(r.is_finite() && p.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Weight, index: 1 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Weight, index: 1 }.into());
         }
         let pn = p.length();
         let n = r.hypot(pn);
         if n == 0.0 {
-            return Err(Error::ZeroWeight { index: 1 });
+            return Err(ArcError::ZeroWeight { index: 1 }.into());
         }
         range::check_weight_ratio(n)?;
         let limit = POLE_LIMIT * -r;
         if r < 0.0 && pn <= limit {
-            return Err(Error::PoleOnSegment { real: r, vector: pn, limit });
+            return Err(ArcError::PoleOnSegment { real: r, vector: pn, limit }.into());
         }
         Ok(Self::from_ratio_unchecked(p0, p1, r, p))
     }
@@ -115,7 +115,7 @@ impl Arc {
     pub(super) fn short_of_full_circle(self) -> Result<Self> {
         let rest = 2.0 * self.pn.atan2(-self.r);
         if self.r < 0.0 && rest < FULL_CIRCLE_LIMIT {
-            return Err(Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT });
+            return Err(ArcError::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }.into());
         }
         Ok(self)
     }

@@ -3,7 +3,7 @@
 use super::Arc;
 use crate::base::cut::interval;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::NurbsCurve;
 
 /// Largest angle of one rational piece that is always safe: weights stay at least `cos(pi/4)`.
@@ -26,7 +26,7 @@ impl Arc {
     /// `parameter-out-of-range`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 }.into());
         }
         let m = self.point(t);
         let (x, d) = self.denominator(t);
@@ -79,12 +79,13 @@ impl Arc {
     /// `parameter-out-of-range` if `levels > 24`.
     pub fn uniform_points(&self, levels: u32) -> Result<Vec<Point3>> {
         if levels > 24 {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::Levels,
                 value: f64::from(levels),
                 min: 0.0,
                 max: 24.0,
-            });
+            }
+            .into());
         }
         let n = 1_usize << levels;
         let mut points = vec![self.p0; n + 1];
@@ -115,12 +116,13 @@ impl Arc {
     /// `parameter-out-of-range` if `max_angle` is not in `(0, pi)`.
     pub fn to_nurbs(&self, max_angle: f64) -> Result<NurbsCurve> {
         if !(max_angle > 1e-3 && max_angle < std::f64::consts::PI) {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::MaxAngle,
                 value: max_angle,
                 min: 1e-3,
                 max: std::f64::consts::PI,
-            });
+            }
+            .into());
         }
         let m = self.piece_count_for(max_angle);
         let beta = self.alpha() / m as f64;

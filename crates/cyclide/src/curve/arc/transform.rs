@@ -2,7 +2,7 @@
 
 use super::Arc;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, Result};
 
 /// Largest part of the image's weight along its chord, relative to the weight, that counts as rounding.
 const DEFECT_LIMIT: f64 = 1e-9;
@@ -29,7 +29,7 @@ impl Conformal for Arc {
         let limit = DEFECT_LIMIT + END_ROUNDING * size / chord.max_abs();
         let cosine = chord.unit().map_or(0.0, |c| c.dot(ratio.vector()) / ratio.norm());
         if cosine.abs() > limit {
-            return Err(Error::NotInImH { cosine, limit });
+            return Err(ArcError::NotInImH { cosine, limit }.into());
         }
         // However near to a full circle: a right arc is not refused for where its image lies.
         Ok(Self::from_ratio_across(a0, a1, ratio)?.without_lost_circle())

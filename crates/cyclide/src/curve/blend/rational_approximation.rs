@@ -7,7 +7,7 @@ use crate::base::bernstein;
 use crate::base::roots::bracketed;
 use crate::base::vector::Vec3;
 use crate::curve::PieceHull;
-use crate::error::{Error, Result};
+use crate::error::{NumberError, Result};
 use crate::rational::RationalBezier;
 
 /// Most rational pieces made of one segment.
@@ -87,13 +87,14 @@ impl BlendSegment {
         let size = self.length / (tolerance * self.distance_from_infinity_squared());
         let needed = (theta * (0.0046 * size).cbrt()).max(theta / 3.0).ceil().max(1.0);
         if needed > PIECE_CAP as f64 {
-            return Err(Error::TooManyPieces {
+            return Err(NumberError::TooManyPieces {
                 what: "segment",
                 segment: Some(segment),
                 needed,
                 cap: PIECE_CAP,
                 remedy: "use the rational variant or a larger tolerance",
-            });
+            }
+            .into());
         }
         let mut n = needed as usize;
         while n > 1 && theta <= 3.0 * (n - 1) as f64 && self.part_error(n - 1) <= tolerance {

@@ -9,7 +9,7 @@ use crate::conformal::mobius::Mobius;
 use crate::curve::arc::Arc;
 use crate::curve::node_tangent::Chord;
 use crate::curve::qb::SpanData;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 
 /// Neighbours closer than this part of the bounding box's diagonal coincide: the tangent has no limit there.
 const COINCIDENT_LIMIT: f64 = 1e-12;
@@ -90,7 +90,9 @@ impl BlendSegment {
     /// As [`hermite`](Self::hermite), and `parameter-out-of-range` (blend).
     pub fn fair(start: Point3, start_tangent: Vec3, end: Point3, end_tangent: Vec3, blend: f64) -> Result<Self> {
         if !(0.0..=1.0).contains(&blend) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Blend, value: blend, min: 0.0, max: 1.0 });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Blend, value: blend, min: 0.0, max: 1.0 }.into()
+            );
         }
         Self::between([start, end], [start_tangent, end_tangent], BlendLaw::Fair { blend })
     }
@@ -99,7 +101,7 @@ impl BlendSegment {
         let limit = check_points(&[start, end])?;
         let chord = Chord::new(start, end);
         if chord.length <= limit {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit }.into());
         }
         let (t1, te) = (unit_tangent(start_tangent, 0)?, unit_tangent(end_tangent, 1)?);
         let tangents = BlendTangents { start: t1, end: te.reflect(chord.unit), magnification: 0.0 };
@@ -119,7 +121,7 @@ impl BlendSegment {
         let (from_pole1, from_pole2) = (u + t1, u + t2);
         let smallest = from_pole1.length_squared().min(from_pole2.length_squared());
         if smallest <= INFINITY_LIMIT * INFINITY_LIMIT {
-            return Err(Error::ArcThroughInfinity { segment, reach: f64::INFINITY, limit: 1.0 / INFINITY_LIMIT });
+            return Err(ArcError::ThroughInfinity { segment, reach: f64::INFINITY, limit: 1.0 / INFINITY_LIMIT }.into());
         }
         let (mut a, g) = (t1 + t2, t2 - t1);
         let gn = g.length_squared().sqrt();
@@ -131,7 +133,7 @@ impl BlendSegment {
             // The half turn goes through the plane of t1 and the chord (`004`, (50)).
             let across = u - t1 * u.dot(t1);
             let sine = across.length();
-            let ambiguous = Error::AmbiguousHalfTurn { segment, sine, limit: INFINITY_LIMIT };
+            let ambiguous = Error::Arc(ArcError::AmbiguousHalfTurn { segment, sine, limit: INFINITY_LIMIT });
             if across.length_squared() <= INFINITY_LIMIT * INFINITY_LIMIT {
                 return Err(ambiguous);
             }
@@ -247,13 +249,14 @@ impl BlendSegment {
     /// `parameter-out-of-range` (also when the two ends fall on one double).
     pub fn restricted(&self, l0: f64, l1: f64) -> Result<Self> {
         if !(l0 < l1 && l0 >= 0.0 && l1 <= 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::L1, value: l1, min: l0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::L1, value: l1, min: l0, max: 1.0 }.into());
         }
         let range = [self.whole_parameter(l0), self.whole_parameter(l1)];
         if range[0] < range[1] {
             Ok(Self { range, ..*self })
         } else {
-            Err(Error::ParameterOutOfRange { name: ErrorItem::L1, value: range[1], min: range[0], max: 1.0 })
+            Err(NumberError::ParameterOutOfRange { name: ErrorItem::L1, value: range[1], min: range[0], max: 1.0 }
+                .into())
         }
     }
 
@@ -283,12 +286,14 @@ impl BlendSegment {
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         map.check_similarity()?;
         let point = |p: Point3, index: usize| {
-            map.map_point(p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: ErrorItem::Point, index })
+            map.map_point(p)
+                .filter(|p| p.is_finite())
+                .ok_or(Error::Number(NumberError::NotFinite { what: ErrorItem::Point, index }))
         };
         let (x1, x2) = (point(self.x1, 0)?, point(self.x2, 1)?);
         let chord = Chord::new(x1, x2);
         if !(chord.length > 0.0 && chord.length.is_finite()) {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit: 0.0 }.into());
         }
         // The linear part times a positive number: directions.
         let direction = |v: Vec3| map.push_forward(self.x1, v).and_then(Vec3::unit).unwrap_or(Vec3::ZERO);
@@ -332,7 +337,7 @@ impl BlendSegment {
         // A circle over the chord that leaves it within `w` of the reversed direction has the diameter 1/w, in chords.
         let nearness = self.distance_from_infinity_squared().sqrt();
         if nearness < NEAR_INFINITY {
-            return Err(Error::ArcThroughInfinity { segment, reach: 1.0 / nearness, limit: 1.0 / NEAR_INFINITY });
+            return Err(ArcError::ThroughInfinity { segment, reach: 1.0 / nearness, limit: 1.0 / NEAR_INFINITY }.into());
         }
         Ok(())
     }
@@ -362,7 +367,11 @@ impl BlendSegment {
 
 /// Refuses orders outside 1 to 4.
 pub(crate) fn check_order(order: u32) -> Result<()> {
-    if (1..=MAX_ORDER).contains(&order) { Ok(()) } else { Err(Error::OrderOutOfRange { order, max: MAX_ORDER }) }
+    if (1..=MAX_ORDER).contains(&order) {
+        Ok(())
+    } else {
+        Err(NumberError::OrderOutOfRange { order, max: MAX_ORDER }.into())
+    }
 }
 
 /// Refuses points that are not finite or too far out; returns the length up to which neighbours coincide.
@@ -378,7 +387,7 @@ pub(crate) fn check_points(points: &[Point3]) -> Result<f64> {
 /// A tangent given by the user, normalised.
 pub(crate) fn unit_tangent(v: Vec3, index: usize) -> Result<Vec3> {
     if !v.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());
     }
-    v.unit().ok_or(Error::ZeroTangent { index })
+    v.unit().ok_or(Error::Point(PointError::ZeroTangent { index }))
 }

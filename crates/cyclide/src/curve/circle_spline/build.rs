@@ -6,7 +6,7 @@ use crate::curve::blend::{
     BlendLaw, BlendSegment, BlendTangents, BlendVariant, check_order, check_points, unit_tangent,
 };
 use crate::curve::node_tangent::Chord;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 use crate::warning::Warning;
 
 /// Turns above this make very large circles (`docs/math/circle-blends.md#node-tangent`).
@@ -131,7 +131,7 @@ pub fn corners_by_angle(points: &[Point3], closed: bool, limit: f64) -> Vec<usiz
 pub(crate) fn chords_between(points: &[Point3], closed: bool) -> Result<Vec<Chord>> {
     let needed = if closed { 3 } else { 2 };
     if points.len() < needed {
-        return Err(Error::TooFewPoints { given: points.len(), needed });
+        return Err(PointError::TooFewPoints { given: points.len(), needed }.into());
     }
     let limit = check_points(points)?;
     let n = points.len();
@@ -141,7 +141,7 @@ pub(crate) fn chords_between(points: &[Point3], closed: bool) -> Result<Vec<Chor
         let second = (first + 1) % n;
         let chord = Chord::new(points[first], points[second]);
         if chord.length <= limit {
-            return Err(Error::CoincidentPoints { first, second, distance: chord.length, limit });
+            return Err(PointError::CoincidentPoints { first, second, distance: chord.length, limit }.into());
         }
         chords.push(chord);
     }
@@ -154,12 +154,13 @@ pub(crate) fn chords_between(points: &[Point3], closed: bool) -> Result<Vec<Chor
 /// `parameter-out-of-range`.
 pub(crate) fn corner_nodes(given: &[usize], n: usize, closed: bool) -> Result<Vec<usize>> {
     if let Some(&corner) = given.iter().find(|c| **c >= n) {
-        return Err(Error::ParameterOutOfRange {
+        return Err(NumberError::ParameterOutOfRange {
             name: ErrorItem::Corner,
             value: corner as f64,
             min: 0.0,
             max: (n - 1) as f64,
-        });
+        }
+        .into());
     }
     let mut corners: Vec<usize> = given.iter().copied().filter(|&c| closed || (c > 0 && c + 1 < n)).collect();
     corners.sort_unstable();

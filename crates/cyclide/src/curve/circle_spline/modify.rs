@@ -3,7 +3,7 @@
 use super::CircleSpline;
 use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::warning::Warning;
 
 impl CircleSpline {
@@ -56,7 +56,7 @@ impl CircleSpline {
         let segments = (first..=last).map(part).collect::<Result<Vec<_>>>()?;
         if segments.is_empty() {
             // Both ends within rounding of one joint.
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 }.into());
         }
         let kinks = self.kinks.iter().filter(|k| **k > first && **k <= last).map(|k| k - first).collect();
         let node = |i: usize| (i > first && i <= last).then(|| i - first);

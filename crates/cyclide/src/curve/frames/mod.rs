@@ -15,7 +15,7 @@ use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{ArcLength, ParamCurve};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, Error, ErrorItem, NumberError, Result};
 use transport::Transport;
 
 /// Sine of the angle with the tangent up to which a direction says nothing about the normal.
@@ -141,7 +141,8 @@ impl<'a> CurveFrames<'a> {
     /// `no-frame` where the tangent turns back or the start direction is along it, `too-many-pieces`.
     pub fn new(curve: &'a dyn ParamCurve, rule: &FrameRule) -> Result<Self> {
         let lengths = ArcLength::new(curve);
-        let finite = |ok: bool, what| if ok { Ok(()) } else { Err(Error::NotFinite { what, index: 0 }) };
+        let finite =
+            |ok: bool, what| if ok { Ok(()) } else { Err(Error::Number(NumberError::NotFinite { what, index: 0 })) };
         let transport = match *rule {
             FrameRule::Up(up) => {
                 finite(up.is_finite(), ErrorItem::Direction)?;
@@ -264,5 +265,5 @@ fn across(direction: Vec3, axis: Vec3, t: f64) -> Result<Vec3> {
 }
 
 fn no_frame(what: &'static str, t: f64, measured: f64, limit: f64) -> Error {
-    Error::NoFrame { what, t, measured, limit }
+    Error::Curve(CurveError::NoFrame { what, t, measured, limit })
 }

@@ -9,7 +9,7 @@
 use super::{across, no_frame};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve;
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, Result};
 
 /// Halvings of a piece.
 const DEPTH: u32 = 40;
@@ -112,13 +112,14 @@ impl<'a> Transport<'a> {
                 return Err(self.turned_back(piece, middle));
             } else if self.places.len() + ahead.len() > MOST_PLACES {
                 let (needed, remedy) = ((MOST_PLACES + 1) as f64, "use a larger tolerance");
-                return Err(Error::TooManyPieces {
+                return Err(NumberError::TooManyPieces {
                     what: "piece",
                     segment: Some(piece),
                     needed,
                     cap: MOST_PLACES,
                     remedy,
-                });
+                }
+                .into());
             } else {
                 ahead.extend([(to, depth - 1), (middle, depth - 1)]);
             }

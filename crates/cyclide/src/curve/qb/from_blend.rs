@@ -13,7 +13,7 @@ use super::QbCurve;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::blend::{BlendLaw, BlendSegment};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// What the span is made from: ends, unit chord and its length, tangent at the start, `(h·t1, -h × t1)`, and end speeds in chords.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +37,9 @@ impl SpanData {
     pub(crate) fn check(&self) -> Result<()> {
         let [min, max] = SPEEDS;
         match self.speeds.into_iter().find(|speed| !(min..=max).contains(speed)) {
-            Some(value) => Err(Error::ParameterOutOfRange { name: ErrorItem::TangentOverSpan, value, min, max }),
+            Some(value) => {
+                Err(NumberError::ParameterOutOfRange { name: ErrorItem::TangentOverSpan, value, min, max }.into())
+            }
             None => Ok(()),
         }
     }

@@ -27,7 +27,7 @@ use rows::Rows;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::conformal::hpoint::HPoint;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, PointError, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
 
 /// Largest real part, relative to what it is a sum of, that counts as rounding of the pairs.
@@ -72,10 +72,10 @@ impl QbCurve {
     /// relative [defect](Self::defect) above 1e-9).
     pub fn new(pairs: &[HPoint]) -> Result<Self> {
         if pairs.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         if let Some(index) = pairs.iter().position(|pair| !(pair.n.is_finite() && pair.d.is_finite())) {
-            return Err(Error::NotFinite { what: ErrorItem::Pair, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Pair, index }.into());
         }
         if pairs.iter().all(|pair| pair.d == Quat::ZERO) {
             return Err(Error::at_infinity(ErrorItem::Curve, 0));
@@ -83,7 +83,7 @@ impl QbCurve {
         let curve = Self::from_local(Point3::ORIGIN, pairs.iter().map(|pair| (pair.n, pair.d)));
         let defect = curve.defect();
         if !(defect <= DEFECT_LIMIT) {
-            return Err(Error::NotInSpace { defect, limit: DEFECT_LIMIT });
+            return Err(PatchError::NotInSpace { defect, limit: DEFECT_LIMIT }.into());
         }
         let near = curve.ends.into_iter().flatten().next();
         Ok(near.map_or(curve.clone(), |point| curve.about(point)))

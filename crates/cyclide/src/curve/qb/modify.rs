@@ -6,7 +6,7 @@ use crate::base::cut::interval;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 
 impl QbCurve {
     /// The two parts before and after a parameter, each over `[0, 1]` (de Casteljau on the pairs), meeting in the same doubles.
@@ -15,7 +15,7 @@ impl QbCurve {
     /// `parameter-out-of-range` unless `0 < t < 1`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 }.into());
         }
         let (left, right) = bernstein::split(&self.rows, t);
         let middle = Some(self.point(t)).filter(|p| p.is_finite());
@@ -61,12 +61,12 @@ impl QbCurve {
     /// `scale-not-positive` (`c`).
     pub fn reparametrized(&self, c: f64) -> Result<Self> {
         if !(c > 0.0 && c.is_finite()) {
-            return Err(Error::ScaleNotPositive { factor: c });
+            return Err(NumberError::ScaleNotPositive { factor: c }.into());
         }
         let powers = std::iter::successors(Some(1.0), |power| Some(power * c));
         let rows: Vec<Row> = self.rows.iter().zip(powers).map(|(row, power)| row.map(|x| x * power)).collect();
         if rows.iter().flatten().any(|x| !x.is_finite()) {
-            return Err(Error::ScaleNotPositive { factor: c });
+            return Err(NumberError::ScaleNotPositive { factor: c }.into());
         }
         let pairs = rows.iter().map(|row| (numerator(row), denominator(row)));
         let [start, end] = self.ends;

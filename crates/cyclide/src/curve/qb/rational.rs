@@ -15,7 +15,7 @@ use crate::curve::arc::Arc;
 use crate::curve::param_curve::ParamCurve;
 use crate::curve::piece_form::PieceForm;
 use crate::curve::piece_hull::PieceHull;
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Result};
 use crate::rational::{Polynomial, RationalBezier};
 
 /// Halvings of a curve until its weights are positive; what is left then is next to infinity.
@@ -57,7 +57,7 @@ impl QbCurve {
             }
             let middle: f64 = 0.5 * (from + to);
             let Some(halvings) = halvings.checked_sub(1) else {
-                return Err(Error::CurveThroughInfinity { t: middle });
+                return Err(CurveError::ThroughInfinity { t: middle }.into());
             };
             let (left, right) = bernstein::split(&rows, 0.5);
             ahead.extend([(right, middle, to, halvings), (left, from, middle, halvings)]);

@@ -10,7 +10,7 @@ use crate::base::bernstein;
 use crate::base::bernstein_roots::roots;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
 
 /// `W/(W + Z)` below this is a pole: 1e7 radii from the centre.
@@ -130,10 +130,10 @@ impl QbCurve {
     /// `curve-through-infinity`.
     pub(crate) fn check_reach(&self, center: Point3, radius: f64) -> Result<()> {
         if let Some(end) = [0.0, 1.0].into_iter().zip(self.ends).find(|(_, end)| end.is_none()) {
-            return Err(Error::CurveThroughInfinity { t: end.0 });
+            return Err(CurveError::ThroughInfinity { t: end.0 }.into());
         }
         match self.excursions(center, REACH_LIMIT * radius).first() {
-            Some([from, to]) if radius > 0.0 => Err(Error::CurveThroughInfinity { t: 0.5 * (from + to) }),
+            Some([from, to]) if radius > 0.0 => Err(CurveError::ThroughInfinity { t: 0.5 * (from + to) }.into()),
             _ => Ok(()),
         }
     }

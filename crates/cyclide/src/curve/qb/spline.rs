@@ -10,7 +10,7 @@ use crate::curve::param_curve::ParamCurve;
 use crate::curve::piece_form::PieceForm;
 use crate::curve::piece_hull::PieceHull;
 use crate::curve::smooth_runs::smooth_runs;
-use crate::error::{Error, Result};
+use crate::error::{PointError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 use crate::warning::Warning;
 use std::ops::Range;
@@ -58,7 +58,7 @@ impl QbSpline {
     /// `coincident-points` (a curve of degree 0 is one point), `curve-through-infinity`.
     pub fn from_curve(curve: QbCurve) -> Result<Self> {
         if curve.degree() == 0 {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 }.into());
         }
         curve.check_finite()?;
         Ok(Self::from_parts(vec![curve], vec![0.0, 1.0], false, Vec::new(), Vec::new()))

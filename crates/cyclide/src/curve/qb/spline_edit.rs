@@ -5,7 +5,7 @@ use super::spline::QbSpline;
 use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::circle_spline::{kinks_past_start, renumbered, warnings_past_start};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 impl QbSpline {
     /// The same points run backwards over the same interval of knots; a closed curve still starts at the same point.
@@ -51,7 +51,7 @@ impl QbSpline {
         }
         if spans.is_empty() || knots.windows(2).any(|w| w[0] >= w[1]) {
             // Both ends within rounding of one place.
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 }.into());
         }
         let kinks = self.kinks.iter().filter(|k| **k > first && **k <= last).map(|k| k - first).collect();
         let joint = |i: usize| (i > first && i <= last).then(|| i - first);
@@ -72,7 +72,7 @@ impl QbSpline {
         let (end, start) = (before.knots[n], after.knots[0]);
         before.knots.extend(after.knots[1..].iter().map(|knot| end + (knot - start)));
         if before.knots.windows(2).any(|w| w[0] >= w[1]) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max: t0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max: t0 }.into());
         }
         before.kinks.extend(kinks_past_start(&self.kinks, &after.kinks, n));
         before.warnings = warnings_past_start(&self.warnings, before.warnings, &after.warnings, n);

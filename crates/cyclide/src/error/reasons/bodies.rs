@@ -576,11 +576,11 @@
 //! # `flat-polyhedron`
 //! Points in one plane, or within the flatness of one, bound no body.
 //! ```
-//! use cyclide::{ConvexPolyhedron, Error, Point3};
+//! use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError};
 //! let flat = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]].map(Point3::from);
 //! let error = ConvexPolyhedron::hull_with_flatness(&flat, 0.6).unwrap_err();
 //! assert_eq!(error.reason(), "flat-polyhedron");
-//! assert!(matches!(error, Error::FlatPolyhedron { thickness, limit } if thickness <= 0.25 && limit == 0.6));
+//! assert!(matches!(error, Error::Polyhedron(PolyhedronError::Flat { thickness, limit }) if thickness <= 0.25 && limit == 0.6));
 //! ```
 //!
 //! # `not-in-open-hemisphere`

@@ -66,12 +66,12 @@
 //! # `ambiguous-frame`
 //! The edges of a net fit no frame better than others: here they are all on one line.
 //! ```
-//! use cyclide::{CyclidicNet, Error, NetFrame, Point3, QuadGrid};
+//! use cyclide::{CyclidicNet, Error, NetFrame, PatchError, Point3, QuadGrid};
 //! let line = [0.0, 1.0, 3.0, 2.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
 //! let grid = QuadGrid::new(line, [2, 2], [false, false])?;
 //! let error = CyclidicNet::new(grid, NetFrame::Auto).unwrap_err();
 //! assert_eq!(error.reason(), "ambiguous-frame");
-//! assert!(matches!(error, Error::AmbiguousFrame { measured, limit } if measured <= limit));
+//! assert!(matches!(error, Error::Patch(PatchError::AmbiguousFrame { measured, limit }) if measured <= limit));
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -87,24 +87,24 @@
 //! # `offset-on-focal-set`
 //! An offset shrinks the surface to a curve or a point: here a torus by the radius of its tube.
 //! ```
-//! use cyclide::{DupinCyclide, Error};
+//! use cyclide::{DupinCyclide, Error, PatchError};
 //! let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?;
 //! let error = torus[0].patches().next().unwrap().offset(-1.0).unwrap_err();
 //! assert_eq!(error.reason(), "offset-on-focal-set");
-//! assert!(matches!(error, Error::OffsetOnFocalSet { measured, limit, .. } if measured <= limit));
+//! assert!(matches!(error, Error::Patch(PatchError::OffsetOnFocalSet { measured, limit, .. }) if measured <= limit));
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `offset-not-regular`
 //! A solid between a surface and its offset would run through itself.
 //! ```
-//! use cyclide::{DupinCyclide, Error};
+//! use cyclide::{DupinCyclide, Error, PartError, PatchError};
 //! let net = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?;
 //! let error = net[0].thick(-1.0).unwrap_err();
 //! assert_eq!(error.reason(), "offset-not-regular");
 //! // The tube is between 0.4 and 1.8 thick: inwards the first centre of curvature of the quad is met before the distance asked for.
-//! let Error::InQuad { cause, .. } = error else { unreachable!() };
-//! assert!(matches!(*cause, Error::OffsetNotRegular { distance, limit } if distance < limit && limit <= -0.4));
+//! let Error::Part(PartError::InQuad { cause, .. }) = error else { unreachable!() };
+//! assert!(matches!(*cause, Error::Patch(PatchError::OffsetNotRegular { distance, limit }) if distance < limit && limit <= -0.4));
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

@@ -3,22 +3,22 @@
 //! # `concircular-cube`
 //! The first corner and its three neighbours are on one circle: no eighth corner follows.
 //! ```
-//! use cyclide::{Error, Point3, SphericalCube};
+//! use cyclide::{Error, Point3, SphericalCube, VolumeError};
 //! let flat = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.]].map(Point3::from);
 //! let error = SphericalCube::from_positions(flat, [0.5; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "concircular-cube");
-//! assert!(matches!(error, Error::ConcircularCube { measured, limit } if measured <= limit));
+//! assert!(matches!(error, Error::Volume(VolumeError::ConcircularCube { measured, limit }) if measured <= limit));
 //! ```
 //!
 //! # `crossing-face`
 //! A face of a volume crosses itself: here the last corner is outside the triangle of the neighbours of the first.
 //! ```
-//! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeFrame};
+//! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeError, VolumeFrame};
 //! let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);
 //! let cube = SphericalCube::from_positions(corners, [0.9, 0.9, 0.5])?;
 //! let error = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap_err();
 //! assert_eq!(error.reason(), "crossing-face");
-//! assert!(matches!(error, Error::CrossingFace { speed, limit, .. } if speed < limit));
+//! assert!(matches!(error, Error::Volume(VolumeError::CrossingFace { speed, limit, .. }) if speed < limit));
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

@@ -9,7 +9,7 @@ mod numbering;
 
 use super::MOST_PIECES;
 use super::surface_mesh::{MeshFace, MeshSource, SurfaceMesh};
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 use crate::surface::{SmoothMesh, TriangleSurface};
 use deviation::Farthest;
 use numbering::Numbering;
@@ -202,7 +202,13 @@ fn wanted(surface: &impl Divided, mut worst: Worst, divisions: usize, tolerance:
 
 fn check_divisions(triangles: usize, divisions: usize, most: usize) -> Result<()> {
     if divisions == 0 {
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
+        return Err(NumberError::ParameterOutOfRange {
+            name: ErrorItem::Divisions,
+            value: 0.0,
+            min: 1.0,
+            max: f64::MAX,
+        }
+        .into());
     }
     check_count(triangles, divisions as f64, most)
 }
@@ -213,13 +219,14 @@ fn check_count(triangles: usize, divisions: f64, most: usize) -> Result<()> {
     if needed <= most as f64 {
         return Ok(());
     }
-    Err(Error::TooManyPieces {
+    Err(NumberError::TooManyPieces {
         what: "the mesh",
         segment: None,
         needed,
         cap: most,
         remedy: "use a larger tolerance or fewer triangles",
-    })
+    }
+    .into())
 }
 
 /// Integer barycentric coordinates of a vertex of the mesh.

@@ -2,7 +2,7 @@
 
 use super::density::Density;
 use super::strips::{Member, Place, Strip, Strips};
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, Result};
 use crate::topology::{FaceGeometry as _, FaceSurface, LineBends, Shell};
 
 /// Intervals on which densities are sampled.
@@ -145,13 +145,13 @@ pub(super) struct Cap {
 
 impl Cap {
     fn refused(self, needed: f64) -> Error {
-        Error::TooManyPieces {
+        Error::Number(NumberError::TooManyPieces {
             what: "the mesh",
             segment: None,
             needed: needed + self.before as f64,
             cap: self.most,
             remedy: "use a larger tolerance or allow more",
-        }
+        })
     }
 
     /// Refuses more cells than are left, for the given number of cells along each strip.

@@ -12,7 +12,7 @@ mod vertices;
 
 use super::MOST_PIECES;
 use super::surface_mesh::SurfaceMesh;
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 use crate::topology::{Body, Shell};
 use assemble::assemble;
 use cuts::{Cap, Cuts};
@@ -97,7 +97,13 @@ fn append(shell: &Shell, index: usize, tolerance: f64, most: usize, mesh: &mut S
     let allowed = (1.0 - RESERVE) * tolerance.min(bounds.diagonal()) - rounding;
     if !(allowed > 0.0) {
         let min = rounding / (1.0 - RESERVE);
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Tolerance, value: tolerance, min, max: f64::MAX });
+        return Err(NumberError::ParameterOutOfRange {
+            name: ErrorItem::Tolerance,
+            value: tolerance,
+            min,
+            max: f64::MAX,
+        }
+        .into());
     }
     let strips = Strips::new(shell);
     let cuts = Cuts::new(shell, &strips, allowed, Cap { most, before: mesh.faces.len() })?;

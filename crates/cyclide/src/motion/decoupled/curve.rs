@@ -5,7 +5,7 @@ use super::turns::smooth_turns;
 use super::{DecoupledMotion, Given};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{CircleSpline, ParamCurve};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Result};
 use crate::motion::timed_pose::TimedPose;
 
 /// A piece of a curve starts and ends where its poses are, to this part of the coordinates.
@@ -72,7 +72,7 @@ impl DecoupledMotion {
             };
             let limit = SAME_PLACE * points[span].to_vec().max_abs().max(points[span + 1].to_vec().max_abs());
             if !(gap <= limit) {
-                return Err(Error::Disconnected { piece, next: piece + 1, gap, limit });
+                return Err(CurveError::Disconnected { piece, next: piece + 1, gap, limit }.into());
             }
         }
         let laws = laws(&given, &pieces, &curve);

@@ -10,7 +10,7 @@ use super::{DecoupledMotion, Given};
 use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::motion::timed_pose::TimedPose;
 use crate::warning::Warning;
 
@@ -44,7 +44,7 @@ impl DecoupledMotion {
     pub fn linear(poses: &[TimedPose], closing: Option<f64>, blend: f64) -> Result<Self> {
         if !(blend >= 0.0 && blend.is_finite()) {
             let (value, min, max) = (blend, 0.0, f64::MAX);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Radius, value, min, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Radius, value, min, max }.into());
         }
         let given = Given::new(poses, closing)?;
         if blend > 0.0 {

@@ -20,7 +20,7 @@ use super::timed_pose::{HalfTurns, Prepared, TimeOrder, TimedPose};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::CircleSpline;
-use crate::error::{Error, Result};
+use crate::error::{PoseError, Result};
 use crate::warning::Warning;
 use linear::ShortBlends;
 use span::{PlaceSpan, TurnSpan};
@@ -75,7 +75,7 @@ impl Given {
     /// `wrong-pose-count`, `not-finite`, `parameters-not-increasing`, `parameter-out-of-range` (a coordinate).
     fn new(poses: &[TimedPose], closing: Option<f64>) -> Result<Self> {
         if poses.len() < 2 {
-            return Err(Error::WrongPoseCount { given: poses.len(), needed: 2, or_more: true });
+            return Err(PoseError::WrongPoseCount { given: poses.len(), needed: 2, or_more: true }.into());
         }
         let again = closing.map(|time| TimedPose { time, pose: poses[0].pose });
         let all: Vec<TimedPose> = poses.iter().copied().chain(again).collect();

@@ -8,7 +8,7 @@ use super::DecoupledMotion;
 use super::span::{PlaceSpan, TurnSpan};
 use crate::base::bernstein;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{MotionError, Result};
 use crate::motion::any_motion::Motion;
 use crate::motion::rational_motion::{MotionSpan, RationalMotion};
 use crate::rational::{Polynomial, QuatPolynomial};
@@ -68,7 +68,7 @@ impl Motion {
         match self {
             Self::Rational(motion) => Ok(RationalForm { motion: Cow::Borrowed(motion), place: 0.0, angle: 0.0 }),
             Self::Decoupled(motion) => Ok(motion.rational_form()),
-            Self::Screw(_) => Err(Error::MotionNotRational),
+            Self::Screw(_) => Err(MotionError::NotRational.into()),
         }
     }
 }

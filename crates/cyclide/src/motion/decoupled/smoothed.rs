@@ -9,7 +9,7 @@ use super::span::{PlaceSpan, TurnSpan, rotation_vector, unit};
 use super::{DecoupledMotion, Given};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 use crate::motion::timed_pose::TimedPose;
 use crate::warning::Warning;
 
@@ -114,7 +114,7 @@ impl DecoupledMotion {
     ) -> Result<Self> {
         let positive = |name, given: Option<f64>, max: f64| match given {
             Some(value) if !(value > 0.0 && value <= max) => {
-                Err(Error::ParameterOutOfRange { name, value, min: 0.0, max })
+                Err(Error::Number(NumberError::ParameterOutOfRange { name, value, min: 0.0, max }))
             }
             given => Ok(given),
         };

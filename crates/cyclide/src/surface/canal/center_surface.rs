@@ -8,7 +8,7 @@
 use super::ball_space::BallVector;
 use super::{QuadricPair, SkewCylinders};
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::RationalBezierSurface;
 use std::f64::consts::PI;
 
@@ -83,12 +83,12 @@ impl QuadricPair {
 fn coefficients([from, to]: [f64; 2]) -> Result<[(f64, f64); 3]> {
     for (index, angle) in [from, to].into_iter().enumerate() {
         if !angle.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index }.into());
         }
     }
     if !(0.0 < from && from < to && to < PI) {
         let (value, min) = if 0.0 < from && from < PI { (to, from) } else { (from, 0.0) };
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Angle, value, min, max: PI });
+        return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Angle, value, min, max: PI }.into());
     }
     Ok([(from, 1.0), (0.5 * (from + to), (0.5 * (to - from)).cos()), (to, 1.0)])
 }

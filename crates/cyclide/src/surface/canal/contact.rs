@@ -3,7 +3,7 @@
 
 use super::RollingBall;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BallError, Error, ErrorItem, NumberError, Result};
 
 /// Values relative to the lengths of the input up to which tangent planes are parallel.
 const PARALLEL: f64 = 1e-14;
@@ -43,7 +43,7 @@ impl RollingBall {
     /// `not-finite`, `zero-axis`, `parallel-contact`, `no-positive-radius`.
     pub fn at_contact(point: Point3, normal: Vec3, partner: ContactPartner) -> Result<Self> {
         if !(point.is_finite() && normal.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index: 0 }.into());
         }
         let n = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         match partner {
@@ -56,12 +56,12 @@ impl RollingBall {
 /// `R = (N·p - offset)/(1 - N·n)`; the difference is half the square of that of the normals, which cancels nothing.
 fn on_plane(point: Point3, n: Vec3, normal: Vec3, offset: f64) -> Result<RollingBall> {
     if !(normal.is_finite() && offset.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Plane, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Plane, index: 0 }.into());
     }
     let (unit, length) = (normal.unit().ok_or(Error::zero_axis(ErrorItem::Plane))?, normal.length());
     let apart = 0.5 * (unit - n).length_squared();
     if apart <= PARALLEL {
-        return Err(Error::ParallelContact { measured: apart, limit: PARALLEL });
+        return Err(BallError::ParallelContact { measured: apart, limit: PARALLEL }.into());
     }
     let radius = (unit.dot(point.to_vec()) - offset / length) / apart;
     finish(point, n, radius, |center| (center - unit * radius, unit))
@@ -70,12 +70,12 @@ fn on_plane(point: Point3, n: Vec3, normal: Vec3, offset: f64) -> Result<Rolling
 /// `R = (r² - g²)/(2(n·g - r))` with the way `g` from the centre to the point.
 fn on_sphere(point: Point3, n: Vec3, center: Point3, r: f64) -> Result<RollingBall> {
     if !(center.is_finite() && r.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Center, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Center, index: 0 }.into());
     }
     let g = point - center;
     let (below, size) = (2.0 * (n.dot(g) - r), g.length() + r.abs());
     if below.abs() <= PARALLEL * size {
-        return Err(Error::ParallelContact { measured: below.abs(), limit: PARALLEL * size });
+        return Err(BallError::ParallelContact { measured: below.abs(), limit: PARALLEL * size }.into());
     }
     let radius = (r - g.length()) * (r + g.length()) / below;
     finish(point, n, radius, |m| {
@@ -86,7 +86,7 @@ fn on_sphere(point: Point3, n: Vec3, center: Point3, r: f64) -> Result<RollingBa
 
 fn finish(point: Point3, n: Vec3, radius: f64, second: impl Fn(Point3) -> (Point3, Vec3)) -> Result<RollingBall> {
     if !(radius > 0.0 && radius.is_finite()) {
-        return Err(Error::NoPositiveRadius { radius });
+        return Err(BallError::NoPositiveRadius { radius }.into());
     }
     let center = point + n * radius;
     let (contact, normal) = second(center);

@@ -10,7 +10,7 @@
 use super::{CanalPatch, ContactPartner};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezier};
 
 /// Normals this near to the opposite of that in the middle of the curve, as 1 + the cosine, are refused: turns from it vanish there.
@@ -174,10 +174,16 @@ fn check(contacts: &RationalBezier, normals: &RationalBezier, partner: ContactPa
         let (length, turned) = (normal.length(), 1.0 + normal.dot(middle));
         if !((length - 1.0).abs() <= UNIT) {
             let (min, max) = (1.0 - UNIT, 1.0 + UNIT);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Normal, value: length, min, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Normal, value: length, min, max }.into());
         }
         if !(turned > OPPOSITE) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Normal, value: turned, min: OPPOSITE, max: 2.0 });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Normal,
+                value: turned,
+                min: OPPOSITE,
+                max: 2.0,
+            }
+            .into());
         }
         super::RollingBall::at_contact(contacts.point(s), normal, partner)?;
     }

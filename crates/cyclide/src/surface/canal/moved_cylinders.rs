@@ -14,7 +14,7 @@ use super::center_surface::{WeightedBall, rational};
 use super::{CanalPatch, NaturalQuadric, RollingBall, SkewCylinders};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{BallError, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::TorusPiece;
 use std::f64::consts::PI;
@@ -165,10 +165,10 @@ impl MovedCylinders {
     /// `radius-too-small`, `sphere-at-infinity` (it is not closed).
     pub(crate) fn radius_loop(&self, radius: f64) -> Result<RadiusLoop> {
         let form = self.radius_form();
-        let smallest = form.smallest().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })?;
+        let smallest = form.smallest().ok_or(BallError::SphereAtInfinity { measured: -1.0, limit: 0.0 })?;
         let (limit, x) = (smallest - form.shift, radius + form.shift);
         if !(radius >= limit) {
-            return Err(Error::RadiusTooSmall { radius, limit });
+            return Err(BallError::RadiusTooSmall { radius, limit }.into());
         }
         let RadiusForm { s, t, z, .. } = form;
         let ([a, b], [a0, b0]) = (form.sides(x), form.sides(smallest));
@@ -177,7 +177,7 @@ impl MovedCylinders {
             0.5 * (radius - limit) * ((x + smallest - 2.0 * z) / (a + a0) + (x + smallest + 2.0 * z) / (b + b0));
         let left = 1.0 - excess / a.min(b);
         if !(left > -ROUNDING) {
-            return Err(Error::SphereAtInfinity { measured: left, limit: 0.0 });
+            return Err(BallError::SphereAtInfinity { measured: left, limit: 0.0 }.into());
         }
         let middle = 0.5 * (-t).atan2(-z - x);
         Ok(RadiusLoop {

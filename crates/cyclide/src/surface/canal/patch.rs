@@ -10,7 +10,7 @@
 use crate::base::quat::Quat;
 use crate::base::roots::projective_quadratic;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::Result;
+use crate::error::{NurbsError, Result};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezierSurface};
 
 /// Halvings of a patch until its weights are positive, along and across.
@@ -305,7 +305,7 @@ impl CanalPatch {
                         (surface.part([0.0, 0.5], [0.0, 1.0]), [s[0], middle], t, left),
                     ]
                 }
-                Some((_, weight)) => return Err(crate::error::Error::WeightNotPositive { index: parts.len(), weight }),
+                Some((_, weight)) => return Err(NurbsError::WeightNotPositive { index: parts.len(), weight }.into()),
             };
             ahead.extend(halves);
         }

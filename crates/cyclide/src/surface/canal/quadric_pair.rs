@@ -9,7 +9,7 @@ use super::moved_cylinders::{BallLine, MovedCylinders};
 use super::{CanalPatch, NaturalQuadric, RollingBall};
 use crate::base::elimination::null_vector;
 use crate::base::planar::Point2;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BallError, Error, ErrorItem, NumberError, Result};
 use crate::surface::TorusPiece;
 
 /// Norm ratios of this size or less are those of a degenerate pair.
@@ -68,12 +68,12 @@ impl QuadricPair {
         let rows: [[f64; 6]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| column(j)[i]));
         let (v, pivot) = null_vector(rows).unwrap_or(([0.0; 6], 0.0));
         if !(pivot > MANY_FORMS) {
-            return Err(Error::DegeneratePair { measured: pivot, limit: MANY_FORMS });
+            return Err(BallError::DegeneratePair { measured: pivot, limit: MANY_FORMS }.into());
         }
         let [x, y, l] = [v[0], v[1], v[2]];
         let gradient: f64 = (1..5).map(|k| (0..3).map(|i| v[i] * forms[0][i][k]).sum::<f64>().powi(2)).sum();
         let norm_ratio = (x * x + y * y - l * l) / gradient;
-        let degenerate = Error::DegeneratePair { measured: norm_ratio, limit: DEGENERATE };
+        let degenerate = Error::Ball(BallError::DegeneratePair { measured: norm_ratio, limit: DEGENERATE });
         if !(norm_ratio.abs() > DEGENERATE) {
             return Err(degenerate);
         }
@@ -112,7 +112,7 @@ impl QuadricPair {
     /// other nappe of a cone).
     pub fn ball(&self, place: Point2) -> Result<RollingBall> {
         if !place.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         self.moved()?.ball(place)
     }
@@ -132,7 +132,7 @@ impl QuadricPair {
     /// # Errors
     /// `not-timelike-pair`; `sphere-at-infinity` (cones that overlap without end).
     pub fn smallest_radius(&self) -> Result<f64> {
-        self.moved()?.smallest_radius().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })
+        self.moved()?.smallest_radius().ok_or(Error::Ball(BallError::SphereAtInfinity { measured: -1.0, limit: 0.0 }))
     }
 
     /// The place of a ball of a given radius, at an angle `theta` of the closed curve of all such balls
@@ -153,14 +153,14 @@ impl QuadricPair {
     pub fn place_of_radius(&self, radius: f64, theta: f64) -> Result<Point2> {
         for (what, value) in [(ErrorItem::Radius, radius), (ErrorItem::Angle, theta)] {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what, index: 0 });
+                return Err(NumberError::NotFinite { what, index: 0 }.into());
             }
         }
         Ok(self.moved()?.radius_loop(radius)?.place(theta))
     }
 
     pub(super) fn moved(&self) -> Result<MovedCylinders> {
-        self.moved.ok_or(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 })
+        self.moved.ok_or(Error::Ball(BallError::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 }))
     }
 }
 

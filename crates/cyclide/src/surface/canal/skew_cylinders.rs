@@ -13,7 +13,7 @@ use super::RollingBall;
 use crate::base::planar::Point2;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BallError, ErrorItem, NumberError, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Products of sines up to this are rounding of `cos 2A = cos 2B`.
@@ -50,19 +50,19 @@ impl SkewCylinders {
     pub fn new(radii: [f64; 2], half_gap: f64) -> Result<Self> {
         for (index, radius) in radii.into_iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius == 0.0 {
-                return Err(Error::ZeroRadius { radius, limit: 0.0 });
+                return Err(NumberError::ZeroRadius { radius, limit: 0.0 }.into());
             }
             range::check_distance(radius.abs())?;
         }
         if !half_gap.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Distance, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Distance, index: 0 }.into());
         }
         let (measured, limit) = (2.0 * half_gap, (radii[0] - radii[1]).abs());
         if !(measured > limit) {
-            return Err(Error::NotTimelikePair { measured, limit });
+            return Err(BallError::NotTimelikePair { measured, limit }.into());
         }
         range::check_distance(half_gap)?;
         Ok(Self { radii, half_gap, lean: 0.0 })
@@ -74,7 +74,7 @@ impl SkewCylinders {
     /// `not-finite`, `parameter-out-of-range` (half the distance beyond 1e-150 to 1e150).
     pub(crate) fn axes(half_gap: f64) -> Result<Self> {
         if !half_gap.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Distance, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Distance, index: 0 }.into());
         }
         range::check_distance(half_gap)?;
         Ok(Self::unchecked([0.0; 2], half_gap, 0.0))
@@ -109,11 +109,13 @@ impl SkewCylinders {
     /// `not-finite`, `parameter-out-of-range` unless the angle is between 0 and pi.
     pub fn with_angle(self, angle: f64) -> Result<Self> {
         if !angle.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         let lean = angle - FRAC_PI_2;
         if !(angle > 0.0 && lean < FRAC_PI_2) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Angle, value: angle, min: 0.0, max: PI });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Angle, value: angle, min: 0.0, max: PI }.into()
+            );
         }
         Ok(Self { lean, ..self })
     }
@@ -172,15 +174,15 @@ impl SkewCylinders {
     /// `not-finite`, `sphere-at-infinity` (on the border of the diamond), `wrong-side` (outside).
     pub fn ball(&self, place: Point2) -> Result<RollingBall> {
         if !place.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         let ((sin_a, cos_a), (sin_b, cos_b)) = (place.x.sin_cos(), place.y.sin_cos());
         let sines = (place.y - place.x).sin() * (place.y + place.x).sin();
         if sines.abs() <= AT_INFINITY {
-            return Err(Error::SphereAtInfinity { measured: sines, limit: AT_INFINITY });
+            return Err(BallError::SphereAtInfinity { measured: sines, limit: AT_INFINITY }.into());
         }
         if sines < 0.0 {
-            return Err(Error::WrongSide { surface: 0, measured: sines });
+            return Err(BallError::WrongSide { surface: 0, measured: sines }.into());
         }
         let [plus, minus] = self.sides();
         let (h, x0, root) = (self.half_gap, 2.0 * sines, plus.sqrt() * minus.sqrt());
@@ -229,17 +231,17 @@ impl SkewCylinders {
     pub fn place_of_radius(&self, radius: f64, theta: f64) -> Result<Point2> {
         for (what, value) in [(ErrorItem::Radius, radius), (ErrorItem::Angle, theta)] {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what, index: 0 });
+                return Err(NumberError::NotFinite { what, index: 0 }.into());
             }
         }
         let limit = self.smallest_radius();
         let excess = 2.0 * (radius - limit);
         if !(excess >= 0.0) {
-            return Err(Error::RadiusTooSmall { radius, limit });
+            return Err(BallError::RadiusTooSmall { radius, limit }.into());
         }
         let [p, q] = self.radii.map(|r| r + radius);
         if let Some(surface) = [p, q].into_iter().position(|distance| !(distance > 0.0)) {
-            return Err(Error::WrongSide { surface, measured: p.min(q) });
+            return Err(BallError::WrongSide { surface, measured: p.min(q) }.into());
         }
         let (sin, cos) = theta.sin_cos();
         let part = |distance: f64, of: f64| ((0.5 * excess / distance).sqrt() * of).clamp(-1.0, 1.0).asin();

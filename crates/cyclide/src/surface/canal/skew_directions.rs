@@ -11,7 +11,7 @@
 
 use super::SkewCylinders;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result};
+use crate::error::{BallError, Result};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A ball in a direction, with its rates by the angle of that.
@@ -35,11 +35,11 @@ impl SkewCylinders {
         let limit = self.smallest_radius();
         let excess = radius - limit;
         if !(excess > 0.0) {
-            return Err(Error::RadiusTooSmall { radius, limit });
+            return Err(BallError::RadiusTooSmall { radius, limit }.into());
         }
         let [p, q] = self.radii().map(|r| r + radius);
         if let Some(surface) = [p, q].into_iter().position(|distance| !(distance > 0.0)) {
-            return Err(Error::WrongSide { surface, measured: p.min(q) });
+            return Err(BallError::WrongSide { surface, measured: p.min(q) }.into());
         }
         let [way, across] = self.second_axis();
         let (sin, cos) = angle.sin_cos();

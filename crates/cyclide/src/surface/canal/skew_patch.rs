@@ -14,7 +14,7 @@
 
 use super::{CanalPatch, SkewCylinders};
 use crate::base::complex::Complex;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result, TorusError};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial};
 use crate::surface::torus::rows::{conj, product, square_norm};
 use crate::surface::{QuarticType, TorusPiece};
@@ -69,9 +69,9 @@ impl CanalPatch {
 
 fn check(index: usize, z: Complex) -> Result<()> {
     if !(z.re.is_finite() && z.im.is_finite()) {
-        Err(Error::NotFinite { what: ErrorItem::Coordinate, index })
+        Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into())
     } else if z.norm() == 0.0 {
-        Err(Error::ZeroCoordinate { index })
+        Err(TorusError::ZeroCoordinate { index }.into())
     } else {
         Ok(())
     }
@@ -96,7 +96,7 @@ impl Rows {
             z[family.index()] = if turn == 0.0 { vec![start] } else { vec![start, end] };
         }
         if turns.iter().all(|turn| *turn == 0.0) {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 }.into());
         }
         Ok(Self { z, turns })
     }

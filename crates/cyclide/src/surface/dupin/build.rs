@@ -20,7 +20,7 @@ use super::{CyclideKind, DupinCyclide, NODE_LIMIT};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::surface::net::CyclidicNet;
 use crate::surface::quad_grid::QuadGrid;
 use std::f64::consts::{PI, TAU};
@@ -65,7 +65,7 @@ impl DupinCyclide {
         for (name, value) in [(ErrorItem::SegmentsAlongS, segments[0]), (ErrorItem::SegmentsAlongT, segments[1])] {
             if !(3..=MAX_SEGMENTS).contains(&value) {
                 let (value, max) = (value as f64, MAX_SEGMENTS as f64);
-                return Err(Error::ParameterOutOfRange { name, value, min: 3.0, max });
+                return Err(NumberError::ParameterOutOfRange { name, value, min: 3.0, max }.into());
             }
         }
         let (node_s, node_t) = match self.kind() {
@@ -77,13 +77,14 @@ impl DupinCyclide {
         let steps = |ranges: &[Range]| ranges.iter().map(Range::steps).sum::<usize>();
         let patches = steps(&along_s) * steps(&along_t);
         if patches > MOST_PATCHES {
-            return Err(Error::TooManyPieces {
+            return Err(NumberError::TooManyPieces {
                 what: "the cyclide",
                 segment: None,
                 needed: patches as f64,
                 cap: MOST_PATCHES,
                 remedy: "use fewer segments",
-            });
+            }
+            .into());
         }
         let parts = along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t)));
         let nets = parts.map(|(s, t)| self.net(s, t)).collect::<Result<_>>()?;

@@ -11,7 +11,7 @@ mod build;
 mod transform;
 
 use crate::base::frame::Frame;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// Parameters closer than this part of `a` make the two nodes one.
 const NODE_LIMIT: f64 = 1e-12;
@@ -62,7 +62,7 @@ impl DupinCyclide {
     pub fn new(a: f64, c: f64, mu: f64) -> Result<Self> {
         for (index, value) in [a, c, mu].into_iter().enumerate() {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Parameter, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Parameter, index }.into());
             }
         }
         let limits = [
@@ -72,7 +72,7 @@ impl DupinCyclide {
         ];
         for (name, value, min, max) in limits {
             if !(min..=max).contains(&value) {
-                return Err(Error::ParameterOutOfRange { name, value, min, max });
+                return Err(NumberError::ParameterOutOfRange { name, value, min, max }.into());
             }
         }
         Ok(Self { a, c, mu, frame: Frame::WORLD })

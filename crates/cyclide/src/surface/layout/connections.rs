@@ -1,6 +1,6 @@
 //! How the quads of a mesh meet.
 
-use crate::error::{Error, LayoutFault, Result};
+use crate::error::{GridError, LayoutFault, Result};
 use std::collections::{HashMap, VecDeque};
 
 /// An edge by its ends, the smaller first.
@@ -21,7 +21,7 @@ pub(super) struct Connections {
 
 impl Connections {
     pub(super) fn new(vertices: usize, quads: &[[usize; 4]]) -> Result<Self> {
-        let refused = |fault, index| Err(Error::NotAQuadLayout { fault, index });
+        let refused = |fault, index| Err(GridError::NotAQuadLayout { fault, index }.into());
         if quads.is_empty() {
             return refused(LayoutFault::NoQuads, 0);
         }
@@ -65,12 +65,12 @@ impl Connections {
                     }
                     open.push_back(next);
                 } else if !against {
-                    return Err(Error::NotAQuadLayout { fault: LayoutFault::OneSided, index: next });
+                    return Err(GridError::NotAQuadLayout { fault: LayoutFault::OneSided, index: next }.into());
                 }
             }
         }
         match reached.iter().position(|reached| !reached) {
-            Some(index) => Err(Error::NotAQuadLayout { fault: LayoutFault::Apart, index }),
+            Some(index) => Err(GridError::NotAQuadLayout { fault: LayoutFault::Apart, index }.into()),
             None => Ok(()),
         }
     }
@@ -139,10 +139,10 @@ impl Connections {
         for (index, (&edges, &quads)) in border_edges.iter().zip(&quads).enumerate() {
             let closed_twice = edges == 0 && quads > 0 && self.round(index).is_none_or(|fan| fan.len() != quads);
             if edges > 2 || closed_twice {
-                return Err(Error::NotAQuadLayout { fault: LayoutFault::Touching, index });
+                return Err(GridError::NotAQuadLayout { fault: LayoutFault::Touching, index }.into());
             }
             if edges == 2 && quads > 3 {
-                return Err(Error::NotAQuadLayout { fault: LayoutFault::Border, index });
+                return Err(GridError::NotAQuadLayout { fault: LayoutFault::Border, index }.into());
             }
         }
         Ok(border_edges.into_iter().map(|edges| edges > 0).collect())

@@ -17,7 +17,7 @@ pub use net_layout::NetLayout;
 use super::QuadGrid;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, LayoutFault, Result};
+use crate::error::{ErrorItem, GridError, LayoutFault, PointError, Result};
 use connections::{Connections, side};
 use std::collections::{BTreeSet, HashMap, VecDeque};
 
@@ -118,7 +118,7 @@ impl QuadLayout {
     /// `too-few-points`, `not-finite`, `parameter-out-of-range`.
     pub fn with_points(&self, points: Vec<Point3>) -> Result<Self> {
         if points.len() != self.points.len() {
-            return Err(Error::TooFewPoints { given: points.len(), needed: self.points.len() });
+            return Err(PointError::TooFewPoints { given: points.len(), needed: self.points.len() }.into());
         }
         let of_piece = |piece: &LayoutPiece| {
             let old = piece.grid.points();
@@ -314,12 +314,13 @@ fn check_plain(connections: &Connections, vertex: usize) -> Result<()> {
     if characteristic == wanted {
         return Ok(());
     }
-    Err(Error::NotAQuadLayout { fault: LayoutFault::Holes, index: vertex })
+    Err(GridError::NotAQuadLayout { fault: LayoutFault::Holes, index: vertex }.into())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
 
     /// Sectors of `k` x `k` quads round one vertex, over a plane grid whose edges cross at right angles.
     pub(super) fn cap(sectors: usize, k: usize, height: impl Fn(f64, f64) -> f64) -> QuadLayout {
@@ -369,7 +370,7 @@ mod tests {
         let fault = |points: usize, quads: &[[usize; 4]]| {
             let points = (0..points).map(|k| Point3::new(k as f64, (k * k) as f64, 0.0)).collect();
             match QuadLayout::new(points, quads) {
-                Err(Error::NotAQuadLayout { fault, index }) => (fault, index),
+                Err(Error::Grid(GridError::NotAQuadLayout { fault, index })) => (fault, index),
                 other => panic!("{other:?}"),
             }
         };

@@ -5,7 +5,7 @@ use super::{LayoutPiece, QuadLayout, RoundClosing};
 use crate::base::svd3;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, GridError, PartError, PatchError, Result};
 use crate::surface::net::{apply, carried_back, first_vertex, preferred, signs, stretches};
 use crate::surface::{CyclidicNet, closing_limit};
 use std::collections::{HashMap, VecDeque};
@@ -55,7 +55,7 @@ impl NetLayout {
         let (angle, at) = closing.angle(layout.points());
         let limit = layout.pieces().iter().map(|piece| closing_limit(&piece.grid)).fold(0.0, f64::max);
         if !(angle <= limit) {
-            return Err(Error::RingDoesNotClose { vertex: layout.round()[at].vertex, angle, limit });
+            return Err(GridError::RingDoesNotClose { vertex: layout.round()[at].vertex, angle, limit }.into());
         }
         let frame = frame(&layout, &carried, closing.normal(layout.points()))?;
         let lengths = lengths(&layout, &kappa);
@@ -142,7 +142,9 @@ impl Conformal for NetLayout {
 /// An error about a quad of a piece, as one about that of the mesh.
 fn of_mesh(piece: &LayoutPiece, error: Error) -> Error {
     match error {
-        Error::InQuad { quad, cause } => cause.in_quad(piece.quads.get(quad).copied().flatten().unwrap_or(quad)),
+        Error::Part(PartError::InQuad { quad, cause }) => {
+            cause.in_quad(piece.quads.get(quad).copied().flatten().unwrap_or(quad))
+        }
         other => other,
     }
 }
@@ -159,12 +161,13 @@ fn frame(layout: &QuadLayout, carried: &[Carried], normal: Option<Vec3>) -> Resu
         }
     }
     let Some(normal) = normal else {
-        return svd3::nearest_rotation(sum).map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE });
+        return svd3::nearest_rotation(sum)
+            .map_err(|measured| Error::Patch(PatchError::AmbiguousFrame { measured, limit: svd3::UNIQUE }));
     };
     // v1 · g1 + v2 · g2 with v2 = N × v1.
     let along = sum[0] + sum[1].cross(normal);
     let v1 = (along - normal * along.dot(normal)).unit();
-    let v1 = v1.ok_or(Error::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE })?;
+    let v1 = v1.ok_or(PatchError::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE })?;
     Ok([v1, normal.cross(v1), normal])
 }
 
@@ -195,7 +198,10 @@ fn carried(layout: &QuadLayout) -> Result<Vec<Carried>> {
             }
         }
     }
-    carried.into_iter().collect::<Option<Vec<_>>>().ok_or(Error::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE })
+    carried
+        .into_iter()
+        .collect::<Option<Vec<_>>>()
+        .ok_or(Error::Patch(PatchError::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE }))
 }
 
 /// The frame of a piece from that of one that it shares a vertex with, of which `turn` quarter turns bring the directions to its own.

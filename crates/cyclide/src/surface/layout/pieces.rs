@@ -3,7 +3,7 @@
 use super::connections::{Connections, side};
 use super::{LayoutPiece, RoundVertex};
 use crate::base::vector::Point3;
-use crate::error::{Error, GridCellFault, LayoutFault, Result};
+use crate::error::{Error, GridCellFault, GridError, LayoutFault, Result};
 use crate::surface::{GridCell, QuadGrid};
 use std::collections::{HashSet, VecDeque};
 
@@ -19,7 +19,7 @@ pub(super) fn extraordinary(connections: &Connections, on_border: &[bool]) -> Re
         let Some(fan) = connections.round(vertex).filter(|fan| fan.len() != 4) else { continue };
         let quads: Vec<usize> = fan.iter().map(|(quad, _)| *quad).collect();
         let ring: Vec<usize> = fan.iter().flat_map(|(_, pair)| *pair).collect();
-        let crowded = Err(Error::NotAQuadLayout { fault: LayoutFault::Crowded, index: vertex });
+        let crowded = Err(GridError::NotAQuadLayout { fault: LayoutFault::Crowded, index: vertex }.into());
         if ring.iter().any(|v| on_border[*v]) {
             return crowded;
         }
@@ -109,7 +109,9 @@ fn placed(connections: &Connections, cuts: &HashSet<[usize; 2]>, first: usize) -
             let place = (corners, [at[0] + step[0], at[1] + step[1]]);
             match places.get(&next) {
                 Some(known) if *known == place => {}
-                Some(_) => return Err(Error::NotAQuadLayout { fault: LayoutFault::Overlapping, index: next }),
+                Some(_) => {
+                    return Err(GridError::NotAQuadLayout { fault: LayoutFault::Overlapping, index: next }.into());
+                }
                 None => {
                     places.insert(next, place);
                     order.push_back(next);
@@ -121,7 +123,7 @@ fn placed(connections: &Connections, cuts: &HashSet<[usize; 2]>, first: usize) -
 }
 
 fn piece(placed: &[Placed], points: &[Point3], round: &[RoundVertex]) -> Result<LayoutPiece> {
-    let refused = |fault, index| Err(Error::NotAQuadLayout { fault, index });
+    let refused = |fault, index| Err(GridError::NotAQuadLayout { fault, index }.into());
     let ends = |d: usize| {
         let places = || placed.iter().map(|(_, _, at)| at[d]);
         (places().min().unwrap_or(0), places().max().unwrap_or(0))
@@ -151,11 +153,13 @@ fn piece(placed: &[Placed], points: &[Point3], round: &[RoundVertex]) -> Result<
     let cell = |i: usize, j: usize| if cells[i + j * quads[0]].is_some() { GridCell::Patch } else { GridCell::Outside };
     match QuadGrid::of_cells(&given, size, cell) {
         Ok(grid) => Ok(LayoutPiece { grid, vertices, quads: cells }),
-        Err(Error::CellsUnfit { fault: GridCellFault::Enclosed, .. }) if !round.is_empty() => {
+        Err(Error::Grid(GridError::CellsUnfit { fault: GridCellFault::Enclosed, .. })) if !round.is_empty() => {
             refused(LayoutFault::Holes, round[0].vertex)
         }
         // What is left between two extraordinary vertices falls apart.
-        Err(Error::CellsUnfit { .. }) if !round.is_empty() => refused(LayoutFault::Crowded, round[0].vertex),
+        Err(Error::Grid(GridError::CellsUnfit { .. })) if !round.is_empty() => {
+            refused(LayoutFault::Crowded, round[0].vertex)
+        }
         Err(error) => Err(error),
     }
 }

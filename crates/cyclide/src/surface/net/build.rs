@@ -11,7 +11,7 @@ use super::{CyclidicNet, NetFrame, frame};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 use crate::surface::patch::{CyclidePatch, check_quad, orthonormal};
 use crate::surface::quad_grid::QuadGrid;
 
@@ -45,7 +45,7 @@ impl CyclidicNet {
             NetFrame::First(v1, v2) => {
                 for (index, v) in [v1, v2].into_iter().enumerate() {
                     if !v.is_finite() {
-                        return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
+                        return Err(NumberError::NotFinite { what: ErrorItem::FrameVector, index }.into());
                     }
                 }
                 orthonormal(v1, v2)?
@@ -212,5 +212,5 @@ fn lengths(grid: &QuadGrid, kappa: &[f64], limit: f64) -> Result<Vec<f64>> {
 }
 
 fn does_not_close(d: usize, angle: f64, stretch: f64, limit: f64) -> Error {
-    Error::NetDoesNotClose { direction: d, line: None, angle, stretch, limit }
+    Error::Patch(PatchError::NetDoesNotClose { direction: d, line: None, angle, stretch, limit })
 }

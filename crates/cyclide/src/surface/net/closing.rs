@@ -13,7 +13,7 @@
 
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, PointError, Result};
 use crate::surface::quad_grid::QuadGrid;
 
 /// A closed line of points, as of a grid: what it does to a frame that is carried round.
@@ -42,12 +42,13 @@ impl RingClosing {
     pub fn new(points: &[Point3]) -> Result<Self> {
         let m = points.len();
         if m < 3 {
-            return Err(Error::TooFewPoints { given: m, needed: 3 });
+            return Err(PointError::TooFewPoints { given: m, needed: 3 }.into());
         }
         let edge = |k: usize| {
             let (first, second) = (k, (k + 1) % m);
             let chord = points[second] - points[first];
-            let apart = || Error::CoincidentPoints { first, second, distance: chord.length(), limit: 0.0 };
+            let apart =
+                || Error::Point(PointError::CoincidentPoints { first, second, distance: chord.length(), limit: 0.0 });
             Ok((chord.unit().ok_or_else(apart)?, chord.length()))
         };
         let edges: Vec<(Vec3, f64)> = (0..m).map(edge).collect::<Result<_>>()?;
@@ -145,7 +146,9 @@ impl StripClosing {
             for [first, second] in [[1, 2], [0, 3]] {
                 let distance = a[first].distance(a[second]);
                 if !(distance > 0.0) {
-                    return Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 }.in_quad(quad));
+                    return Err(
+                        Error::from(PointError::CoincidentPoints { first, second, distance, limit: 0.0 }).in_quad(quad)
+                    );
                 }
             }
         }

@@ -3,7 +3,7 @@
 use super::ways::Way;
 use crate::base::svd3;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, PatchError, Result};
 use crate::surface::quad_grid::QuadGrid;
 
 /// The frame of a net at its vertex (0, 0), from which all others follow.
@@ -43,7 +43,8 @@ pub(super) fn unit(chord: Vec3) -> Vec3 {
 pub(super) fn fitted(grid: &QuadGrid) -> Result<(Vec3, Vec3)> {
     let back = carried_back(grid);
     let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
-    nearest(preferred(grid, &back), axes).map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE })
+    nearest(preferred(grid, &back), axes)
+        .map_err(|measured| Error::Patch(PatchError::AmbiguousFrame { measured, limit: svd3::UNIQUE }))
 }
 
 /// `Aᵀ = A^-1` of each vertex, as the images of the axes.

@@ -4,7 +4,7 @@ use super::CyclidicNet;
 use super::same_vertices::SameVertices;
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 use crate::surface::patch::CyclidePatch;
 
 /// Centres of curvature are as near as each other up to this part of their distance.
@@ -26,7 +26,7 @@ impl CyclidicNet {
         let nearest = limits.iter().map(|(_, limit)| limit.abs()).fold(f64::INFINITY, f64::min);
         // The first of those that have the same but for rounding, as of a torus.
         match limits.into_iter().find(|(_, limit)| limit.abs() <= nearest * (1.0 + SAME_LIMIT)) {
-            Some((quad, limit)) => Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad)),
+            Some((quad, limit)) => Err(Error::from(PatchError::OffsetNotRegular { distance: h, limit }).in_quad(quad)),
             None => Ok(()),
         }
     }
@@ -42,7 +42,7 @@ impl CyclidicNet {
     /// shrinks to a curve or a point), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::OffsetDistance, index: 0 }.into());
         }
         let [m, n] = self.grid.size();
         let places = (0..n).flat_map(|j| (0..m).map(move |i| (i, j)));

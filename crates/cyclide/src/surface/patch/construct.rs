@@ -5,7 +5,7 @@ use super::{CyclidePatch, largest_distance};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PatchError, PointError, Result};
 
 /// Largest distance from three-space that counts as rounding of weights, relative to the size.
 const SPACE_LIMIT: f64 = 1e-9;
@@ -33,7 +33,7 @@ impl CyclidePatch {
         }
         for (index, v) in [v1, v2].into_iter().enumerate() {
             if !v.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::FrameVector, index }.into());
             }
         }
         range::check_place(ErrorItem::Surface, &corners)?;
@@ -93,16 +93,16 @@ impl CyclidePatch {
         }
         for (index, w) in weights.into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Weight, index }.into());
             }
             if w.norm() == 0.0 {
-                return Err(Error::ZeroWeight { index });
+                return Err(ArcError::ZeroWeight { index }.into());
             }
         }
         let scale = largest_distance(&corners);
         range::check_distance(scale)?;
         if scale == 0.0 {
-            return Err(Error::CoincidentPoints { first: 0, second: 3, distance: 0.0, limit: 0.0 });
+            return Err(PointError::CoincidentPoints { first: 0, second: 3, distance: 0.0, limit: 0.0 }.into());
         }
         let (v1, v2) = orthonormal(v1, v2)?;
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
@@ -127,13 +127,14 @@ impl CyclidePatch {
         let places = [0.0, 0.25, 0.5, 0.75, 1.0];
         let residuals = places.iter().flat_map(|&s| places.iter().map(move |&t| (s, t)));
         let defect = residuals.map(|(s, t)| self.real_residual(s, t)).fold(0.0, f64::max) / self.scale;
-        if defect <= limit { Ok(()) } else { Err(Error::NotInSpace { defect, limit }) }
+        if defect <= limit { Ok(()) } else { Err(PatchError::NotInSpace { defect, limit }.into()) }
     }
 }
 
 /// The frame of two directions of any length made orthonormal to rounding, if they are perpendicular to the limit.
 pub(crate) fn orthonormal(v1: Vec3, v2: Vec3) -> Result<(Vec3, Vec3)> {
-    let refused = |cosine: f64| Error::FrameNotOrthonormal { measured: cosine.abs(), limit: FRAME_LIMIT };
+    let refused =
+        |cosine: f64| Error::Patch(PatchError::FrameNotOrthonormal { measured: cosine.abs(), limit: FRAME_LIMIT });
     // A direction without a length is perpendicular to nothing.
     let (u1, along) = v1.unit().zip(v2.unit()).ok_or_else(|| refused(1.0))?;
     let cosine = u1.dot(along);

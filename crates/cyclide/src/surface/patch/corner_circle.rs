@@ -3,7 +3,7 @@
 use super::largest_distance;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{PatchError, PointError, Result};
 
 /// Corners closer than this part of the largest distance coincide.
 const COINCIDENT_LIMIT: f64 = 1e-12;
@@ -33,7 +33,7 @@ pub(super) fn distinct(corners: &[Point3; 4]) -> Result<f64> {
     for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2)] {
         let (distance, limit) = (corners[first].distance(corners[second]), COINCIDENT_LIMIT * scale);
         if distance <= limit {
-            return Err(Error::CoincidentPoints { first, second, distance, limit });
+            return Err(PointError::CoincidentPoints { first, second, distance, limit }.into());
         }
     }
     Ok(scale)
@@ -99,7 +99,7 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     }
     let limit = CONCIRCULAR_LIMIT + rounding;
     if !(measured <= limit) {
-        return Err(Error::NotConcircular { measured, limit });
+        return Err(PatchError::NotConcircular { measured, limit }.into());
     }
     if (0.0..=1.0).contains(&x) {
         return Ok(CornerCircle { inverses: [b1, b2, b3], corner, position: x });
@@ -109,7 +109,7 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     if corner.distance(end) <= CONCIRCULAR_LIMIT * scale + rounding_of(corners) {
         Ok(snapped)
     } else {
-        Err(Error::CrossingQuad { position: x })
+        Err(PatchError::CrossingQuad { position: x }.into())
     }
 }
 
@@ -132,7 +132,7 @@ pub(crate) fn check_following_quad(corners: &[Point3; 4], given: usize, whole: f
     let limit = given as f64 * (CONCIRCULAR_LIMIT * (whole / scale) + rounding);
     // A corner on a neighbour is on any circle through it.
     let collapsed = [1, 2].into_iter().any(|k| corners[k].distance(corners[3]) <= COINCIDENT_LIMIT * scale);
-    if measured <= limit || collapsed { Ok(()) } else { Err(Error::NotConcircular { measured, limit }) }
+    if measured <= limit || collapsed { Ok(()) } else { Err(PatchError::NotConcircular { measured, limit }.into()) }
 }
 
 /// Refuses a quad of a net unless its corners are distinct and on one circle, strictly in order.
@@ -144,10 +144,10 @@ pub(in crate::surface) fn check_quad(corners: &[Point3; 4]) -> Result<()> {
     for first in [1, 2] {
         let (distance, limit) = (corners[first].distance(corners[3]), COINCIDENT_LIMIT * scale);
         if distance <= limit {
-            return Err(Error::CoincidentPoints { first, second: 3, distance, limit });
+            return Err(PointError::CoincidentPoints { first, second: 3, distance, limit }.into());
         }
     }
     // Nets keep their vertices, so rounding must not put one beyond the next either.
     let position = corner_circle(corners, scale)?.position;
-    if (0.0..=1.0).contains(&position) { Ok(()) } else { Err(Error::CrossingQuad { position }) }
+    if (0.0..=1.0).contains(&position) { Ok(()) } else { Err(PatchError::CrossingQuad { position }.into()) }
 }

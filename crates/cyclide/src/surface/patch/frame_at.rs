@@ -2,7 +2,7 @@
 
 use super::{CyclidePatch, largest_distance};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// The opposite corner may coincide with a neighbour up to this part of the largest distance: then the frame goes the
 /// other way round.
@@ -18,7 +18,8 @@ impl CyclidePatch {
     /// As [`from_corners_and_frame`](Self::from_corners_and_frame); `parameter-out-of-range` for `at` above 3.
     pub fn from_corners_and_frame_at(corners: [Point3; 4], at: usize, v1: Vec3, v2: Vec3) -> Result<Self> {
         let reflected = |i: usize, j: usize, v: Vec3| -> Result<Vec3> {
-            let coincident = || Error::CoincidentPoints { first: i, second: j, distance: 0.0, limit: 0.0 };
+            let coincident =
+                || Error::Point(PointError::CoincidentPoints { first: i, second: j, distance: 0.0, limit: 0.0 });
             let d = (corners[j] - corners[i]).unit().ok_or_else(coincident)?;
             Ok(v - d * (2.0 * d.dot(v)))
         };
@@ -33,12 +34,13 @@ impl CyclidePatch {
                 (back(v1)?, back(v2)?)
             }
             _ => {
-                return Err(Error::ParameterOutOfRange {
+                return Err(NumberError::ParameterOutOfRange {
                     name: ErrorItem::FrameCorner,
                     value: at as f64,
                     min: 0.0,
                     max: 3.0,
-                });
+                }
+                .into());
             }
         };
         Self::from_corners_and_frame(corners, v1, v2)

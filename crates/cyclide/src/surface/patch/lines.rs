@@ -4,7 +4,7 @@ use super::{CyclidePatch, bilinear};
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, ErrorItem, NumberError, Result};
 use crate::surface::ParamSurface as _;
 
 impl CyclidePatch {
@@ -26,7 +26,7 @@ impl CyclidePatch {
 
     fn line(&self, from: (f64, f64), to: (f64, f64)) -> Result<Arc> {
         let (d0, d1) = (self.denominator(from.0, from.1), self.denominator(to.0, to.1));
-        let inverse = d0.inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let inverse = d0.inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         Arc::from_ratio_across(self.corner_point(from), self.corner_point(to), d1 * inverse)
     }
 
@@ -50,12 +50,13 @@ impl CyclidePatch {
     pub fn sub_patch(&self, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2]) -> Result<Self> {
         for (name, a, b) in [(ErrorItem::S, s0, s1), (ErrorItem::T, t0, t1)] {
             if !(a >= 0.0 && a < b && b <= 1.0) {
-                return Err(Error::ParameterOutOfRange {
+                return Err(NumberError::ParameterOutOfRange {
                     name,
                     value: if a >= 0.0 { b } else { a },
                     min: 0.0,
                     max: 1.0,
-                });
+                }
+                .into());
             }
         }
         let places = [(s0, t0), (s1, t0), (s0, t1), (s1, t1)];

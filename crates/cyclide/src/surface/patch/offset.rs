@@ -5,7 +5,7 @@ use super::polar::at_half;
 use super::singular::roots;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PatchError, Result};
 
 /// An offset side is one point if its radius cancels to this part of the distance and of the radius before.
 const COLLAPSED: f64 = 64.0 * f64::EPSILON;
@@ -26,7 +26,7 @@ impl CyclidePatch {
     /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::OffsetDistance, index: 0 }.into());
         }
         self.check_not_focal(h)?;
         let (q1, q2) = self.offset_speeds(h);
@@ -83,7 +83,7 @@ impl CyclidePatch {
         };
         // Of a side that is one point there are no terms.
         let left = family.iter().filter(|[_, terms]| *terms > 0.0).map(|[speed, terms]| speed.abs() / terms);
-        Err(Error::OffsetOnFocalSet { distance: h, measured: left.fold(0.0, f64::max), limit: FOCAL })
+        Err(PatchError::OffsetOnFocalSet { distance: h, measured: left.fold(0.0, f64::max), limit: FOCAL }.into())
     }
 
     /// How far the surface may be offset to the side of `h` before it meets a centre of curvature, with the sign of `h`: infinite

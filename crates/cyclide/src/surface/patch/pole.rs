@@ -3,7 +3,7 @@
 use super::rational::real_weights;
 use super::{CyclidePatch, bilinear};
 use crate::base::quat::Quat;
-use crate::error::{Error, Result};
+use crate::error::{PatchError, Result};
 
 /// Cells are halved this often before their centre is called a pole.
 const HALVINGS: u32 = 20;
@@ -18,7 +18,7 @@ impl CyclidePatch {
         // Relative to the weights a cell of depth 20 has coefficients of 1e-12 at most beside a zero.
         match pole(&self.weights, 0.0, 0.0, HALVINGS) {
             None => Ok(()),
-            Some((s, t)) => Err(Error::PatchThroughInfinity { s, t }),
+            Some((s, t)) => Err(PatchError::ThroughInfinity { s, t }.into()),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::SharpEdges;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{MeshError, Result};
 use crate::surface::sphere_blend::check_triangle;
 
 /// One of the two sides of an edge: a triangle, and the corner opposite to the edge.
@@ -49,7 +49,7 @@ impl Connections {
     /// `non-manifold-edge`, `inconsistent-orientation`.
     pub(super) fn new(positions: &[Point3], triangles: &[[usize; 3]], sharp: &SharpEdges<'_>) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(Error::NoTriangles { vertices: positions.len(), needed: 1 });
+            return Err(MeshError::NoTriangles { vertices: positions.len(), needed: 1 }.into());
         }
         let flat_normals =
             triangles.iter().enumerate().map(|(i, &t)| flat_normal(positions, i, t)).collect::<Result<Vec<_>>>()?;
@@ -69,7 +69,7 @@ impl Connections {
 fn flat_normal(positions: &[Point3], triangle: usize, vertices: [usize; 3]) -> Result<Vec3> {
     let count = positions.len();
     if let Some(&vertex) = vertices.iter().find(|v| **v >= count) {
-        return Err(Error::NoSuchVertex { triangle, vertex, count });
+        return Err(MeshError::NoSuchVertex { triangle, vertex, count }.into());
     }
     let corners = vertices.map(|v| positions[v]);
     let longest = check_triangle(corners).map_err(|cause| cause.in_triangle(triangle))?;
@@ -99,11 +99,15 @@ fn edges(triangles: &[[usize; 3]], flat_normals: &[Vec3], sharp: &SharpEdges<'_>
             }
             [([low, high], downwards, first), (_, _, second)] => {
                 let vertices = if downwards { [high, low] } else { [low, high] };
-                return Err(Error::InconsistentOrientation { vertices, triangles: [first.triangle, second.triangle] });
+                return Err(MeshError::InconsistentOrientation {
+                    vertices,
+                    triangles: [first.triangle, second.triangle],
+                }
+                .into());
             }
             ref more => {
                 let triangle = more.iter().map(|half| half.2.triangle).min().unwrap_or(0);
-                return Err(Error::NonManifoldEdge { vertices: more[0].0, triangle, count: more.len() });
+                return Err(MeshError::NonManifoldEdge { vertices: more[0].0, triangle, count: more.len() }.into());
             }
         };
         edges.push(edge);

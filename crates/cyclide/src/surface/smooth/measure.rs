@@ -5,7 +5,7 @@ use super::triangle::Jet;
 use crate::base::bounds::Aabb;
 use crate::base::quadrature::{unit_rule2, unit_rule4};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{NumberError, Result};
 use crate::surface::SphereBlend;
 use crate::surface::barycentric::Barycentric;
 use std::cmp::Ordering;
@@ -206,13 +206,14 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
         for (k, what) in [(0, "an area by quadrature"), (1, "a volume by quadrature")] {
             if (k == 0 || self.closed) && !(errors[k] <= UNKNOWN * absolute[k]) {
                 let remedy = "the surface goes too far, or folds: look at its normals";
-                return Err(Error::TooManyPieces {
+                return Err(NumberError::TooManyPieces {
                     what,
                     segment: None,
                     needed: f64::INFINITY,
                     cap: self.parts.len(),
                     remedy,
-                });
+                }
+                .into());
             }
         }
         let [area, volume] = sums;

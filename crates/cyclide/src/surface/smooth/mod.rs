@@ -31,7 +31,7 @@ pub use triangle::SmoothTriangle;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{BlendLaw, BlendSegment, Chord};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::warning::Warning;
 use connect::{Connections, EdgeSide, MeshEdge};
 use edge_tangents::EdgeTangents;
@@ -343,20 +343,21 @@ fn sharp_edges<'a>(normals: &VertexNormals<'a>, triangles: usize) -> Result<Shar
         VertexNormals::Creased { angle, .. } => {
             let max = std::f64::consts::PI;
             if !(0.0..=max).contains(&angle) {
-                return Err(Error::AngleOutOfRange { angle, min: 0.0, max });
+                return Err(NumberError::AngleOutOfRange { angle, min: 0.0, max }.into());
             }
             Ok(SharpEdges::Above(angle))
         }
         VertexNormals::GivenAtCorners(given) => {
             if given.len() != triangles {
-                return Err(Error::CountDiffers {
+                return Err(NumberError::CountDiffers {
                     what: ErrorItem::Normal,
                     given: 3 * given.len(),
                     needed: 3 * triangles,
-                });
+                }
+                .into());
             }
             match given.as_flattened().iter().position(|normal| !normal.is_finite()) {
-                Some(index) => Err(Error::NotFinite { what: ErrorItem::Normal, index }),
+                Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Normal, index }.into()),
                 None => Ok(SharpEdges::Apart(given)),
             }
         }

@@ -4,7 +4,7 @@ use super::connect::Connections;
 use super::triangle::unit_normal;
 use super::{NormalWeights, VertexNormals};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, MeshError, NumberError, Result};
 use crate::warning::Warning;
 
 /// Face normals around a vertex whose mean is shorter lie back to back.
@@ -23,11 +23,12 @@ pub(super) fn of_fans(
     match normals {
         VertexNormals::Given(given) => {
             if given.len() != positions.len() {
-                return Err(Error::CountDiffers {
+                return Err(NumberError::CountDiffers {
                     what: ErrorItem::Normal,
                     given: given.len(),
                     needed: positions.len(),
-                });
+                }
+                .into());
             }
             connections.fan_vertices.iter().map(|&vertex| unit_normal(given[vertex], vertex)).collect()
         }
@@ -76,7 +77,7 @@ fn mean_normals(
     let mean = |((sum, weights), &vertex): ((Vec3, f64), &usize)| {
         let length = sum.length() / weights;
         let unit = sum.unit().filter(|_| length > BACK_TO_BACK);
-        unit.ok_or(Error::UndefinedNormal { vertex, length, limit: BACK_TO_BACK })
+        unit.ok_or(Error::Mesh(MeshError::UndefinedNormal { vertex, length, limit: BACK_TO_BACK }))
     };
     sums.into_iter().zip(&connections.fan_vertices).map(mean).collect()
 }

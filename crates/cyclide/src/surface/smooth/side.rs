@@ -3,7 +3,7 @@
 use super::SMOOTH_LAW;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{BlendSegment, BlendTangents, BlendVariation, Chord};
-use crate::error::{Error, Result};
+use crate::error::{PointError, Result, TriangleError};
 
 /// A line is along a normal if less than this part of it is across.
 const ALONG: f64 = 1e-9;
@@ -21,7 +21,7 @@ pub(super) fn tangent_across(direction: Vec3, normal: Vec3, corner: usize) -> Re
     if length > ALONG {
         Ok((across / length, length))
     } else {
-        Err(Error::NormalAlongEdge { corner, across: length, limit: ALONG })
+        Err(TriangleError::NormalAlongEdge { corner, across: length, limit: ALONG }.into())
     }
 }
 
@@ -31,7 +31,7 @@ pub(super) fn tangent_across(direction: Vec3, normal: Vec3, corner: usize) -> Re
 /// `coincident-points`, `arc-through-infinity`, `ambiguous-half-turn`.
 pub(super) fn blend(ends: [Point3; 2], chord: &Chord, tangents: [Vec3; 2]) -> Result<BlendSegment> {
     if !(chord.length > 0.0) {
-        return Err(Error::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit: 0.0 });
+        return Err(PointError::CoincidentPoints { first: 0, second: 1, distance: chord.length, limit: 0.0 }.into());
     }
     let [start, end] = tangents;
     let tangents = BlendTangents { start, end: end.reflect(chord.unit), magnification: 0.0 };
@@ -71,7 +71,7 @@ impl Side {
         let across = mean - along * mean.dot(along);
         let length = across.length_squared().sqrt();
         if !(length > OPPOSITE) {
-            return Err(Error::OppositeNormals { corner, length, limit: OPPOSITE });
+            return Err(TriangleError::OppositeNormals { corner, length, limit: OPPOSITE }.into());
         }
         let normal = across / length;
         let across_change = change - along * (change.dot(along) + mean.dot(turn)) - turn * mean.dot(along);

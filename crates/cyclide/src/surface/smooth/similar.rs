@@ -3,7 +3,7 @@
 use super::{SharpEdges, SmoothMesh, VertexNormals};
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, PointError, Result};
 use crate::surface::{SphereBlend, TriangleSurface};
 
 /// The corner that becomes a corner, of triangles that a reflection turns over.
@@ -37,12 +37,12 @@ impl SmoothMesh {
         let normal = |triangle: usize, k: usize| {
             let at = self.positions[self.triangles[triangle][k]];
             let pushed = map.push_forward(at, self.normals[self.corner_normals[triangle][k]]);
-            pushed.and_then(Vec3::unit).ok_or(Error::PointAtInfinity {
+            pushed.and_then(Vec3::unit).ok_or(Error::Point(PointError::AtInfinity {
                 what: ErrorItem::Normal,
                 index: self.triangles[triangle][k],
                 distance: 0.0,
                 limit: 0.0,
-            })
+            }))
         };
         let at_corners = |t: usize| Ok([normal(t, order[0])?, normal(t, order[1])?, normal(t, order[2])?]);
         let normals = (0..triangles.len()).map(at_corners).collect::<Result<Vec<[Vec3; 3]>>>()?;
@@ -55,12 +55,12 @@ impl SphereBlend {
     fn similar(&self, map: &Mobius) -> Result<Self> {
         let order = if map.determinant() < 0.0 { TURNED } else { [0, 1, 2] };
         let corner = |k: usize| {
-            map.map_point(self.corners()[order[k]]).ok_or(Error::PointAtInfinity {
+            map.map_point(self.corners()[order[k]]).ok_or(Error::Point(PointError::AtInfinity {
                 what: ErrorItem::Point,
                 index: k,
                 distance: 0.0,
                 limit: 0.0,
-            })
+            }))
         };
         self.over_similar([corner(0)?, corner(1)?, corner(2)?], order)
     }

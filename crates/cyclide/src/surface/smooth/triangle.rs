@@ -3,7 +3,7 @@
 use super::side::{Side, SpokeArc, blend, tangent_across};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{BlendSegment, Chord};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, MeshError, NumberError, Result};
 use crate::surface::barycentric::Barycentric;
 use crate::surface::sphere_blend::check_triangle;
 
@@ -220,7 +220,7 @@ impl SmoothTriangle {
 /// `not-finite`, `undefined-normal`.
 pub(super) fn unit_normal(normal: Vec3, vertex: usize) -> Result<Vec3> {
     if !normal.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Normal, index: vertex });
+        return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: vertex }.into());
     }
-    normal.unit().ok_or(Error::UndefinedNormal { vertex, length: 0.0, limit: 0.0 })
+    normal.unit().ok_or(Error::Mesh(MeshError::UndefinedNormal { vertex, length: 0.0, limit: 0.0 }))
 }

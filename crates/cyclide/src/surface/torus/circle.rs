@@ -7,7 +7,7 @@ use crate::base::complex::Complex;
 use crate::base::planar::Point2;
 use crate::base::vector::Vec3;
 use crate::curve::{Arc, Circle};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use std::f64::consts::PI;
 
 impl Torus {
@@ -31,7 +31,7 @@ impl Torus {
     pub fn arc(&self, family: CircleFamily, place: Point2, step: f64) -> Result<Arc> {
         check_place(place)?;
         if !(step.abs() > 0.0 && step.abs() < PI) {
-            return Err(Error::AngleOutOfRange { angle: step, min: -PI, max: PI });
+            return Err(NumberError::AngleOutOfRange { angle: step, min: -PI, max: PI }.into());
         }
         let direction = family.direction() * step;
         Arc::from_start_tangent(self.point(place), self.point(place + direction), self.tangent(place, direction))
@@ -59,5 +59,5 @@ impl Torus {
 
 /// Refuses a place that is not finite.
 pub(super) fn check_place(place: Point2) -> Result<()> {
-    if place.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 }) }
+    if place.is_finite() { Ok(()) } else { Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into()) }
 }

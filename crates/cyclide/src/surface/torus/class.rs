@@ -4,7 +4,7 @@ use super::Torus;
 use crate::base::complex::Complex;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result, TorusError};
 use std::f64::consts::TAU;
 
 /// The directions of `A` and `B` as complex numbers of length 1, each up to its sign.
@@ -88,11 +88,11 @@ impl TorusClasses {
 /// `not-finite`, `zero-coordinate`, with the index given.
 pub(super) fn unit_of(index: usize, [re, im]: [f64; 2]) -> Result<Complex> {
     if !(re.is_finite() && im.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into());
     }
     // Scaled first: the square of the length of huge numbers is infinite, that of tiny ones zero.
     let largest = re.abs().max(im.abs());
-    Complex::new(re / largest, im / largest).unit().ok_or(Error::ZeroCoordinate { index })
+    Complex::new(re / largest, im / largest).unit().ok_or(Error::Torus(TorusError::ZeroCoordinate { index }))
 }
 
 impl Torus {

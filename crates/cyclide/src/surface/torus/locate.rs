@@ -11,7 +11,7 @@ use super::Torus;
 use super::class::UnitPair;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result, TorusError};
 
 /// Distances from the axis and from the middle of the tube below this part of the major radius are rounding: there is no direction.
 const NO_DIRECTION: f64 = 1e-14;
@@ -45,10 +45,10 @@ impl Torus {
     /// As [`locate`](Self::locate) for one of many points.
     fn locate_numbered(&self, index: usize, p: Point3, tolerance: f64) -> Result<Point2> {
         if !p.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into());
         }
         if !(tolerance >= 0.0) {
-            return Err(Error::ToleranceNotPositive { tolerance });
+            return Err(NumberError::ToleranceNotPositive { tolerance }.into());
         }
         let (plane, height) = self.frame().to_local(p);
         let (x, y, z) = (plane.x / self.major_radius(), plane.y / self.major_radius(), height / self.major_radius());
@@ -57,14 +57,14 @@ impl Torus {
         let reach = from_core.length();
         let limit = NO_DIRECTION * self.major_radius();
         if radius <= NO_DIRECTION {
-            return Err(Error::PointOnAxis { index, distance: radius * self.major_radius(), limit });
+            return Err(TorusError::PointOnAxis { index, distance: radius * self.major_radius(), limit }.into());
         }
         if reach <= NO_DIRECTION {
-            return Err(Error::PointOnCoreCircle { index, distance: reach * self.major_radius(), limit });
+            return Err(TorusError::PointOnCoreCircle { index, distance: reach * self.major_radius(), limit }.into());
         }
         let distance = (reach - self.shape.tube).abs() * self.major_radius();
         if !(distance <= tolerance) {
-            return Err(Error::PointOffTorus { index, distance, limit: tolerance });
+            return Err(TorusError::PointOffTorus { index, distance, limit: tolerance }.into());
         }
         let (cos, sin) = (from_core.x / reach, from_core.y / reach);
         let across = if cos < 0.0 { sin * sin / (1.0 - cos) - self.shape.thin } else { cos + self.shape.tube };

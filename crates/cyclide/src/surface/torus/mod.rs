@@ -42,7 +42,7 @@ use crate::base::range;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result, TorusError};
 use class::UnitPair;
 use coordinates::{Jet3, Shape};
 
@@ -79,10 +79,12 @@ impl Torus {
     /// to 1e150), `below-rounding-of-place` (the tube is below 1.5e-11 of the coordinates).
     pub fn new(frame: Frame, major: f64, minor: f64) -> Result<Self> {
         if !(major.is_finite() && minor.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Radius, index: usize::from(major.is_finite()) });
+            return Err(
+                NumberError::NotFinite { what: ErrorItem::Radius, index: usize::from(major.is_finite()) }.into()
+            );
         }
         if !(minor > 0.0 && minor < major) {
-            return Err(Error::NotARingTorus { major, minor });
+            return Err(TorusError::NotARingTorus { major, minor }.into());
         }
         range::check_point(0, frame.origin().to_vec())?;
         range::check_distance(major)?;
@@ -211,7 +213,7 @@ impl Torus {
     /// `not-a-similarity`; `not-finite`, or as [`new`](Self::new), if the image is too large or too small.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         map.check_similarity()?;
-        let lost = Error::NotFinite { what: ErrorItem::Frame, index: 0 };
+        let lost = Error::Number(NumberError::NotFinite { what: ErrorItem::Frame, index: 0 });
         let f = self.frame;
         let origin = map.map_point(f.origin()).ok_or(lost.clone())?;
         let pushed = |v: Vec3| map.push_forward(f.origin(), v).filter(|v| v.is_finite()).ok_or(lost.clone());

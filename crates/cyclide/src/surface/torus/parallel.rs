@@ -15,7 +15,7 @@ use crate::base::bernstein::product as real_product;
 use crate::base::complex::Complex;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
 /// Halvings of a piece until its weights are positive, which are a sum of squares.
@@ -40,7 +40,9 @@ impl TorusSpline {
         let (a, b) = (self.torus.major_radius(), self.torus.minor_radius());
         let (min, max) = (-b, a - b);
         if !(distance > min && distance < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Distance, value: distance, min, max });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Distance, value: distance, min, max }.into()
+            );
         }
         range::check_distance(b + distance)?;
         // Of a closed curve the last joint is the first one to the bit, as in the curve itself.

@@ -6,7 +6,7 @@ use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::curve::{Correspondence, CurvePlace, ParamCurve, PieceHull, Span};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
 impl TorusSpline {
@@ -72,7 +72,7 @@ impl TorusSpline {
             let limit = 2.0 * f64::EPSILON * whole;
             if !(shortest > limit) {
                 let index = self.segments.iter().position(|segment| segment.pieces.contains(&piece)).unwrap_or(0);
-                return Err(Error::EmptyInterval { index, length: shortest, limit });
+                return Err(CurveError::EmptyInterval { index, length: shortest, limit }.into());
             }
         }
         Ok(())

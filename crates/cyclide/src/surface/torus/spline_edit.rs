@@ -6,7 +6,7 @@ use crate::base::planar::Point2;
 use crate::base::vector::Vec3;
 use crate::conformal::mobius::Mobius;
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 impl TorusSpline {
     /// The same points run backwards over the same interval of knots.
@@ -76,7 +76,7 @@ impl TorusSpline {
         }
         if pieces.is_empty() || knots.windows(2).any(|w| w[0] >= w[1]) {
             // Both ends within rounding of one place.
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 }.into());
         }
         let inside = |s: &TorusSegment| {
             let [a, b] = [s.pieces.start, s.pieces.end].map(|i| i.clamp(first, first + count) - first);
@@ -98,7 +98,7 @@ impl TorusSpline {
         let (end, turned) = (before.knots[n] - after.knots[0], before.unrolled[n] - after.unrolled[0]);
         before.knots.extend(after.knots[1..].iter().map(|knot| end + knot));
         if before.knots.windows(2).any(|w| w[0] >= w[1]) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max: t0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max: t0 }.into());
         }
         before.joints.extend_from_slice(&after.joints[1..]);
         before.unrolled.extend(after.unrolled[1..].iter().map(|place| *place + turned));

@@ -6,7 +6,7 @@ use super::{FaceGeometry as _, FaceSurface, Shell, ShellFace};
 use crate::base::bounds::Aabb;
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{NumberError, Result};
 use crate::surface::CyclidePatch;
 use element::{AreaElement, Element, FluxElement, Local};
 use std::collections::BinaryHeap;
@@ -281,7 +281,8 @@ impl<E: Element> Quadrature<E> {
             return Ok(self.sum());
         }
         let remedy = "its patches near infinity or next to singular points are too many";
-        Err(Error::TooManyPieces { what, segment: None, needed: f64::INFINITY, cap: self.parts.len(), remedy })
+        Err(NumberError::TooManyPieces { what, segment: None, needed: f64::INFINITY, cap: self.parts.len(), remedy }
+            .into())
     }
 
     /// The integral, added anew, small parts first.

@@ -5,7 +5,7 @@ use super::frame::{VolumeFrame, frame_at, runs_against};
 use super::{CyclideVolume, FoldVerdict};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Result, VolumeError};
 
 impl CyclideVolume {
     /// The volume of a spherical cube and a frame at its first corner. Whether it folds is told by [`folds`](Self::folds). Where the third side at
@@ -87,7 +87,7 @@ impl CyclideVolume {
             for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]] {
                 let (speed, limit) = (q[2 * i][2 * j], -self.rounding);
                 if speed < limit {
-                    return Err(Error::CrossingFace { axis, at: [i as f64, j as f64], speed, limit });
+                    return Err(VolumeError::CrossingFace { axis, at: [i as f64, j as f64], speed, limit }.into());
                 }
             }
         }

@@ -5,7 +5,7 @@ use super::{CyclideVolume, FoldVerdict, corners_at_start, others};
 use crate::base::quat::Quat;
 use crate::base::svd3;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 use crate::surface::orthonormal;
 
 /// Sides shorter than this part of the longest weigh no more than one of that: the nearest rotation keeps its digits.
@@ -46,7 +46,7 @@ pub(in crate::volume) fn frame_at(cube: &SphericalCube, frame: VolumeFrame) -> R
         VolumeFrame::First(v1, v2) => {
             for (index, v) in [v1, v2].into_iter().enumerate() {
                 if !v.is_finite() {
-                    return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
+                    return Err(NumberError::NotFinite { what: ErrorItem::FrameVector, index }.into());
                 }
             }
             let (v1, v2) = orthonormal(v1, v2)?;
@@ -98,7 +98,7 @@ impl Sides {
     fn new(cube: &SphericalCube) -> Result<Self> {
         let corners = cube.corners();
         let ways = [1, 2, 4].map(|k| corners[k] - corners[0]);
-        let ambiguous = Error::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE };
+        let ambiguous = Error::Patch(PatchError::AmbiguousFrame { measured: 0.0, limit: svd3::UNIQUE });
         let [Some(a), Some(b), Some(c)] = ways.map(Vec3::unit) else { return Err(ambiguous) };
         let lengths = ways.map(Vec3::length);
         let [longest, shortest] =
@@ -115,7 +115,8 @@ impl Sides {
     fn nearest_frame(&self) -> Result<[Vec3; 3]> {
         let Self { e: [a, b, c], weights: [k, l, m], sense, .. } = *self;
         let found = svd3::nearest_rotation([a * k, b * l, c * (m * sense)]);
-        let [v1, v2, v3] = found.map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE })?;
+        let [v1, v2, v3] =
+            found.map_err(|measured| Error::Patch(PatchError::AmbiguousFrame { measured, limit: svd3::UNIQUE }))?;
         Ok([v1, v2, v3 * sense])
     }
 

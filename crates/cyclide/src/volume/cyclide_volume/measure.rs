@@ -4,7 +4,7 @@ use super::{CyclideVolume, corners_at_start};
 use crate::base::quadrature::{unit_rule4, unit_rule8};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -51,11 +51,13 @@ impl VolumeMeasure {
         // The cube of a large size, which no quadrature makes smaller.
         if !self.volume.is_finite() && self.error.is_nan() {
             let (min, max) = (0.0, 1e308);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Volume, value: self.volume, min, max });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Volume, value: self.volume, min, max }.into()
+            );
         }
         let (what, remedy) =
             ("a volume by quadrature", "the block comes near infinity, or what its folds cover cancels itself");
-        Err(Error::TooManyPieces { what, segment: None, needed: f64::INFINITY, cap: PARTS, remedy })
+        Err(NumberError::TooManyPieces { what, segment: None, needed: f64::INFINITY, cap: PARTS, remedy }.into())
     }
 }
 

@@ -4,7 +4,7 @@ use super::{CyclideVolume, corners_at_start, others, trilinear};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, ErrorItem, NumberError, Result};
 use crate::surface::CyclidePatch;
 
 /// A side is one point up to so many roundings of its coordinates.
@@ -72,7 +72,7 @@ impl CyclideVolume {
             at
         };
         let (from, to) = (place(0.0), place(1.0));
-        let inverse = self.denominator(from).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let inverse = self.denominator(from).inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         Arc::from_ratio_across(self.corner_point(from), self.corner_point(to), self.denominator(to) * inverse)
     }
 
@@ -104,12 +104,13 @@ impl CyclideVolume {
         for (axis, range) in ranges.into_iter().enumerate() {
             check_range(axis, range)?;
             if !(range[0] < range[1]) {
-                return Err(Error::ParameterOutOfRange {
+                return Err(NumberError::ParameterOutOfRange {
                     name: PARAMETERS[axis],
                     value: range[1],
                     min: range[0],
                     max: 1.0,
-                });
+                }
+                .into());
             }
         }
         let places: [[f64; 3]; 8] = std::array::from_fn(|k| std::array::from_fn(|axis| ranges[axis][k >> axis & 1]));
@@ -157,7 +158,7 @@ impl CyclideVolume {
     pub fn permuted(&self, order: [usize; 3]) -> Result<Self> {
         if let Some(axis) = (0..3).find(|axis| !order.contains(axis)) {
             let value = order.iter().find(|k| **k > 2).copied().unwrap_or(axis) as f64;
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Axis, value, min: 0.0, max: 2.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Axis, value, min: 0.0, max: 2.0 }.into());
         }
         let before = |k: usize| (0..3).map(|axis| (k >> axis & 1) << order[axis]).sum();
         Ok(self.rearranged(before, order.map(|axis| self.v[axis])))
@@ -195,7 +196,9 @@ impl CyclideVolume {
 
 fn check_range(axis: usize, ends: [f64; 2]) -> Result<()> {
     match ends.into_iter().find(|x| !(0.0..=1.0).contains(x)) {
-        Some(value) => Err(Error::ParameterOutOfRange { name: PARAMETERS[axis], value, min: 0.0, max: 1.0 }),
+        Some(value) => {
+            Err(NumberError::ParameterOutOfRange { name: PARAMETERS[axis], value, min: 0.0, max: 1.0 }.into())
+        }
         None => Ok(()),
     }
 }

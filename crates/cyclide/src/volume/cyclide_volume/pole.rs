@@ -3,7 +3,7 @@
 use super::rational::real_weights;
 use super::{CyclideVolume, trilinear};
 use crate::base::quat::Quat;
-use crate::error::{Error, Result};
+use crate::error::{Result, VolumeError};
 
 /// Cells are halved in all directions this often before their centre is called a pole: what is taken goes into so small parts with positive weights.
 pub(super) const HALVINGS: u32 = 16;
@@ -17,7 +17,7 @@ impl CyclideVolume {
     pub(in crate::volume) fn check_no_pole(&self) -> Result<()> {
         match pole(&self.weights, [0.0; 3], HALVINGS) {
             None => Ok(()),
-            Some(at) => Err(Error::VolumeThroughInfinity { at }),
+            Some(at) => Err(VolumeError::ThroughInfinity { at }.into()),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::CyclideVolume;
 use super::pole::{self, HALVINGS};
 use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
-use crate::error::{Error, Result};
+use crate::error::{Result, VolumeError};
 use crate::rational::RationalBezierVolume;
 
 /// The 27 real weights: Bernstein coefficients of `|D|²`.
@@ -43,7 +43,7 @@ impl CyclideVolume {
             return Ok(());
         }
         if depth == 0 {
-            return Err(Error::VolumeThroughInfinity { at: from.map(|x| x + 0.5 * size) });
+            return Err(VolumeError::ThroughInfinity { at: from.map(|x| x + 0.5 * size) }.into());
         }
         for octant in 0..8 {
             let at = pole::at_octant(from, 0.5 * size, octant);

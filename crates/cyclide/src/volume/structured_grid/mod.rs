@@ -11,7 +11,7 @@ mod turn;
 use super::cyclide_volume::CyclideVolume;
 use super::grading::Grading;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, PoseError, Result};
 use shared_nodes::SharedNodes;
 
 pub use quality::{CellQuality, GridQuality};
@@ -54,7 +54,7 @@ impl StructuredGrid {
     /// `parameters-not-increasing`, `too-many-pieces` (more than [`MOST_CELLS`] cells).
     pub fn new(blocks: &[CyclideVolume], places: [Vec<f64>; 3]) -> Result<Self> {
         if blocks.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         Self::check_size(blocks.len(), &places)?;
         let mut shared = SharedNodes::new(&places);
@@ -88,13 +88,14 @@ impl StructuredGrid {
         if cells <= MOST_CELLS as f64 {
             return Ok(());
         }
-        Err(Error::TooManyPieces {
+        Err(NumberError::TooManyPieces {
             what: "the grid of cells",
             segment: None,
             needed: cells,
             cap: MOST_CELLS,
             remedy: "divide it less often",
-        })
+        }
+        .into())
     }
 
     /// The points of a block at its nodes; its Jacobians are kept.
@@ -134,12 +135,13 @@ impl StructuredGrid {
         let sides = || blocks.iter().flat_map(|block| block.sides(axis).into_iter().flatten());
         let shortest = sides().map(|side| side.length()).fold(f64::INFINITY, f64::min);
         if !(height > 0.0 && height < shortest) {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::FirstCell,
                 value: height,
                 min: 0.0,
                 max: shortest,
-            });
+            }
+            .into());
         }
         let share = |side: crate::curve::Arc| {
             let side = if at_end { side.reversed() } else { side };
@@ -245,15 +247,17 @@ impl StructuredGrid {
 
 /// Refuses parameters that do not run from 0 to 1.
 fn check_places(places: &[f64], name: ErrorItem) -> Result<()> {
-    let [first, .., last] = *places else { return Err(Error::TooFewPoints { given: places.len(), needed: 2 }) };
+    let [first, .., last] = *places else {
+        return Err(PointError::TooFewPoints { given: places.len(), needed: 2 }.into());
+    };
     for (value, wanted) in [(first, 0.0), (last, 1.0)] {
         // Exactly: neighbours share what is at the ends.
         if value.to_bits() != f64::to_bits(wanted) {
-            return Err(Error::ParameterOutOfRange { name, value, min: wanted, max: wanted });
+            return Err(NumberError::ParameterOutOfRange { name, value, min: wanted, max: wanted }.into());
         }
     }
     match (1..places.len()).find(|&k| !(places[k] > places[k - 1])) {
-        Some(k) => Err(Error::ParametersNotIncreasing { index: k, value: places[k], before: places[k - 1] }),
+        Some(k) => Err(PoseError::ParametersNotIncreasing { index: k, value: places[k], before: places[k - 1] }.into()),
         None => Ok(()),
     }
 }

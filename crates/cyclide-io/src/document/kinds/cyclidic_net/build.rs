@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use cyclide::{
-    Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, NetFrame, NetLayout, Point3, QuadGrid,
-    QuadLayout, ShortNumber, SurfaceObject, Warning,
+    Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, GridError, NetFrame, NetLayout,
+    NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber, SurfaceObject, Warning,
 };
 
 use crate::document::coordinates::Coordinates;
@@ -255,45 +255,48 @@ impl<'a> Builder<'a> {
         error: &KernelError,
     ) -> Error {
         match error {
-            KernelError::FrameNotOrthonormal { .. } => {
+            KernelError::Patch(PatchError::FrameNotOrthonormal { .. }) => {
                 let words = match net.frame {
                     FrameSpec::First(frame) => frame_words(frame),
                     FrameSpec::Auto => error.to_string(),
                 };
                 return self.refused_in_words([Step::from("frame")], error.reason(), words);
             }
-            KernelError::NotFinite { what: ErrorItem::FrameVector, .. } => {
+            KernelError::Number(NumberError::NotFinite { what: ErrorItem::FrameVector, .. }) => {
                 return self.refused_at([Step::from("frame")], error);
             }
             _ => {}
         }
-        if let KernelError::NotConverged { .. } = error {
+        if let KernelError::Grid(GridError::NotConverged { .. }) = error {
             let hint = "a border that may move leaves more room: `free`, or sides on curves";
             let bound = !net.make_circular.border_is_free();
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
-        if let KernelError::ShapeLost { .. } = error {
+        if let KernelError::Grid(GridError::ShapeLost { .. }) = error {
             let laid = matches!(net.grid, GridSource::Laid(_));
             let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on a mesh)" };
             let words =
                 format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
-        if let KernelError::CollapsedOnCurve { .. } | KernelError::CellsUnfit { fault: GridCellFault::Curves, .. } =
-            error
+        if let KernelError::Grid(
+            GridError::CollapsedOnCurve { .. } | GridError::CellsUnfit { fault: GridCellFault::Curves, .. },
+        ) = error
         {
             return self.refused_at(["make_circular".into(), "border".into()], error);
         }
-        if let KernelError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. } = error {
+        if let KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. }) = error {
             return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
         let words = hint(error, grid, &net.make_circular).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
         match (error, error.index()) {
-            (KernelError::CoincidentPoints { first, second, .. }, _) => {
+            (KernelError::Point(PointError::CoincidentPoints { first, second, .. }), _) => {
                 self.refused_at_vertices(net, grid, &[*second, *first], error.reason(), error.to_string())
             }
-            (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::CrossingQuad { .. }) => {
+            (KernelError::Part(PartError::InQuad { quad, cause }), _)
+                if matches!(**cause, KernelError::Patch(PatchError::CrossingQuad { .. })) =>
+            {
                 self.refused_at_quad(net, grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
             }
             (_, Some(quad)) => self.refused_at_quad(net, grid, quad, error.reason(), words),

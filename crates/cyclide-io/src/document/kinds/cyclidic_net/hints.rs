@@ -1,6 +1,9 @@
 //! Where a person goes on from what was said about a net: the cause, and what leads out of it.
 
-use cyclide::{CyclidicNet, Error as KernelError, NetFrame, Point3, QuadGrid, Seam, SeamMeasure, ShortNumber, Units};
+use cyclide::{
+    CyclidicNet, Error as KernelError, NetFrame, PartError, PatchError, Point3, QuadGrid, Seam, SeamMeasure,
+    ShortNumber, Units,
+};
 
 use crate::document::kinds::cyclidic_net::make_circular::MakeCircularSpec;
 
@@ -63,8 +66,8 @@ fn digits(x: f64) -> usize {
 /// What leads on from an error of a net over a grid as given, whose vertices were moved or could have been.
 pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &MakeCircularSpec) -> Option<String> {
     match error {
-        KernelError::InQuad { quad, cause } => {
-            let KernelError::NotConcircular { measured, .. } = **cause else { return None };
+        KernelError::Part(PartError::InQuad { quad, cause }) => {
+            let KernelError::Patch(PatchError::NotConcircular { measured, .. }) = **cause else { return None };
             let columns = given.quads()[0];
             let digits = Digits::of(given).filter(|d| measured <= d.reach(given, &[[quad % columns, quad / columns]]));
             Some(match digits {
@@ -72,7 +75,7 @@ pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &Ma
                 Some(digits) => format!("{}; or `make_circular` moves the vertices by as little", digits.words()),
             })
         }
-        KernelError::NetDoesNotClose { direction, angle, .. } => {
+        KernelError::Patch(PatchError::NetDoesNotClose { direction, angle, .. }) => {
             let [m, n] = given.quads();
             let strip: Vec<[usize; 2]> =
                 if *direction == 0 { (0..m).map(|i| [i, 0]).collect() } else { (0..n).map(|j| [0, j]).collect() };

@@ -1,6 +1,8 @@
 //! Nets round the extraordinary vertices of a mesh: from quads in a file to the kernel's surface.
 
-use cyclide::{Error as KernelError, NetLayout, QuadLayout, SurfaceObject};
+use cyclide::{
+    Error as KernelError, GridError, NetLayout, PartError, PatchError, PointError, QuadLayout, SurfaceObject,
+};
 
 use crate::document::kinds::cyclidic_net::CyclidicNetSpec;
 use crate::document::kinds::fields::frame::FrameSpec;
@@ -109,18 +111,20 @@ impl Builder<'_> {
         let moves = spec.make_circular.options().is_some();
         let points = |vertices: &[usize]| format!(" ({})", self.named_points(given, vertices));
         let words = match error {
-            KernelError::CoincidentPoints { first, second, .. } => format!("{error}{}", points(&[*first, *second])),
-            KernelError::InQuad { quad, cause } => {
+            KernelError::Point(PointError::CoincidentPoints { first, second, .. }) => {
+                format!("{error}{}", points(&[*first, *second]))
+            }
+            KernelError::Part(PartError::InQuad { quad, cause }) => {
                 let corners = given.corners(*quad).map(|corners| points(&corners)).unwrap_or_default();
                 let hint = match **cause {
-                    KernelError::NotConcircular { .. } if !moves => {
+                    KernelError::Patch(PatchError::NotConcircular { .. }) if !moves => {
                         "; `make_circular` moves the vertices until they are"
                     }
                     _ => "",
                 };
                 format!("{error}{hint}{corners}")
             }
-            KernelError::RingDoesNotClose { vertex, .. } => {
+            KernelError::Grid(GridError::RingDoesNotClose { vertex, .. }) => {
                 let hint = if moves {
                     "; where it is the corner of a box, round its edges in the mesh first, or give each side a net of its own"
                 } else {

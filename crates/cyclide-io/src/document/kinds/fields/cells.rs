@@ -1,6 +1,6 @@
 //! How blocks are divided into cells.
 
-use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, GridQuality, StructuredGrid};
+use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, GridQuality, NumberError, StructuredGrid};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -267,9 +267,9 @@ fn share(volumes: &[CyclideVolume], axis: usize, first: f64, fine: FineEnd) -> c
 /// An error about the share of a first cell in units of length.
 fn in_lengths(error: cyclide::Error, length: f64) -> cyclide::Error {
     match error {
-        cyclide::Error::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max } => {
+        cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max }) => {
             let [value, min, max] = [value, min, max].map(|share| share * length);
-            cyclide::Error::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max }
+            cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max })
         }
         other => other,
     }

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use cyclide::{CurveObject, Error as E, ErrorItem as I, Point2, ShortNumber, Torus, TorusSpline};
+use cyclide::{
+    CurveError, CurveObject, Error as E, ErrorItem as I, NumberError, NurbsError, Point2, PointError, ShortNumber,
+    Torus, TorusError, TorusSpline,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -191,24 +194,35 @@ pub(in crate::document) fn place(torus: &Torus, [longitude, meridian]: [Angle; 2
 pub(in crate::document) fn blame_on_torus(fields: &TorusFields, error: &cyclide::Error) -> Blame {
     let TorusFields { directions, angles, turns, knots } = *fields;
     match error {
-        E::ZeroTangent { index } | E::NotFinite { what: I::Tangent, index } => Blame::Entry(directions, *index),
-        E::CountDiffers { what: I::Tangent, .. } => Blame::Field(directions),
-        E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
-        E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
-        E::EmptyInterval { index, .. } if knots => Blame::Entry("knots", index + 1),
-        E::EmptyInterval { .. } => Blame::Field(directions),
-        E::Disconnected { .. } | E::WeightNotPositive { .. } => Blame::Field("torus"),
-        E::NotCoprime { .. } => Blame::Field("turns"),
-        E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),
-        E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } | E::SeamTooWide { .. } => Blame::Field("width"),
-        E::NoTwoTypeSolution { .. } => Blame::Field("method"),
-        E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
-        E::CountDiffers { what: I::Winding, .. } => Blame::Field("winding"),
-        E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => Blame::Field(turns),
-        E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => {
+        E::Point(PointError::ZeroTangent { index }) | E::Number(NumberError::NotFinite { what: I::Tangent, index }) => {
+            Blame::Entry(directions, *index)
+        }
+        E::Number(NumberError::CountDiffers { what: I::Tangent, .. }) => Blame::Field(directions),
+        E::Number(NumberError::CountDiffers { what: I::Knot, .. }) => Blame::Field("knots"),
+        E::Number(NumberError::NotFinite { what: I::Knot, index }) => Blame::Entry("knots", *index),
+        E::Curve(CurveError::EmptyInterval { index, .. }) if knots => Blame::Entry("knots", index + 1),
+        E::Curve(CurveError::EmptyInterval { .. }) => Blame::Field(directions),
+        E::Curve(CurveError::Disconnected { .. }) | E::Nurbs(NurbsError::WeightNotPositive { .. }) => {
+            Blame::Field("torus")
+        }
+        E::Torus(TorusError::NotCoprime { .. }) => Blame::Field("turns"),
+        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. }) => {
+            Blame::Field(name.word())
+        }
+        E::Number(NumberError::RadiusNotPositive { .. })
+        | E::Torus(TorusError::SeamMeetsItself { .. } | TorusError::SeamTooWide { .. }) => Blame::Field("width"),
+        E::Torus(TorusError::NoTwoTypeSolution { .. }) => Blame::Field("method"),
+        E::Number(NumberError::ToleranceNotPositive { .. }) => Blame::Field("tolerance"),
+        E::Number(NumberError::CountDiffers { what: I::Winding, .. }) => Blame::Field("winding"),
+        E::Number(NumberError::ParameterOutOfRange { name: I::Winding, .. } | NumberError::TooManyPieces { .. }) => {
+            Blame::Field(turns)
+        }
+        E::Number(NumberError::ParameterOutOfRange { name: I::TangentOverSpan, .. }) => {
             Blame::Field(if knots { "knots" } else { directions })
         }
-        E::ParameterOutOfRange { name: I::Angle, .. } | E::NotFinite { what: I::Angle, .. } => Blame::Field(angles),
+        E::Number(
+            NumberError::ParameterOutOfRange { name: I::Angle, .. } | NumberError::NotFinite { what: I::Angle, .. },
+        ) => Blame::Field(angles),
         _ => error.index().map_or(Blame::Object, Blame::Point),
     }
 }

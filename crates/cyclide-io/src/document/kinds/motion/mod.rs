@@ -3,9 +3,9 @@
 mod poses;
 
 use cyclide::{
-    BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, DecoupledMotion, ErrorItem, FairSplineOptions, Motion,
-    MotionTolerance, MovingBody, Outliers, Pose, PoseTimes, Quat, RationalMotion, ScrewMotion, ShortNumber, TimeLaw,
-    TimedPose, Vec3,
+    BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, DecoupledMotion, ErrorItem, FairSplineOptions,
+    InterpolationError, Motion, MotionError, MotionTolerance, MovingBody, NumberError, Outliers, Pose, PoseError,
+    PoseTimes, Quat, RationalMotion, ScrewMotion, ShortNumber, TimeLaw, TimedPose, Vec3,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -326,12 +326,13 @@ impl Builder<'_> {
             },
         };
         let motion = motion.map_err(|e| match e {
-            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Radius, .. } => {
+            cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Radius, .. }) => {
                 self.refused_at(["blend_radius".into()], &e)
             }
-            cyclide::Error::ParameterOutOfRange { name: ErrorItem::Tolerance | ErrorItem::Angle, .. } => {
-                self.refused_at(["tolerance".into()], &e)
-            }
+            cyclide::Error::Number(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Tolerance | ErrorItem::Angle,
+                ..
+            }) => self.refused_at(["tolerance".into()], &e),
             e => self.pose_refused(spec, &e),
         })?;
         self.through_poses(spec, motion)
@@ -448,7 +449,7 @@ impl Builder<'_> {
             }
         };
         let motion = RationalMotion::along(&chain, start).map_err(|e| match e {
-            cyclide::Error::ZeroRotation { .. } => self.refused_at(["start".into()], &e),
+            cyclide::Error::Pose(PoseError::ZeroRotation { .. }) => self.refused_at(["start".into()], &e),
             _ => self.refused_at(["along".into()], &e),
         })?;
         self.body(spec, motion.into(), 1.0)
@@ -486,7 +487,9 @@ impl Builder<'_> {
         let made = MovingBody::new(motion).with_pose_times(pose_times).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| match e {
-            cyclide::Error::SpanWithoutWay { .. } if spec.along.is_none() => self.pose_refused(spec, &e),
+            cyclide::Error::Motion(MotionError::SpanWithoutWay { .. }) if spec.along.is_none() => {
+                self.pose_refused(spec, &e)
+            }
             _ => self.refused(&e, None),
         })?;
         let counts = spec.law != TimeLaw::AsGiven || spec.times.is_some_and(|times| times != PoseTimes::Uniform);
@@ -520,10 +523,10 @@ impl Builder<'_> {
             None => vec!["poses".into()],
         };
         let words = match error {
-            cyclide::Error::ParametersNotIncreasing { index, value, before } => {
+            cyclide::Error::Pose(PoseError::ParametersNotIncreasing { index, value, before }) => {
                 format!("the times do not rise: that of pose {index} is {value}, after {before}")
             }
-            cyclide::Error::RepeatedParameter { first, second, value } => {
+            cyclide::Error::Interpolation(InterpolationError::RepeatedParameter { first, second, value }) => {
                 format!("the poses {first} and {second} have one time, {value}")
             }
             _ => return self.refused_at(steps, error),

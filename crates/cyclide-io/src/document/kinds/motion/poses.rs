@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use cyclide::{Point3, Pose, PoseTimes, Quat, ShortNumber, TimedPose};
+use cyclide::{Point3, Pose, PoseError, PoseTimes, Quat, ShortNumber, TimedPose};
 
 use crate::document::angle::Angle;
 use crate::document::kinds::motion::{AT_REST, MotionKind, MotionSpec, PoseSource, PoseSpec, PoseTolerance};
@@ -209,8 +209,11 @@ impl Builder<'_> {
         };
         made.map_err(|e| {
             // The kernel sees one pose at a time.
-            let e =
-                if let cyclide::Error::ZeroRotation { .. } = e { cyclide::Error::ZeroRotation { index } } else { e };
+            let e = if let cyclide::Error::Pose(PoseError::ZeroRotation { .. }) = e {
+                cyclide::Error::Pose(PoseError::ZeroRotation { index })
+            } else {
+                e
+            };
             self.refused_at(steps(), &e)
         })
     }

@@ -3,8 +3,9 @@
 use std::collections::HashSet;
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, FreeLayout, GridBorder, Point3, PrincipalField,
-    PrincipalGridOptions, PrincipalGrids, PrincipalStage, ShortNumber, covering_principal_grids,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, FreeLayout, GridBorder, MeshError, NumberError, Point3,
+    PrincipalField, PrincipalGridError, PrincipalGridOptions, PrincipalGrids, PrincipalStage, ShortNumber,
+    covering_principal_grids,
 };
 
 use crate::document::kinds::principal_grid::PrincipalGridSpec;
@@ -69,7 +70,8 @@ impl Builder<'_> {
                 let faces: Vec<Vec<usize>> = faces.iter().map(|f| f.iter().map(|v| *v as usize).collect()).collect();
                 for (index, face) in faces.iter().enumerate() {
                     if let Some(place) = face.iter().position(|v| *v >= count) {
-                        let error = KernelError::NoSuchVertex { triangle: index, vertex: face[place], count };
+                        let error =
+                            KernelError::Mesh(MeshError::NoSuchVertex { triangle: index, vertex: face[place], count });
                         return Err(self.refused_at(["faces".into(), index.into(), place.into()], &error));
                     }
                 }
@@ -84,25 +86,29 @@ impl Builder<'_> {
     /// The message for what the kernel said, in the numbers of the mesh as given.
     fn refused_grid(&self, spec: &PrincipalGridSpec, given: &Given, mesh: &TriangleMesh, error: KernelError) -> Error {
         let error = match error {
-            KernelError::NotASurface { fault, index } => {
-                KernelError::NotASurface { fault, index: mesh.polygons.get(index).copied().unwrap_or(index) }
+            KernelError::PrincipalGrid(PrincipalGridError::NotASurface { fault, index }) => {
+                KernelError::PrincipalGrid(PrincipalGridError::NotASurface {
+                    fault,
+                    index: mesh.polygons.get(index).copied().unwrap_or(index),
+                })
             }
             other => other,
         };
         let field = match &error {
-            KernelError::ParameterOutOfRange { name: ErrorItem::EdgeLength, .. } | KernelError::NoGrid { .. } => {
-                "edge_length"
-            }
-            KernelError::ParameterOutOfRange { name: ErrorItem::Columns, .. } => "columns",
-            KernelError::ParameterOutOfRange { name: ErrorItem::MostPieces, .. } => "most_pieces",
-            KernelError::NotFinite { .. } if spec.vertices.is_some() => "vertices",
+            KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::EdgeLength, .. })
+            | KernelError::PrincipalGrid(PrincipalGridError::NoGrid { .. }) => "edge_length",
+            KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Columns, .. }) => "columns",
+            KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::MostPieces, .. }) => "most_pieces",
+            KernelError::Number(NumberError::NotFinite { .. }) if spec.vertices.is_some() => "vertices",
             _ => given.field,
         };
         match (&error, &given.file) {
             (_, Some(file)) if field == given.field && !self.document.text.is_empty() => {
                 self.refused_in_words([field.into()], error.reason(), format!("{error} (of {file})"))
             }
-            (KernelError::NotASurface { index, .. }, None) if spec.faces.is_some() => {
+            (KernelError::PrincipalGrid(PrincipalGridError::NotASurface { index, .. }), None)
+                if spec.faces.is_some() =>
+            {
                 self.refused_at([field.into(), (*index).into()], &error)
             }
             _ => self.refused_at([field.into()], &error),

@@ -5,7 +5,7 @@
 
 use std::f64::consts::FRAC_PI_8;
 
-use cyclide::{Error as KernelError, NurbsCurve, Point3, RationalBezierSurface, Vec3};
+use cyclide::{Error as KernelError, NurbsCurve, Point3, PointError, RationalBezierSurface, Vec3};
 
 use crate::document::kinds::nurbs::{blame_nurbs, knots_words};
 use crate::document::kinds::principal_grid::surface_sources::NurbsSurfaceSpec;
@@ -143,7 +143,7 @@ impl Builder<'_> {
             rows.push(bezier_rows(&curve.map_err(|e| self.refused_spline(0, j, &e))?));
         }
         let Some(count) = rows.first().map(Vec::len) else {
-            let error = KernelError::TooFewPoints { given: 0, needed: across + 1 };
+            let error = KernelError::Point(PointError::TooFewPoints { given: 0, needed: across + 1 });
             return Err(self.refused_at(place("control_points", None), &error));
         };
         let mut lines = Vec::with_capacity(count);

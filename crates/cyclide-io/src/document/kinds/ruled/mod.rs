@@ -3,7 +3,7 @@
 pub(in crate::document) mod remedies;
 pub(in crate::document) mod sense;
 
-use cyclide::{EdgeCurve, RailSurface, ShortNumber, SurfaceObject};
+use cyclide::{BridgeError, EdgeCurve, PointError, RailSurface, ShortNumber, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -61,7 +61,7 @@ impl Kind for RuledSpec {
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
-        let cyclide::Error::CoincidentPoints { distance, limit, .. } = error else { return None };
+        let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
             "a piece of one curve is that of the other, {} apart at most: there is no surface between what is no more than {} apart",
             ShortNumber(*distance),
@@ -79,7 +79,7 @@ impl Builder<'_> {
         }
         let second = rotated(&second, spec.shift);
         let made = RailSurface::ruled([&first, &second], closed).map_err(|e| match e {
-            cyclide::Error::RulingsCross { piece, .. } if closed => {
+            cyclide::Error::Bridge(BridgeError::RulingsCross { piece, .. }) if closed => {
                 match self.start_of_rail([&first, &second], spec.shift) {
                     Some(remedy) => {
                         let words = format!("the straight lines between piece {piece} of both curves cross: {remedy}");

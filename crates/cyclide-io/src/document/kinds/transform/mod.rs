@@ -5,8 +5,8 @@ pub(in crate::document) mod steps;
 use std::ops::Range;
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclideVolume, ErrorItem, HPoint, Mobius, Point3, Quat, ShortNumber,
-    SurfaceObject, TeeBlendFacts, Torus, Vec3, bounds, closest_point,
+    Body, Conformal as _, CurveObject, CyclideVolume, ErrorItem, HPoint, Mobius, NumberError, Point3, PointError, Quat,
+    ShortNumber, SurfaceObject, TeeBlendFacts, Torus, Vec3, VolumeError, bounds, closest_point,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -246,15 +246,15 @@ impl Builder<'_> {
                         _ if e.reason() == "not-a-similarity" => {
                             self.refused_in_words(place, e.reason(), format!("the map is not a similarity: {kept}"))
                         }
-                        (StepSpec::Cut(_), cyclide::Error::SweepOutOfRange { .. }) => {
+                        (StepSpec::Cut(_), cyclide::Error::Number(NumberError::SweepOutOfRange { .. })) => {
                             self.refused_in_words(place, e.reason(), WHOLE_CIRCLE.to_owned())
                         }
-                        (StepSpec::Cut(cut), cyclide::Error::ParameterOutOfRange { max, .. }) => {
+                        (StepSpec::Cut(cut), cyclide::Error::Number(NumberError::ParameterOutOfRange { max, .. })) => {
                             // Contours differ in length.
                             let which = if several { format!("contour {contour}: ") } else { String::new() };
                             self.refused_in_words(place, e.reason(), which + &no_part(cut, *max))
                         }
-                        (StepSpec::Inversion(_), cyclide::Error::VolumeThroughInfinity { at }) => {
+                        (StepSpec::Inversion(_), cyclide::Error::Volume(VolumeError::ThroughInfinity { at })) => {
                             let which = if several { format!("block {contour}: ") } else { String::new() };
                             self.refused_in_words(place, e.reason(), which + &center_in_block(*at))
                         }
@@ -317,7 +317,7 @@ fn check_far_from_pole(curve: &CurveObject, map: &Mobius) -> cyclide::Result<()>
     let limit = SMALLEST_DISTANCE * bounds(curve).including(pole).max_abs();
     let distance = closest_point(curve, pole).distance;
     if distance < limit {
-        Err(cyclide::Error::PointAtInfinity { what: ErrorItem::Curve, index: 0, distance, limit })
+        Err(PointError::AtInfinity { what: ErrorItem::Curve, index: 0, distance, limit }.into())
     } else {
         Ok(())
     }

@@ -5,7 +5,7 @@ use super::piece::{Heights, Piece};
 use super::setup::{Base, Setup};
 use crate::base::vector::Vec3;
 use crate::construct::bodies::halving::Halving;
-use crate::error::{Error, Result};
+use crate::error::{NurbsError, Result};
 use crate::rational::Polynomial;
 
 /// Pieces of a loop at most, and the least turn of a span that is halved, in radians.
@@ -77,7 +77,7 @@ impl BallLoop {
                 bands += 1;
                 if bands > MOST_BANDS {
                     let weight = whole.rows().iter().map(|row| row[3]).fold(f64::INFINITY, f64::min);
-                    return Err(Error::WeightNotPositive { index, weight });
+                    return Err(NurbsError::WeightNotPositive { index, weight }.into());
                 }
             }
         }

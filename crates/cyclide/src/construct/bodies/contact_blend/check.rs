@@ -5,7 +5,7 @@ use super::setup::Setup;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::construct::bodies::tight_place::TightPlace;
-use crate::error::{Error, Result};
+use crate::error::{ContactError, Error, PipeError, Result};
 use std::f64::consts::TAU;
 
 /// Places of a piece that are looked at.
@@ -29,7 +29,7 @@ pub(super) fn check_folds(setup: &Setup, balls: &BallLoop, depth: f64) -> Result
     if tightest.left > 0.0 {
         Ok(tightest)
     } else {
-        Err(Error::ContactBlendFolds { angle: tightest.angle, left: tightest.left })
+        Err(ContactError::BlendFolds { angle: tightest.angle, left: tightest.left }.into())
     }
 }
 
@@ -50,8 +50,12 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             let measured = radius - setup.ball * setup.cos;
             if setup.sigma < 0.0 && !(measured > 0.0) {
                 return Err(match setup.ball_on_axis().filter(|limit| *limit > 0.0 && *limit <= setup.ball) {
-                    Some(limit) => Error::BallDoesNotFit { radius: setup.ball, limit },
-                    None => Error::ContactLoopOpen { ring: false, angle: piece.angle_at(s).rem_euclid(TAU), measured },
+                    Some(limit) => Error::Pipe(PipeError::BallDoesNotFit { radius: setup.ball, limit }),
+                    None => Error::Contact(ContactError::LoopOpen {
+                        ring: false,
+                        angle: piece.angle_at(s).rem_euclid(TAU),
+                        measured,
+                    }),
                 });
             }
         }
@@ -67,7 +71,7 @@ pub(super) fn check_end(setup: &Setup, balls: &BallLoop, depth: f64, short: f64)
     let heights = balls.pieces.iter().flat_map(|piece| places().map(|s| piece.height_at(setup, depth, s)));
     let needed = heights.fold(f64::NEG_INFINITY, f64::max) + LEAST_REST * setup.rho.abs() + short;
     if !(setup.end > needed) {
-        return Err(Error::ContactTubeTooShort { end: setup.end - setup.shift, needed: needed - setup.shift });
+        return Err(ContactError::TubeTooShort { end: setup.end - setup.shift, needed: needed - setup.shift }.into());
     }
     let last = setup.end - short;
     if setup.radius_at(depth, last) > 0.0 { Ok(()) } else { Err(setup.beyond_apex(depth, last)) }
@@ -90,9 +94,9 @@ pub(super) fn check_turning(balls: &BallLoop, pole: Quat) -> Result<()> {
             }
             sum += step;
             if !(step * sign > 0.0) {
-                return Err(Error::ContactLoopTurnsBack { angle: piece.angle_at(from).rem_euclid(TAU) });
+                return Err(ContactError::LoopTurnsBack { angle: piece.angle_at(from).rem_euclid(TAU) }.into());
             }
         }
     }
-    if (sum.abs() - TAU).abs() < 1.0 { Ok(()) } else { Err(Error::ContactLoopTurnsBack { angle: 0.0 }) }
+    if (sum.abs() - TAU).abs() < 1.0 { Ok(()) } else { Err(ContactError::LoopTurnsBack { angle: 0.0 }.into()) }
 }

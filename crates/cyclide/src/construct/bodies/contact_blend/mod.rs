@@ -20,7 +20,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::bands::{Bands, Ring};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result};
 use crate::topology::{Body, EdgeCurve};
 use ball_loop::BallLoop;
 use plate::PlateNodes;
@@ -131,20 +131,20 @@ impl ContactBlend {
         };
         for (index, radius) in [tube.radius, ball].into_iter().chain(lengths).enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
         if !(tube.direction.is_finite() && tube.length.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Direction, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Direction, index: 0 }.into());
         }
         range::check_point(0, tube.through.to_vec())?;
         let (value, max) = (tube.taper, LARGEST_TAPER);
         if !(value.abs() <= max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Angle, value, min: -max, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Angle, value, min: -max, max }.into());
         }
         tube.direction.unit().ok_or(Error::zero_axis(ErrorItem::Direction))?;
         let tolerance = DEFAULT_TOLERANCE * ball;
@@ -164,7 +164,7 @@ impl ContactBlend {
     /// `tolerance-not-positive`.
     pub fn with_tolerance(self, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0) {
-            return Err(Error::ToleranceNotPositive { tolerance });
+            return Err(NumberError::ToleranceNotPositive { tolerance }.into());
         }
         Ok(Self { tolerance, ..self })
     }
@@ -177,7 +177,7 @@ impl ContactBlend {
         let sphere = if let BlendBase::Sphere { radius } = self.base { radius } else { f64::INFINITY };
         let max = self.tube.radius.min(sphere);
         if !(wall > 0.0 && wall < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(Self { wall: Some(wall), ..self })
     }
@@ -207,7 +207,9 @@ impl ContactBlend {
         let setup = Setup::new(&self.tube, &self.base, sigma, self.ball)?;
         let depth = self.wall.unwrap_or(0.0);
         if let Some(value) = self.wall.filter(|wall| sigma < 0.0 && !(*wall < self.ball)) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value, min: 0.0, max: self.ball });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value, min: 0.0, max: self.ball }.into()
+            );
         }
         let plate = match (self.base, self.side) {
             (BlendBase::Plane(shape), NeckSide::Outside) => Some((shape, PlateNodes::new(&setup, shape)?)),

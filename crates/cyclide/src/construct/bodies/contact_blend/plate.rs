@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::PlateShape;
 use crate::construct::bodies::ellipse_ring::{Ellipse, Sector};
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BridgeError, ErrorItem, PipeError, Result};
 use crate::topology::EdgeCurve;
 use std::f64::consts::TAU;
 
@@ -167,7 +167,7 @@ fn check_around(setup: &Setup, shape: PlateShape, turn: &Turn) -> Result<()> {
         };
         let reach = if inside { reach(shape, o, *azimuth).distance(o) } else { 0.0 };
         if !(reach > needed && reach.is_finite()) {
-            return Err(Error::PlateTooSmall { what: ErrorItem::Blend, reach, needed });
+            return Err(PipeError::PlateTooSmall { what: ErrorItem::Blend, reach, needed }.into());
         }
     }
     Ok(())
@@ -186,7 +186,7 @@ pub(super) fn check_lines(piece: usize, contact: &EdgeCurve, border: &EdgeCurve)
             let step = curve.point(next) - curve.point(s);
             let normal = line.cross(step).z;
             if !(normal > 0.0) {
-                return Err(Error::RulingsCross { piece, at: [s, t], normal: normal.max(0.0), limit: 0.0 });
+                return Err(BridgeError::RulingsCross { piece, at: [s, t], normal: normal.max(0.0), limit: 0.0 }.into());
             }
         }
     }

@@ -5,7 +5,7 @@ use super::{BlendBase, BlendTube};
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{BallError, ContactError, Error, ErrorItem, NumberError, PipeError, Result};
 use crate::rational::{Polynomial, PolynomialRow};
 
 /// An axis nearer to the centre of a sphere than this part of the lengths passes through it.
@@ -49,7 +49,7 @@ impl Setup {
             BlendBase::Plane(_) => {
                 let lean = z.x.hypot(z.y);
                 if !(z.z > PARALLEL) {
-                    return Err(Error::ParallelContact { measured: z.z, limit: PARALLEL });
+                    return Err(BallError::ParallelContact { measured: z.z, limit: PARALLEL }.into());
                 }
                 let origin = tube.through - z * (tube.through.z / z.z);
                 let x = if lean > 0.0 { Vec3::new(-z.x / lean * z.z, -z.y / lean * z.z, lean) } else { Vec3::X };
@@ -95,7 +95,8 @@ impl Setup {
 
     /// The same on lines that go on beyond the apex.
     fn height_on_lines(&self, angle: f64) -> Result<[f64; 2]> {
-        let ((s, c), open) = (angle.sin_cos(), |measured| Error::ContactLoopOpen { ring: false, angle, measured });
+        let ((s, c), open) =
+            (angle.sin_cos(), |measured| Error::Contact(ContactError::LoopOpen { ring: false, angle, measured }));
         let (from_axis, down) = (self.center_at_origin(), self.ball * self.sigma * self.sin);
         match self.base {
             Base::Plane([n0, n1]) => {
@@ -146,9 +147,9 @@ impl Setup {
     pub(super) fn beyond_apex(&self, depth: f64, height: f64) -> Error {
         let apex = (depth / self.cos - self.rho) / self.tan;
         if apex.is_finite() {
-            Error::ConeReachesApex { apex: apex - self.shift, reached: height - self.shift }
+            Error::Pipe(PipeError::ConeReachesApex { apex: apex - self.shift, reached: height - self.shift })
         } else {
-            Error::RadiusNotPositive { radius: self.radius_at(depth, height) }
+            Error::Number(NumberError::RadiusNotPositive { radius: self.radius_at(depth, height) })
         }
     }
 

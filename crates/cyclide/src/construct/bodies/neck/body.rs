@@ -11,7 +11,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::bands::{Bands, Ring};
 use crate::construct::bodies::ellipse_ring::{Ellipse, Sector};
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PipeError, Result};
 use crate::topology::{Body, EdgeCurve};
 
 /// The border of a plate about the place where the axis of the pipe meets it.
@@ -91,13 +91,13 @@ impl NeckBlend {
             check_positive(name, length)?;
         }
         if let (Some(_), Some(limit)) = (made.thickness, self.folds_beyond()) {
-            return Err(Error::NeckFolds { radius: self.ball_radius, limit });
+            return Err(PipeError::NeckFolds { radius: self.ball_radius, limit }.into());
         }
         match (self.side(), made.plate) {
             (NeckSide::Inside, _) => self.cup(made),
             (NeckSide::Outside, Some(plate)) => self.stand(made, plate),
             (NeckSide::Outside, None) => {
-                Err(Error::PlateTooSmall { what: ErrorItem::Neck, reach: 0.0, needed: self.reach() })
+                Err(PipeError::PlateTooSmall { what: ErrorItem::Neck, reach: 0.0, needed: self.reach() }.into())
             }
         }
     }
@@ -182,15 +182,16 @@ impl NeckBlend {
             return Ok(());
         }
         if !height.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Height, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Height, index: 0 }.into());
         }
-        Err(Error::ParameterOutOfRange { name: ErrorItem::Height, value: height, min: least, max: f64::MAX })
+        Err(NumberError::ParameterOutOfRange { name: ErrorItem::Height, value: height, min: least, max: f64::MAX }
+            .into())
     }
 
     fn bore_radius(&self, wall: f64) -> Result<f64> {
         let max = self.pipe_radius;
         if wall >= max {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(max - wall)
     }
@@ -203,9 +204,9 @@ fn ring(bands: &mut Bands, ellipse: &Ellipse, sectors: &[Sector]) -> Result<Ring
 
 fn check_positive(name: ErrorItem, length: Option<f64>) -> Result<()> {
     match length {
-        Some(value) if !value.is_finite() => Err(Error::NotFinite { what: name, index: 0 }),
+        Some(value) if !value.is_finite() => Err(NumberError::NotFinite { what: name, index: 0 }.into()),
         Some(value) if !(value >= range::MIN_DISTANCE) => {
-            Err(Error::ParameterOutOfRange { name, value, min: range::MIN_DISTANCE, max: f64::MAX })
+            Err(NumberError::ParameterOutOfRange { name, value, min: range::MIN_DISTANCE, max: f64::MAX }.into())
         }
         _ => Ok(()),
     }
@@ -229,7 +230,7 @@ impl PlateShape {
             Self::Disk(radius) => [(radius, y), (radius, y)],
         };
         match pairs.into_iter().find(|(reach, needed)| !(reach > needed && reach.is_finite())) {
-            Some((reach, needed)) => Err(Error::PlateTooSmall { what, reach, needed }),
+            Some((reach, needed)) => Err(PipeError::PlateTooSmall { what, reach, needed }.into()),
             None => Ok(()),
         }
     }

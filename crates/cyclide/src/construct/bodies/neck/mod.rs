@@ -31,7 +31,7 @@ use super::ellipse_ring::{Ellipse, Sector, direction};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PipeError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::warning::Warning;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
@@ -118,18 +118,18 @@ impl NeckBlend {
     pub fn new(pipe_radius: f64, ball_radius: f64, slope: f64, side: NeckSide, variant: NeckVariant) -> Result<Self> {
         for (index, radius) in [pipe_radius, ball_radius].into_iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
         if side == NeckSide::Inside && ball_radius >= pipe_radius {
-            return Err(Error::BallDoesNotFit { radius: ball_radius, limit: pipe_radius });
+            return Err(PipeError::BallDoesNotFit { radius: ball_radius, limit: pipe_radius }.into());
         }
         if !(slope.abs() <= LARGEST_SLOPE) {
-            return Err(Error::AngleOutOfRange { angle: slope, min: -LARGEST_SLOPE, max: LARGEST_SLOPE });
+            return Err(NumberError::AngleOutOfRange { angle: slope, min: -LARGEST_SLOPE, max: LARGEST_SLOPE }.into());
         }
         let sign = if side == NeckSide::Outside { 1.0 } else { -1.0 };
         let (sin, cos) = slope.sin_cos();
@@ -177,7 +177,7 @@ impl NeckBlend {
     /// `angle-out-of-range` unless `0 < to - from < π`.
     pub fn surface(&self, from: f64, to: f64) -> Result<RationalBezierSurface> {
         if !(to - from > 0.0 && to - from < std::f64::consts::PI) {
-            return Err(Error::AngleOutOfRange { angle: to - from, min: 0.0, max: std::f64::consts::PI });
+            return Err(NumberError::AngleOutOfRange { angle: to - from, min: 0.0, max: std::f64::consts::PI }.into());
         }
         self.over(&Sector::new(from, to))
     }

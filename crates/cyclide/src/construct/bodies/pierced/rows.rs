@@ -5,7 +5,7 @@ use super::lines::{Hole, RuledSide, between, half};
 use super::mantle::Mantle;
 use super::rail::{Pairing, Rail};
 use super::skin::{Ring, Skin};
-use crate::error::Result;
+use crate::error::{PointError, Result};
 use std::f64::consts::{PI, TAU};
 
 /// Angle from the middle of a hole to the lines behind it, for one that goes so far round to either side: both arcs to them and the arc between them are of a third of a
@@ -83,7 +83,7 @@ impl Skin<'_> {
                 None => next,
             });
         }
-        sewn.ok_or(crate::error::Error::TooFewPoints { given: 0, needed: 1 })
+        sewn.ok_or(crate::error::Error::Point(PointError::TooFewPoints { given: 0, needed: 1 }))
     }
 
     /// Two parts of a row with what is between them.

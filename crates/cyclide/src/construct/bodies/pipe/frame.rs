@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::LARGEST_ARC;
 use crate::construct::bodies::smooth_joint::{largest_smooth_turn, rounding_of_direction};
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
-use crate::error::{Error, Result};
+use crate::error::{PipeError, PointError, Result};
 use std::f64::consts::FRAC_PI_2;
 
 /// A closed spine that comes back turned about itself by less is not twisted.
@@ -78,11 +78,11 @@ impl Spine {
         let mut pieces = Vec::new();
         for (source, arc) in path.arcs().iter().enumerate() {
             if let Some(limit) = arc.radius().filter(|own| radius > own * (1.0 - NARROWER)) {
-                return Err(Error::PipeTooWide { piece: source, radius, limit });
+                return Err(PipeError::TooWide { piece: source, radius, limit }.into());
             }
             for part in arc.in_parts(LARGEST_ARC)? {
                 let arc = part.evened();
-                let along = arc.start_tangent().ok_or(Error::ZeroTangent { index: source })?;
+                let along = arc.start_tangent().ok_or(PointError::ZeroTangent { index: source })?;
                 pieces.push(Piece { arc, source, along, rotor: arc.weight_ratio() });
             }
         }
@@ -162,7 +162,7 @@ impl Spine {
             if turn > LARGEST_TURN || neighbours.iter().any(|piece| !piece.arc.is_straight()) {
                 let (joint, smooth) =
                     (neighbours[1].source, largest_smooth_turn(&neighbours[0].arc, &neighbours[1].arc));
-                return Err(Error::CornerNotMitred { joint, turn, smooth, limit: LARGEST_TURN });
+                return Err(PipeError::CornerNotMitred { joint, turn, smooth, limit: LARGEST_TURN }.into());
             }
         }
         for (k, piece) in self.pieces.iter().enumerate() {
@@ -176,7 +176,7 @@ impl Spine {
             let needed = radius * (slope - piece.along * slope.dot(piece.along)).length();
             let length = piece.arc.chord().length();
             if needed >= length * (1.0 - NARROWER) {
-                return Err(Error::MitreDoesNotFit { piece: piece.source, needed, length });
+                return Err(PipeError::MitreDoesNotFit { piece: piece.source, needed, length }.into());
             }
         }
         Ok(())

@@ -16,7 +16,7 @@ mod ring;
 mod tube;
 
 use crate::curve::ArcPath;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::topology::Body;
 use frame::Spine;
 use tube::Tube;
@@ -71,10 +71,10 @@ impl Pipe {
     /// `not-finite`, `radius-not-positive`.
     pub fn new(radius: f64) -> Result<Self> {
         if !radius.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Radius, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Radius, index: 0 }.into());
         }
         if radius <= 0.0 {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         Ok(Self { radius, bore: None, ends: PipeEnds::Flat })
     }
@@ -85,7 +85,13 @@ impl Pipe {
     /// `parameter-out-of-range` unless the wall is thinner than the radius.
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         if !(wall > 0.0 && wall < self.radius) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max: self.radius });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Wall,
+                value: wall,
+                min: 0.0,
+                max: self.radius,
+            }
+            .into());
         }
         Ok(Self { bore: Some(self.radius - wall), ..self })
     }

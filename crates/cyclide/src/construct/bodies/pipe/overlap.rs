@@ -10,7 +10,7 @@ use super::PipeEnds;
 use super::frame::Spine;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, Result};
+use crate::error::{PipeError, Result};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -188,7 +188,8 @@ impl<'a> Measured<'a> {
         }
         let point = a.point.midpoint(b.point).to_array();
         let [first, second] = [a, b].map(|place| self.spine.pieces[place.piece].source);
-        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), point, distance, limit })
+        Err(PipeError::MeetsItself { first: first.min(second), second: first.max(second), point, distance, limit }
+            .into())
     }
 
     /// Points of the tube that are farther than the radius from the spine, or at it beside an end, with the place they belong to.
@@ -226,7 +227,8 @@ impl<'a> Measured<'a> {
         }
         let point = foot.point.midpoint(p).to_array();
         let [first, second] = [own.piece, piece].map(|piece| self.spine.pieces[piece].source);
-        Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), point, distance, limit })
+        Err(PipeError::MeetsItself { first: first.min(second), second: first.max(second), point, distance, limit }
+            .into())
     }
 
     fn nearest_on(&self, piece: usize, p: Point3) -> Place {

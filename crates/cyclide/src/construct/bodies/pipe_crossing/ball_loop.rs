@@ -13,7 +13,7 @@ use crate::construct::bodies::ball_centers::{BallCenters, CenterTorus, closed_pa
 use crate::construct::bodies::halving::Halving;
 use crate::construct::bodies::pierced::{HolePiece, Mantle, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
-use crate::error::{Error, Result};
+use crate::error::{CrossingError, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
 use crate::surface::{CanalPatch, Torus, TorusPiece, TorusSpline};
 
@@ -149,7 +149,7 @@ impl BallLoop {
             let order = self.hole_order(pipe);
             if !order.sides.is_sorted() {
                 let along = self.pieces[order.pieces[0]].along_at(pipe, 0.0);
-                return Err(Error::CrossingHoleTurnsBack { pipe, along });
+                return Err(CrossingError::HoleTurnsBack { pipe, along }.into());
             }
         }
         for _ in 0..EVENINGS {

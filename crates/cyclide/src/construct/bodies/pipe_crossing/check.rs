@@ -4,7 +4,7 @@ use super::ball_loop::{BallLoop, Balls};
 use super::law_fold::LawFold;
 use crate::construct::bodies::pierced::Node;
 use crate::construct::bodies::tight_place::TightPlace;
-use crate::error::{Error, Result};
+use crate::error::{CrossingError, Result};
 use std::f64::consts::TAU;
 
 /// Places of a piece that are looked at.
@@ -33,7 +33,7 @@ pub(super) fn check_folds(asked: &Balls<'_>, balls: &BallLoop, depth: f64) -> Re
         Ok(tightest)
     } else {
         let remedy = LawFold::remedy(asked.fold.as_ref(), asked, depth);
-        Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left, remedy, walled: depth > 0.0 })
+        Err(CrossingError::Folds { angle: tightest.angle, left: tightest.left, remedy, walled: depth > 0.0 }.into())
     }
 }
 
@@ -48,7 +48,7 @@ pub(super) fn check_reach_round(balls: &Balls<'_>) -> Result<()> {
         farthest = [0, 1].map(|pipe: usize| farthest[pipe].max(contacts[pipe][1].abs()));
     }
     match farthest.iter().position(|angle| *angle > FARTHEST) {
-        Some(pipe) => Err(Error::CrossingHoleTooWide { pipe, angle: farthest[pipe], limit: FARTHEST }),
+        Some(pipe) => Err(CrossingError::HoleTooWide { pipe, angle: farthest[pipe], limit: FARTHEST }.into()),
         None => Ok(()),
     }
 }
@@ -75,15 +75,16 @@ pub(super) fn check_hole(balls: &BallLoop, pipe: usize) -> Result<()> {
         };
         let missing = || pieces.is_empty().then(|| balls.pieces[order.pieces[0]].along_at(pipe, 0.0));
         if let Some(along) = pieces.iter().find_map(turns).or_else(missing) {
-            return Err(Error::CrossingHoleTurnsBack { pipe, along });
+            return Err(CrossingError::HoleTurnsBack { pipe, along }.into());
         }
     }
     let [_, front, back, rear, count] = order.sides;
     if back - front != count - rear {
-        return Err(Error::CrossingHoleTurnsBack {
+        return Err(CrossingError::HoleTurnsBack {
             pipe,
             along: balls.pieces[order.pieces[front]].along_at(pipe, 0.0),
-        });
+        }
+        .into());
     }
     Ok(())
 }
@@ -91,7 +92,7 @@ pub(super) fn check_hole(balls: &BallLoop, pipe: usize) -> Result<()> {
 fn check_width(balls: &BallLoop, pipe: usize) -> Result<()> {
     let angles = balls.pieces.iter().flat_map(|piece| places().map(move |s| piece.angle_at(pipe, s).abs()));
     let angle = angles.fold(0.0, f64::max);
-    if angle <= FARTHEST { Ok(()) } else { Err(Error::CrossingHoleTooWide { pipe, angle, limit: FARTHEST }) }
+    if angle <= FARTHEST { Ok(()) } else { Err(CrossingError::HoleTooWide { pipe, angle, limit: FARTHEST }.into()) }
 }
 
 /// Refuses a cap that is to be filled from a point in its middle and is not seen from there all round.
@@ -108,7 +109,7 @@ pub(super) fn check_cap(balls: &BallLoop, pipe: usize) -> Result<()> {
         let border = piece.border(pipe);
         let overlaps = |s: &f64| border.turns_about(middle, *s).iter().any(|turn| !(ahead * turn > 0.0));
         if let Some(s) = places().find(overlaps) {
-            return Err(Error::CrossingHoleTurnsBack { pipe, along: piece.along_at(pipe, s) });
+            return Err(CrossingError::HoleTurnsBack { pipe, along: piece.along_at(pipe, s) }.into());
         }
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::ball_loop::{Contacts, PieceForms};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Vec3;
 use crate::construct::bodies::pierced::Mantle;
-use crate::error::{Error, Result};
+use crate::error::{CrossingError, Error, NumberError, Result};
 use crate::rational::Polynomial;
 use crate::surface::{BallLine, BallVector, CanalPatch, MovedCylinders, SkewCylinders, TorusPiece};
 use std::f64::consts::PI;
@@ -27,7 +27,7 @@ impl ConePair {
     /// `angle-out-of-range` (axes whose angle is not above the sum of the tapers, or its supplement is not: cones that meet without end), `crossing-axes-too-near`.
     pub(super) fn new(axes: &SkewCylinders, mantles: &[Mantle; 2]) -> Result<Self> {
         let (angle, least) = (axes.angle(), mantles[0].taper.abs() + mantles[1].taper.abs());
-        let out_of_range = Error::AngleOutOfRange { angle, min: least, max: PI - least };
+        let out_of_range = Error::Number(NumberError::AngleOutOfRange { angle, min: least, max: PI - least });
         if !(angle > least && angle < PI - least) {
             return Err(out_of_range);
         }
@@ -37,7 +37,10 @@ impl ConePair {
             let through = BallVector { center: mantle.origin.to_vec() - middle, radius: -mantle.radius * cos };
             BallLine { through, direction: BallVector { center: mantle.along, radius: sin } }
         });
-        let too_near = Error::CrossingAxesTooNear { distance: 2.0 * axes.half_gap(), limit: least_distance(&balls) };
+        let too_near = Error::Crossing(CrossingError::AxesTooNear {
+            distance: 2.0 * axes.half_gap(),
+            limit: least_distance(&balls),
+        });
         let moved = MovedCylinders::new(balls).ok_or(too_near)?;
         let smallest_radius = moved.smallest_radius().ok_or(out_of_range)?;
         let along = balls.map(|line| moved.along(line.direction));

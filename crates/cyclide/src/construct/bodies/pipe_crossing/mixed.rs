@@ -8,7 +8,7 @@ use super::ball_loop::{Contacts, PieceForms};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::construct::bodies::tee::{Canal, Crossing, LoopPiece};
-use crate::error::{Error, Result};
+use crate::error::{CrossingError, Result};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial};
 use crate::surface::{CanalPatch, SkewCylinders};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -41,7 +41,7 @@ impl MixedPair {
         let ([first, second], distance) = (pair.radii(), 2.0 * pair.half_gap());
         let limit = (1.0 - LEAST_DEPTH) * (first + second);
         if distance >= limit {
-            return Err(Error::CrossingPipesApart { distance, limit });
+            return Err(CrossingError::PipesApart { distance, limit }.into());
         }
         let frames =
             [[first, -second], [-second, first]].map(|radii| Crossing::passing(radii, distance, PI - pair.angle()));
@@ -77,7 +77,7 @@ impl MixedPair {
         let height =
             [c / q, q / a].into_iter().filter(|z| z.is_finite()).max_by(|p, q| square(*p).total_cmp(&square(*q)));
         let Some(z) = height.filter(|z| radius < limit && square(*z) > 0.0) else {
-            return Err(Error::CrossingBallTooLarge { radius, limit });
+            return Err(CrossingError::BallTooLarge { radius, limit }.into());
         };
         let t = square(z);
         // Half the rate of t, and that of the height.

@@ -19,7 +19,9 @@ use super::pierced::{Mantle, Ring, Skin};
 use super::tee::{TeeBlendFacts, TeeEnds};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{
+    BallError, CrossingError, Error, ErrorItem, NumberError, PipeError, PointError, Result, ShellError,
+};
 use crate::surface::SkewCylinders;
 use crate::topology::{Body, Sewing};
 use ball_loop::{BallLoop, Balls};
@@ -164,27 +166,27 @@ impl PipeCrossing {
     pub fn new(pipes: [CrossingPipe; 2], distance: f64, blend: f64) -> Result<Self> {
         for (index, radius) in pipes.iter().map(|pipe| pipe.radius).chain([blend]).enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
         }
         if let Some(index) = pipes.iter().flat_map(|pipe| pipe.ends).position(|end| !end.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into());
         }
         if let Some(index) = pipes.iter().position(|pipe| !pipe.taper.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Taper, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Taper, index }.into());
         }
         for (pipe, CrossingPipe { ends: [start, end], .. }) in pipes.into_iter().enumerate() {
             if start >= end {
-                return Err(Error::PipeEndsReversed { pipe, start, end });
+                return Err(PipeError::EndsReversed { pipe, start, end }.into());
             }
         }
         if distance <= 0.0 {
             let limit = (pipes[0].radius - pipes[1].radius).abs();
-            return Err(Error::CrossingAxesTooNear { distance, limit });
+            return Err(CrossingError::AxesTooNear { distance, limit }.into());
         }
         let axes = SkewCylinders::axes(0.5 * distance)?;
         let (law, side) = (Law::new(&[[0.0, blend]])?, CrossingSide::Outside);
@@ -225,7 +227,7 @@ impl PipeCrossing {
         let axes = self.axes.with_angle(angle)?;
         let [min, max] = [LEAST_ANGLE, PI - LEAST_ANGLE];
         if !(angle.abs() >= min && angle.abs() <= max) {
-            return Err(Error::AngleOutOfRange { angle, min, max });
+            return Err(NumberError::AngleOutOfRange { angle, min, max }.into());
         }
         Ok(Self { axes, ..self })
     }
@@ -236,7 +238,7 @@ impl PipeCrossing {
     /// `tolerance-not-positive`.
     pub fn with_tolerance(self, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0) {
-            return Err(Error::ToleranceNotPositive { tolerance });
+            return Err(NumberError::ToleranceNotPositive { tolerance }.into());
         }
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
@@ -248,7 +250,7 @@ impl PipeCrossing {
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         let max = self.pipes[0].radius.min(self.pipes[1].radius);
         if !(wall > 0.0 && wall < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(Self { wall: Some(wall), ..self })
     }
@@ -286,13 +288,19 @@ impl PipeCrossing {
         };
         if self.side.is_in_material() {
             if !(most < limit) {
-                return Err(Error::CrossingBallTooLarge { radius: most, limit });
+                return Err(CrossingError::BallTooLarge { radius: most, limit }.into());
             }
             if depth >= least {
-                return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: depth, min: 0.0, max: least });
+                return Err(NumberError::ParameterOutOfRange {
+                    name: ErrorItem::Wall,
+                    value: depth,
+                    min: 0.0,
+                    max: least,
+                }
+                .into());
             }
         } else if !(least > limit) {
-            return Err(Error::RadiusTooSmall { radius: least, limit });
+            return Err(BallError::RadiusTooSmall { radius: least, limit }.into());
         }
         // The larger balls are those of the inner skin, in the material those of the outer one.
         let larger = if self.side.is_in_material() { 0.0 } else { depth };
@@ -325,7 +333,9 @@ impl PipeCrossing {
         // What failed is too small, wherever the limit is.
         let limit = (LEAST_BALL * place).max(2.0 * size);
         match error {
-            Error::NotAShell { .. } => Error::BelowRoundingOfPlace { what: ErrorItem::Blend, size, place, limit },
+            Error::Shell(ShellError::NotAShell { .. }) => {
+                Error::Point(PointError::BelowRoundingOfPlace { what: ErrorItem::Blend, size, place, limit })
+            }
             other => other,
         }
     }
@@ -403,21 +413,21 @@ impl PipeCrossing {
         let [least, most] = self.law.range();
         let needing = [(self.side == CrossingSide::Mixed, ErrorItem::Side), (least < most, ErrorItem::Blend)];
         if let Some((_, what)) = needing.into_iter().find(|(needs, _)| *needs) {
-            return Err(Error::CrossingNeedsCylinders { what, pipe, taper: self.pipes[pipe].taper });
+            return Err(CrossingError::NeedsCylinders { what, pipe, taper: self.pipes[pipe].taper }.into());
         }
         let depth = self.wall.unwrap_or(0.0);
         for CrossingPipe { radius, taper, ends } in self.pipes {
             let (sin, cos) = taper.sin_cos();
             let radius_at = |end: f64| radius - (end * sin + depth) / cos;
             if !(cos > 0.0) {
-                return Err(Error::RadiusNotPositive { radius: radius_at(ends[1]) });
+                return Err(NumberError::RadiusNotPositive { radius: radius_at(ends[1]) }.into());
             }
             if let Some(reached) = ends.into_iter().find(|end| !(radius_at(*end) > 0.0)) {
                 let apex = (radius * cos - depth) / sin;
                 return Err(if apex.is_finite() {
-                    Error::ConeReachesApex { apex, reached }
+                    Error::Pipe(PipeError::ConeReachesApex { apex, reached })
                 } else {
-                    Error::RadiusNotPositive { radius: radius_at(reached) }
+                    Error::Number(NumberError::RadiusNotPositive { radius: radius_at(reached) })
                 });
             }
         }
@@ -436,7 +446,7 @@ impl PipeCrossing {
                 [(ends[0], needed[0], ends[0] < needed[0]), (ends[1], needed[1], ends[1] > needed[1])]
             {
                 if !fits {
-                    return Err(Error::CrossingPipeTooShort { pipe, end, needed });
+                    return Err(CrossingError::PipeTooShort { pipe, end, needed }.into());
                 }
             }
         }

@@ -6,7 +6,7 @@ use super::cones::ConePair;
 use crate::base::planar::{Point2, Vec2};
 use crate::construct::bodies::ball_centers::CenterPair;
 use crate::construct::bodies::pierced::Mantle;
-use crate::error::{Error, Result};
+use crate::error::{CrossingError, Result};
 use crate::rational::Polynomial;
 use crate::surface::{CanalPatch, SkewCylinders, TorusPiece};
 
@@ -29,7 +29,7 @@ impl TorusPair {
         let radii = pipes.map(|pipe| pipe.radius);
         let (distance, limit) = (2.0 * axes.half_gap(), (radii[0] - radii[1]).abs());
         if distance <= limit {
-            return Err(Error::CrossingAxesTooNear { distance, limit });
+            return Err(CrossingError::AxesTooNear { distance, limit }.into());
         }
         Ok(Self::Cylinders(axes.with_radii(radii)?))
     }

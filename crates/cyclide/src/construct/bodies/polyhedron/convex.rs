@@ -5,7 +5,7 @@ use super::faces::{FaceSide, Faces};
 use super::plane::area_vector;
 use super::spherical_polygon::SphericalPolygon;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, PolyhedronError, Result};
 use std::f64::consts::{PI, TAU};
 
 /// The angle between the normals of the two faces of an edge, positive where they turn away from each other.
@@ -38,13 +38,21 @@ pub(super) fn check_faces(points: &[Point3], faces: &Faces, normals: &[Vec3], wi
             let sine = before.cross(after).dot(*normal);
             // The distance from the line of the neighbours: between short sides angles are rounding.
             if -sine > within * at(0).distance(at(2)) {
-                return Err(Error::NotAFace { face, detail: "it is not convex: one of its corners turns inwards" });
+                return Err(PolyhedronError::NotAFace {
+                    face,
+                    detail: "it is not convex: one of its corners turns inwards",
+                }
+                .into());
             }
             turn += sine.atan2(before.dot(after));
         }
         // Whole turns, but for rounding.
         if !((turn - TAU).abs() < PI) {
-            return Err(Error::NotAFace { face, detail: "its sides cross: they run round it more than once" });
+            return Err(PolyhedronError::NotAFace {
+                face,
+                detail: "its sides cross: they run round it more than once",
+            }
+            .into());
         }
     }
     Ok(())
@@ -74,7 +82,7 @@ fn reflex(points: &[Point3], faces: &Faces, normals: &[Vec3], group: &[usize]) -
         }
     }
     let (angle, [first, second]) = worst;
-    (reflex > 0).then_some(Error::NotConvex { first, second, angle, reflex, edges })
+    (reflex > 0).then_some(Error::Polyhedron(PolyhedronError::NotConvex { first, second, angle, reflex, edges }))
 }
 
 /// The polygon of the normals round each vertex; `None` for vertices that no face has.
@@ -101,7 +109,11 @@ pub(super) fn normal_polygons(
             (pair[0] * half.cos() + axis.cross(pair[0]) * half.sin()) * half.sin()
         });
         let apex = sides.fold(Vec3::ZERO, |sum, middle| sum + middle).unit();
-        let apex = apex.ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0, limit: 0.0 });
+        let apex = apex.ok_or(Error::Polyhedron(PolyhedronError::NotInOpenHemisphere {
+            side: None,
+            measured: 0.0,
+            limit: 0.0,
+        }));
         (!around.is_empty()).then(|| SphericalPolygon::about(around, apex?)).transpose()
     };
     fans.iter().map(polygon).collect()

@@ -3,7 +3,7 @@
 use super::hull;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{PolyhedronError, Result};
 use std::collections::HashMap;
 
 /// Cells are not smaller than this part of the size of all points: places in them are integers.
@@ -52,7 +52,7 @@ impl Distinct {
         // Of fewer than four places all are in one plane, and the others as near to it as to them.
         if self.kept.len() < 4 {
             let off = self.dropped.iter().map(|&[index, other]| points[index].distance(points[other]));
-            return Err(Error::FlatPolyhedron { thickness: off.fold(0.0, f64::max), limit: self.within });
+            return Err(PolyhedronError::Flat { thickness: off.fold(0.0, f64::max), limit: self.within }.into());
         }
         let kept: Vec<Point3> = self.kept.iter().map(|&k| points[k]).collect();
         let triangles = hull::triangles(&kept)?;

@@ -1,6 +1,6 @@
 //! How the faces of a polyhedron hang together: across their sides, and round their vertices.
 
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, PolyhedronError, Result, ShellError};
 use std::collections::HashMap;
 
 /// A side of a face, from its corner of the same number to the next one.
@@ -88,11 +88,12 @@ impl Faces {
             }
         }
         match (0..vertices).find(|&v| fans[v].len() != uses[v]) {
-            Some(index) => Err(Error::NotAShell {
+            Some(index) => Err(ShellError::NotAShell {
                 item: ErrorItem::Vertex,
                 index,
                 detail: "parts of the surface touch in it alone",
-            }),
+            }
+            .into()),
             None => Ok(fans),
         }
     }
@@ -103,7 +104,7 @@ impl Faces {
         if let Some(first) = reached.first_mut() {
             *first = true;
         } else {
-            return Err(Error::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" });
+            return Err(ShellError::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" }.into());
         }
         while let Some(face) = open.pop() {
             for next in &self.across[face] {
@@ -113,16 +114,19 @@ impl Faces {
             }
         }
         match reached.iter().position(|reached| !reached) {
-            Some(index) => {
-                Err(Error::NotAShell { item: ErrorItem::Face, index, detail: "no chain of edges joins it to face 0" })
+            Some(index) => Err(ShellError::NotAShell {
+                item: ErrorItem::Face,
+                index,
+                detail: "no chain of edges joins it to face 0",
             }
+            .into()),
             None => Ok(()),
         }
     }
 }
 
 fn check_corners(face: usize, corners: &[usize], vertices: usize) -> Result<()> {
-    let fail = |detail| Err(Error::NotAFace { face, detail });
+    let fail = |detail| Err(PolyhedronError::NotAFace { face, detail }.into());
     if corners.len() < 3 {
         return fail("it has fewer than three corners");
     }
@@ -154,7 +158,7 @@ fn neighbours(loops: &[Vec<usize>]) -> Result<Vec<Vec<FaceSide>>> {
             (1, Some(&(side, 1))) => Ok(side),
             (forward, back) => {
                 let back = back.map_or(0, |(_, count)| *count);
-                Err(Error::NotClosed { first, second, forward, back })
+                Err(PolyhedronError::NotClosed { first, second, forward, back }.into())
             }
         }
     };

@@ -3,7 +3,7 @@
 use super::faces::{FaceSide, Faces};
 use super::plane::{self, area_vector};
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, Result, ShellError};
 
 /// The loops of faces that are in one plane each, by the number of it, and without vertices at which only two faces meet. What
 /// needs no change stays as it is, in its order.
@@ -60,11 +60,8 @@ fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> 
         }
         if pinched || outline.len() != sides.len() {
             let detail = "the faces in its plane have a hole, or touch in a point: the surface is not convex";
-            return Err(super::convex::reflex_edge(points, faces, group).unwrap_or(Error::NotAShell {
-                item: ErrorItem::Face,
-                index: first.face,
-                detail,
-            }));
+            return Err(super::convex::reflex_edge(points, faces, group)
+                .unwrap_or(Error::Shell(ShellError::NotAShell { item: ErrorItem::Face, index: first.face, detail })));
         }
         for &at in sides {
             leaving[faces.ends(at)[0]] = None;

@@ -17,7 +17,7 @@ pub use spherical_polygon::SphericalPolygon;
 use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, PolyhedronError, Result};
 use crate::warning::Warning;
 use deviation::Surface;
 use faces::{FaceSide, Faces};
@@ -107,12 +107,13 @@ impl ConvexPolyhedron {
     fn of_faces(vertices: &[Point3], faces: &[Vec<usize>], flatness: f64) -> Result<Self> {
         check_points(vertices)?;
         if !(flatness >= 0.0 && flatness.is_finite()) {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::Flatness,
                 value: flatness,
                 min: 0.0,
                 max: f64::MAX,
-            });
+            }
+            .into());
         }
         let given = Faces::new(faces.to_vec(), vertices.len())?;
         let fans = given.fans(vertices.len())?;
@@ -125,7 +126,7 @@ impl ConvexPolyhedron {
             deviation::farthest(Surface { points: vertices, faces: &given }, surface, &group, &fans);
         let limit = flatness.max(plane::rounding(vertices));
         if !(deviation <= limit) {
-            return Err(Error::PlanesMissPoint { vertex, distance: deviation, limit });
+            return Err(PolyhedronError::PlanesMissPoint { vertex, distance: deviation, limit }.into());
         }
         Ok(Self { deviation, ..made })
     }
@@ -136,7 +137,7 @@ impl ConvexPolyhedron {
         let vertices = plane::made_planar(vertices, faces.loops())?;
         let normal = |(face, corners): (usize, &Vec<usize>)| {
             let normal = area_vector(&vertices, corners).unit();
-            normal.ok_or(Error::NotAFace { face, detail: "its corners are on a line" })
+            normal.ok_or(Error::Polyhedron(PolyhedronError::NotAFace { face, detail: "its corners are on a line" }))
         };
         let normals: Vec<Vec3> = faces.loops().iter().enumerate().map(normal).collect::<Result<_>>()?;
         convex::check_edges(&vertices, &faces, &normals)?;
@@ -281,7 +282,7 @@ impl ConvexPolyhedron {
 /// Refuses points that are not numbers, or too close together for their place.
 fn check_points(points: &[Point3]) -> Result<()> {
     if points.len() < 4 {
-        return Err(Error::TooFewPoints { given: points.len(), needed: 4 });
+        return Err(PointError::TooFewPoints { given: points.len(), needed: 4 }.into());
     }
     for (index, p) in points.iter().enumerate() {
         range::check_point(index, p.to_vec())?;

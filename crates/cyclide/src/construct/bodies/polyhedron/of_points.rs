@@ -4,7 +4,7 @@ use super::distinct::Distinct;
 use super::{ConvexPolyhedron, PLANAR, TOGETHER, check_points, plane};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, PolyhedronError, Result};
 use crate::warning::Warning;
 
 /// Of points whose hull has no planes within the flatness, it is raised so often by a factor: up to 6.6e-5 of the diameter.
@@ -54,7 +54,7 @@ impl ConvexPolyhedron {
         let (vertex, distance) = off.fold((0, made.deviation), |far, at| if at.1 > far.1 { at } else { far });
         let limit = flatness.max(plane::rounding(points));
         if !(distance <= limit) {
-            return Err(Error::PlanesMissPoint { vertex, distance, limit });
+            return Err(PolyhedronError::PlanesMissPoint { vertex, distance, limit }.into());
         }
         Ok(Self { deviation: distance, ..made })
     }
@@ -110,10 +110,15 @@ impl ConvexPolyhedron {
 
 /// What goes wrong when planes are made of the faces of a hull, other than that they leave points far off, which is for the user to judge.
 fn is_of_planes(error: &Error) -> bool {
-    !is_flat(error) && !matches!(error, Error::PlanesMissPoint { .. } | Error::ParameterOutOfRange { .. })
+    !is_flat(error)
+        && !matches!(
+            error,
+            Error::Polyhedron(PolyhedronError::PlanesMissPoint { .. })
+                | Error::Number(NumberError::ParameterOutOfRange { .. })
+        )
 }
 
 /// Whether all points are within the flatness of one plane. Few planes may be left of somewhat thicker bodies.
 fn is_flat(error: &Error) -> bool {
-    matches!(error, Error::FlatPolyhedron { thickness, limit } if thickness <= limit)
+    matches!(error, Error::Polyhedron(PolyhedronError::Flat { thickness, limit }) if thickness <= limit)
 }

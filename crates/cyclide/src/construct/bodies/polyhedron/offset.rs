@@ -16,7 +16,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::LARGEST_ARC;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
 use crate::topology::{Body, FaceEdge, FaceGeometry as _, FaceSurface, Sewing, ShellFace};
@@ -83,11 +83,11 @@ impl ConvexPolyhedron {
 
     fn check_radius(&self, radius: f64) -> Result<()> {
         if !(radius > 0.0) {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         if !(radius <= range::MAX_COORDINATE) {
             let (min, max) = (0.0, range::MAX_COORDINATE);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Radius, value: radius, min, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Radius, value: radius, min, max }.into());
         }
         let (_, place) = self.size_and_place();
         range::check_size_in_place(ErrorItem::Radius, radius, place, range::SMALLEST_IN_PLACE)?;
@@ -329,13 +329,14 @@ fn cut([n, m]: [Vec3; 2], axis: Vec3, apexes: [Vec3; 2]) -> Result<Vec<Vec3>> {
             return Ok(normals);
         }
         if pieces == MOST_PIECES {
-            return Err(Error::TooManyPieces {
+            return Err(NumberError::TooManyPieces {
                 what: "the rounding of an edge",
                 segment: None,
                 needed: f64::INFINITY,
                 cap: MOST_PIECES,
                 remedy: "its faces are nearly one face, turned over",
-            });
+            }
+            .into());
         }
         pieces *= 2;
     }

@@ -2,7 +2,7 @@
 
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, PolyhedronError, Result};
 
 /// Rounds in which vertices go to their planes and these to their vertices.
 const MOST_ROUNDS: usize = 200;
@@ -64,7 +64,7 @@ pub(super) fn flat(points: impl Iterator<Item = Point3>, normal: Vec3, limit: f6
     let first = points.peek().copied().unwrap_or_default();
     let heights = points.map(|p| (p - first).dot(normal));
     let [low, high] = heights.fold([0.0_f64; 2], |[low, high], height| [low.min(height), high.max(height)]);
-    Error::FlatPolyhedron { thickness: 0.5 * (high - low), limit }
+    Error::Polyhedron(PolyhedronError::Flat { thickness: 0.5 * (high - low), limit })
 }
 
 /// Refuses faces with a corner farther from their plane than the limit.
@@ -74,11 +74,11 @@ pub(super) fn flat(points: impl Iterator<Item = Point3>, normal: Vec3, limit: f6
 pub(super) fn check_planar(points: &[Point3], loops: &[Vec<usize>], limit: f64) -> Result<()> {
     for (face, corners) in loops.iter().enumerate().filter(|(_, corners)| corners.len() > 3) {
         let plane = Plane::of_loop(points, corners);
-        let plane = plane.ok_or(Error::NotAFace { face, detail: "its corners are on a line" })?;
+        let plane = plane.ok_or(PolyhedronError::NotAFace { face, detail: "its corners are on a line" })?;
         let off = corners.iter().map(|&v| (v, plane.distance(points[v]).abs()));
         let (vertex, distance) = off.fold((0, 0.0), |far, at| if at.1 > far.1 { at } else { far });
         if distance > limit {
-            return Err(Error::NonPlanarFace { face, vertex, distance, limit });
+            return Err(PolyhedronError::NonPlanarFace { face, vertex, distance, limit }.into());
         }
     }
     Ok(())
@@ -125,7 +125,7 @@ pub(super) fn made_planar(points: &[Point3], loops: &[Vec<usize>]) -> Result<Vec
         if round == MOST_ROUNDS {
             let limit = LEFT * rounding;
             if distance > limit {
-                return Err(Error::NonPlanarFace { face, vertex, distance, limit });
+                return Err(PolyhedronError::NonPlanarFace { face, vertex, distance, limit }.into());
             }
             break;
         }

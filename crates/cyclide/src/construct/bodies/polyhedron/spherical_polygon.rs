@@ -12,7 +12,7 @@
 //! of degree 4 in t. `s = 0` is the apex, `s = 1` the side with the parameter of its own arc: the common factor `g` cancels.
 
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, PolyhedronError, Result};
 use crate::rational::RationalBezierSurface;
 use std::f64::consts::TAU;
 
@@ -41,17 +41,22 @@ impl SphericalPolygon {
     /// about the sum of the corners, or all together run round it more than once).
     pub fn new(corners: &[Vec3]) -> Result<Self> {
         if corners.len() < 3 {
-            return Err(Error::TooFewPoints { given: corners.len(), needed: 3 });
+            return Err(PointError::TooFewPoints { given: corners.len(), needed: 3 }.into());
         }
         if let Some(index) = corners.iter().position(|n| !n.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Corner, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Corner, index }.into());
         }
         let direction = |(index, n): (usize, &Vec3)| {
-            n.unit().ok_or(Error::ZeroAxis { what: ErrorItem::Direction, index, length: 0.0, limit: 0.0 })
+            n.unit().ok_or(Error::Point(PointError::ZeroAxis {
+                what: ErrorItem::Direction,
+                index,
+                length: 0.0,
+                limit: 0.0,
+            }))
         };
         let corners: Vec<Vec3> = corners.iter().enumerate().map(direction).collect::<Result<_>>()?;
         let sum = corners.iter().fold(Vec3::ZERO, |sum, n| sum + *n);
-        let apex = sum.unit().ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0, limit: 0.0 })?;
+        let apex = sum.unit().ok_or(PolyhedronError::NotInOpenHemisphere { side: None, measured: 0.0, limit: 0.0 })?;
         Self::about(corners, apex)
     }
 
@@ -73,13 +78,13 @@ impl SphericalPolygon {
             let sine = a.cross(b).dot(self.apex);
             let measured = sine.atan2(a.dot(b));
             if !(sine > 0.0) {
-                return Err(Error::NotInOpenHemisphere { side: Some(side), measured, limit: 0.0 });
+                return Err(PolyhedronError::NotInOpenHemisphere { side: Some(side), measured, limit: 0.0 }.into());
             }
             turn += measured;
         }
         let limit = TAU + TURN_LIMIT;
         if turn > limit {
-            return Err(Error::NotInOpenHemisphere { side: None, measured: turn, limit });
+            return Err(PolyhedronError::NotInOpenHemisphere { side: None, measured: turn, limit }.into());
         }
         Ok(())
     }
@@ -120,10 +125,15 @@ impl SphericalPolygon {
     /// `radius-not-positive`; `parameter-out-of-range` (no such side); `not-finite`.
     pub fn fan(&self, center: Point3, radius: f64, side: usize) -> Result<RationalBezierSurface> {
         if !(radius > 0.0) {
-            return Err(Error::RadiusNotPositive { radius });
+            return Err(NumberError::RadiusNotPositive { radius }.into());
         }
         let max = self.corners.len() as f64 - 1.0;
-        let missing = Error::ParameterOutOfRange { name: ErrorItem::Side, value: side as f64, min: 0.0, max };
+        let missing = Error::Number(NumberError::ParameterOutOfRange {
+            name: ErrorItem::Side,
+            value: side as f64,
+            min: 0.0,
+            max,
+        });
         let ends = self.sides().nth(side).ok_or(missing)?;
         RationalBezierSurface::new([2, 4], placed(&sector(self.apex, ends), center, radius))
     }

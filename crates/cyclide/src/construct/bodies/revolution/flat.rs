@@ -2,7 +2,7 @@
 
 use super::{PLACES, Revolution};
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, Result};
+use crate::error::{ProfileError, Result};
 use crate::topology::EdgeCurve;
 
 /// A profile is in a plane across the axis if its heights differ by less than this part of its size.
@@ -41,7 +41,7 @@ pub(super) fn is_flat(turn: &Revolution, pieces: &[EdgeCurve], rounding: Option<
         let grows = jet.limit_tangent(side).unwrap_or_default().dot(along);
         let round = !(grows.abs() > ROUND);
         if round || *outwards.get_or_insert(grows > 0.0) != (grows > 0.0) {
-            return Err(Error::FoldedProfile { piece, distance });
+            return Err(ProfileError::Folded { piece, distance }.into());
         }
     }
     Ok(true)

@@ -9,7 +9,7 @@ use super::Revolution;
 use super::profile::Piece;
 use crate::base::vector::Point3;
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, Result};
+use crate::error::{ProfileError, Result};
 use crate::topology::EdgeCurve;
 
 /// Chords of a piece that bends.
@@ -119,7 +119,9 @@ fn find_meeting(
             if meet(a, b) {
                 let (first, second) = if (a.piece, a.order) < (b.piece, b.order) { (a, b) } else { (b, a) };
                 let [radius, height] = meeting_place(turn, first, second);
-                return Err(Error::ProfileMeetsItself { first: first.piece, second: second.piece, radius, height });
+                return Err(
+                    ProfileError::MeetsItself { first: first.piece, second: second.piece, radius, height }.into()
+                );
             }
         }
     }

@@ -25,7 +25,7 @@ use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, ProfileError, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, Shell};
 use crate::warning::Warning;
@@ -66,11 +66,11 @@ impl Revolution {
     pub fn new(origin: Point3, axis: Vec3, angle: f64) -> Result<Self> {
         range::check_point(0, origin.to_vec())?;
         if !axis.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Axis, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Axis, index: 0 }.into());
         }
         let axis = axis.unit().ok_or(Error::zero_axis(ErrorItem::Axis))?;
         if !(angle.abs() <= TAU * (1.0 + f64::EPSILON)) {
-            return Err(Error::AngleOutOfRange { angle, min: -TAU, max: TAU });
+            return Err(NumberError::AngleOutOfRange { angle, min: -TAU, max: TAU }.into());
         }
         Ok(Self { origin, given: origin, axis, angle })
     }
@@ -95,7 +95,7 @@ impl Revolution {
     /// `angle-out-of-range` for a whole turn. An angle of 0 gives a surface that is constant in t.
     pub fn surface(&self, profile: &RationalBezier) -> Result<RationalBezierSurface> {
         if self.is_whole() {
-            return Err(Error::AngleOutOfRange { angle: self.angle, min: -TAU, max: TAU });
+            return Err(NumberError::AngleOutOfRange { angle: self.angle, min: -TAU, max: TAU }.into());
         }
         let (sin, r) = (0.5 * self.angle).sin_cos();
         let (o, rotor) = (self.origin.to_vec(), Quat::from_parts(r, self.axis * sin));
@@ -219,7 +219,7 @@ impl Revolution {
 
     fn profile(&self, pieces: &[EdgeCurve], closed: bool) -> Result<Profile> {
         if self.angle == 0.0 {
-            return Err(Error::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU });
+            return Err(NumberError::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU }.into());
         }
         Profile::new(self, pieces, closed)
     }
@@ -277,9 +277,9 @@ impl Revolution {
     /// An error with the height from the given point.
     fn counted_from_given(&self, error: Error) -> Error {
         match error {
-            Error::ProfileMeetsItself { first, second, radius, height } => {
+            Error::Profile(ProfileError::MeetsItself { first, second, radius, height }) => {
                 let height = height + (self.origin - self.given).dot(self.axis);
-                Error::ProfileMeetsItself { first, second, radius, height }
+                Error::Profile(ProfileError::MeetsItself { first, second, radius, height })
             }
             other => other,
         }

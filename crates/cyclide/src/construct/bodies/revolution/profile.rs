@@ -8,7 +8,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::LARGEST_ARC;
 use crate::construct::bodies::input_chain::{check_connected, check_weights};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, PointError, ProfileError, Result};
 use crate::topology::EdgeCurve;
 
 /// Points nearer to the axis than this part of the profile's size are on it, and nothing is said.
@@ -76,11 +76,11 @@ impl Limits {
 /// What is said of a profile of which no piece is off the axis.
 fn on_axis(turn: &Revolution, given: &[EdgeCurve], limit: f64) -> Error {
     if given.is_empty() {
-        return Error::TooFewPoints { given: 0, needed: 1 };
+        return Error::Point(PointError::TooFewPoints { given: 0, needed: 1 });
     }
     let places = given.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| piece.point(x)));
     let distance = places.map(|p| p.distance(turn.foot(p))).fold(0.0, f64::max);
-    Error::ProfileOnAxis { distance, limit }
+    Error::Profile(ProfileError::OnAxis { distance, limit })
 }
 
 impl Profile {
@@ -121,7 +121,7 @@ impl Profile {
 
     /// What is said of a profile that touches the axis between its ends.
     pub(super) fn touching(&self) -> Option<Error> {
-        self.touch.map(|(piece, limit)| Error::CrossesAxis { piece, distance: 0.0, limit })
+        self.touch.map(|(piece, limit)| Error::Profile(ProfileError::CrossesAxis { piece, distance: 0.0, limit }))
     }
 
     /// Whether it ends where it starts.

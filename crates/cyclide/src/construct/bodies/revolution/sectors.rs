@@ -6,7 +6,7 @@ use super::profile::Profile;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, Result};
+use crate::error::{PointError, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
 use crate::topology::{EdgeCurve, FaceEdge, FaceSurface, Sewing, Shell};
@@ -138,7 +138,7 @@ fn face(
 ) -> Result<FaceSurface> {
     if let (EdgeCurve::Arc(arc), Some(across)) = (low, across) {
         // Far from the axis for its size the direction has the rounding of its place: that of the turn is known better.
-        let along = arc.start_tangent().ok_or(Error::ZeroTangent { index: 0 })?;
+        let along = arc.start_tangent().ok_or(PointError::ZeroTangent { index: 0 })?;
         let along = along - across * along.dot(across);
         let ratio = arc.weight_ratio();
         let weights = [Quat::ONE, ratio, rotor, rotor * ratio];

@@ -4,7 +4,7 @@ use super::{PLACES, Revolution};
 use crate::base::golden_section::GoldenSection;
 use crate::base::vector::Vec3;
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, Result};
+use crate::error::{Error, ProfileError, Result};
 use crate::topology::EdgeCurve;
 
 /// Sections for the place nearest to the axis: half of the digits, as a least value has them.
@@ -25,7 +25,7 @@ pub(super) fn check_side(
     side: &mut Option<Vec3>,
 ) -> Result<()> {
     let way = |k: u32| turn.way_off_axis(curve.point(f64::from(k) / f64::from(PLACES)));
-    let crosses = |distance: f64| Error::CrossesAxis { piece, distance, limit };
+    let crosses = |distance: f64| Error::Profile(ProfileError::CrossesAxis { piece, distance, limit });
     let [first, last] = [u32::from(on_axis[0]), PLACES - u32::from(on_axis[1])];
     for k in first..=last {
         let v = way(k);

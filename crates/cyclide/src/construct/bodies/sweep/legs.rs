@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::LARGEST_ARC;
 use crate::construct::bodies::smooth_joint::largest_smooth_turn;
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
-use crate::error::{Error, Result};
+use crate::error::{CurveError, Error, NumberError, PipeError, PointError, Result, TubeError};
 use std::f64::consts::{PI, TAU};
 
 /// Largest turn of a corner that is mitred: as of pipes, the mitre is ten times as long as the section is wide.
@@ -158,7 +158,12 @@ impl Legs {
             let needed = section.iter().map(short).fold(0.0, f64::max);
             if needed >= length * (1.0 - LEAST_LEFT) {
                 let piece = pieces.iter().find(|piece| piece.arc.start().distance(from.center) <= length);
-                return Err(Error::MitreDoesNotFit { piece: piece.map_or(k, |piece| piece.source), needed, length });
+                return Err(PipeError::MitreDoesNotFit {
+                    piece: piece.map_or(k, |piece| piece.source),
+                    needed,
+                    length,
+                }
+                .into());
             }
         }
         Ok(())
@@ -172,7 +177,7 @@ fn pieces(path: &ArcPath) -> Result<Vec<Piece>> {
         for part in arc.in_parts(LARGEST_ARC)? {
             let arc = part.evened();
             let ends = [arc.start_tangent(), arc.end_tangent()];
-            let [Some(along), Some(end)] = ends else { return Err(Error::ZeroTangent { index: source }) };
+            let [Some(along), Some(end)] = ends else { return Err(PointError::ZeroTangent { index: source }.into()) };
             pieces.push(Piece { arc, source, along, end, mitred_turns: [0.0; 2] });
         }
     }
@@ -185,7 +190,9 @@ fn pieces(path: &ArcPath) -> Result<Vec<Piece>> {
             continue;
         }
         if turn > LARGEST_TURN || [before, behind].iter().any(|&piece| !pieces[piece].arc.is_straight()) {
-            return Err(Error::CornerNotMitred { joint: pieces[behind].source, turn, smooth, limit: LARGEST_TURN });
+            return Err(
+                PipeError::CornerNotMitred { joint: pieces[behind].source, turn, smooth, limit: LARGEST_TURN }.into()
+            );
         }
         pieces[before].mitred_turns[1] = turn;
         pieces[behind].mitred_turns[0] = turn;
@@ -255,7 +262,12 @@ impl Maker<'_> {
             return Ok(end);
         }
         if stubs[0] + stubs[1] >= 1.0 {
-            return Err(Error::MitreDoesNotFit { piece: piece.source, needed: (stubs[0] + stubs[1]) * length, length });
+            return Err(PipeError::MitreDoesNotFit {
+                piece: piece.source,
+                needed: (stubs[0] + stubs[1]) * length,
+                length,
+            }
+            .into());
         }
         let [from, to] = [stubs[0], 1.0 - stubs[1]];
         let mut frame_now = frame;
@@ -274,13 +286,14 @@ impl Maker<'_> {
                 if self.made.legs.len() + waiting.len() > MOST_LEGS {
                     let (needed, remedy) = ((MOST_LEGS + 1) as f64, "use a larger tolerance");
                     let what = "the sweep up to piece";
-                    return Err(Error::TooManyPieces {
+                    return Err(NumberError::TooManyPieces {
                         what,
                         segment: Some(piece.source),
                         needed,
                         cap: MOST_LEGS,
                         remedy,
-                    });
+                    }
+                    .into());
                 }
                 let middle = 0.5 * (a + b);
                 waiting.extend([[middle, b], [a, middle]]);
@@ -310,7 +323,12 @@ impl Maker<'_> {
             let level = up.cross(along);
             let measured = level.length();
             let what = "the sine of the angle between the path and the up vector";
-            level.unit().filter(|_| measured > ALONG).ok_or(Error::NoFrame { what, t, measured, limit: ALONG })
+            level.unit().filter(|_| measured > ALONG).ok_or(Error::Curve(CurveError::NoFrame {
+                what,
+                t,
+                measured,
+                limit: ALONG,
+            }))
         };
         let [start, now] = [level(piece.along)?, level(piece.tangent(t))?];
         let twist_before = self.rate * self.passed;
@@ -318,7 +336,7 @@ impl Maker<'_> {
         let off = angle_about(piece.along, frame, wanted);
         if off.abs() > 1e-6 {
             let what = "a corner turns the section about the path, if its y axis points up on both sides: the angle";
-            return Err(Error::NoFrame { what, t, measured: off.abs(), limit: 1e-6 });
+            return Err(CurveError::NoFrame { what, t, measured: off.abs(), limit: 1e-6 }.into());
         }
         Ok(angle_about(piece.tangent(t), piece.carried(start, t), now) + twisted)
     }
@@ -389,7 +407,7 @@ impl Maker<'_> {
             let most = self.section.iter().map(|p| (u * p.x + v * p.y).dot(inwards)).fold(0.0, f64::max);
             let left = 1.0 - curvature * most;
             if !(left > LEAST_LEFT) {
-                return Err(Error::TubeFolds { piece: piece.source, at, left });
+                return Err(TubeError::Folds { piece: piece.source, at, left }.into());
             }
             if roll == 0.0 {
                 break;

@@ -13,7 +13,7 @@ use super::section::{Section, sections};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 use crate::rational::{Polynomial, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
 use legs::{Leg, Legs, Station};
@@ -98,14 +98,14 @@ impl Sweep {
     /// up vector, or that turns the section at a corner), `too-many-pieces`, `parameter-out-of-range`, `not-finite`.
     pub fn new(section: &[(Vec<EdgeCurve>, bool)], path: &ArcPath, options: &SweepOptions) -> Result<Self> {
         if section.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         if !options.twist.is_finite() || !options.up.to_array().iter().all(|x| x.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         let (value, max) = (options.tolerance, f64::INFINITY);
         if !(value > 0.0 && value.is_finite()) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Tolerance, value, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Tolerance, value, min: 0.0, max }.into());
         }
         let capped = options.capped && !path.is_closed();
         let sections = sections(section, capped)?;
@@ -127,7 +127,7 @@ impl Sweep {
         options: &SweepOptions,
     ) -> Result<Vec<(Vec<EdgeCurve>, bool)>> {
         let first = &path.arcs()[0];
-        let along = first.start_tangent().ok_or(Error::ZeroTangent { index: 0 })?;
+        let along = first.start_tangent().ok_or(PointError::ZeroTangent { index: 0 })?;
         let x = legs::start(along, options.up);
         let axes = [x, along.cross(x), along];
         let local = |p: Point3| {
@@ -194,12 +194,12 @@ impl Legs {
     fn body(&self, section: &Section) -> Result<Body> {
         if self.closed && section.closed && section.contours.len() > 1 {
             // Each contour is a shell of its own, those of holes inside.
-            let mut shells = section.contours.iter().map(|contour| {
+            let mut shells = section.contours.iter().map(|contour| -> Result<_> {
                 let mut bands = Bands::default();
                 self.sides(&mut bands, contour, true)?;
                 Ok(bands.finish()?.outer)
             });
-            let outer = shells.next().ok_or(Error::TooFewPoints { given: 0, needed: 1 })??;
+            let outer = shells.next().ok_or(PointError::TooFewPoints { given: 0, needed: 1 })??;
             return Ok(Body { outer, voids: shells.map(|shell| Ok(shell?.flipped())).collect::<Result<_>>()? });
         }
         let mut bands = Bands::default();

@@ -10,7 +10,7 @@ use crate::base::bounds::Aabb;
 use crate::base::box_tree::BoxTree;
 use crate::base::segments::nearest_of_segments;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Result, TeeError};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 
 /// Pairs of parts that are looked at before two branches are given up as too near to tell.
@@ -162,7 +162,7 @@ impl PipeTee {
                     let [first, second] = [first, second].map(|k| placed[k].crossing.branch);
                     let (first, second) = (first.min(second), first.max(second));
                     let point = point.to_array();
-                    return Err(Error::TeeBranchesTooNear { first, second, point, needed });
+                    return Err(TeeError::BranchesTooNear { first, second, point, needed }.into());
                 }
             }
         }

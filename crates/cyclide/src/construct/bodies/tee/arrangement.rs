@@ -3,7 +3,7 @@
 
 use super::Placed;
 use super::check::LEAST_REST;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TeeError};
 use std::f64::consts::{PI, TAU};
 
 /// The largest angle from the middle of a hole to a line beside it: arcs of nearly half a turn have weights near zero.
@@ -106,7 +106,7 @@ fn stand(placed: &[Placed], group: &[usize], needed: f64) -> Result<Stand> {
     };
     let none_free = |a: usize, b: usize| {
         let [first, second] = numbers(a, b);
-        Error::TeeNoFreeLine { first, second }
+        Error::Tee(TeeError::NoFreeLine { first, second })
     };
     let needed_round = 3.0 * LEAST_REST;
     let along = |a: usize, b: usize| gap_along(of(a), of(b));
@@ -128,15 +128,16 @@ fn stand(placed: &[Placed], group: &[usize], needed: f64) -> Result<Stand> {
         if of(a).crossing.equal && of(b).crossing.equal {
             let [a, b] = [&of(a).crossing, &of(b).crossing];
             let (angle, along) = (a.up.angle(-b.up), (a.at - b.at).abs());
-            return Err(Error::TeeEqualBranchesNotOpposite {
+            return Err(TeeError::EqualBranchesNotOpposite {
                 first,
                 second,
                 angle,
                 along,
                 needed: along + needed - distance,
-            });
+            }
+            .into());
         }
-        return Err(Error::TeeBranchesMeet { first, second, distance, needed, round });
+        return Err(TeeError::BranchesMeet { first, second, distance, needed, round }.into());
     }
     let mut rows = parted(&breadths, needed_round);
     for row in &mut rows {

@@ -8,7 +8,7 @@ use super::partition::Partition;
 use super::{PipeTee, Placed, TeeMain};
 use crate::base::bernstein;
 use crate::construct::bodies::tight_place::TightPlace;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PipeError, Result, TeeError};
 use std::f64::consts::FRAC_PI_2;
 
 /// A part of a pipe beyond a blend is longer than this part of its radius.
@@ -26,7 +26,7 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
     }
     let is_of_wall = depth > 0.0 && self::tightest(crossing, pieces, 0.0).left > 0.0;
     let wall = is_of_wall.then_some(depth);
-    Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left, wall })
+    Err(TeeError::BlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left, wall }.into())
 }
 
 /// Where the blend comes nearest to a fold, of the skin so deep.
@@ -88,12 +88,14 @@ impl PipeTee {
         let TeeMain { radius, taper, ends } = self.main;
         if !(taper.abs() < FRAC_PI_2) {
             let (name, max) = (ErrorItem::Taper, FRAC_PI_2);
-            return Err(Error::ParameterOutOfRange { name, value: taper, min: -max, max });
+            return Err(NumberError::ParameterOutOfRange { name, value: taper, min: -max, max }.into());
         }
         let inside = radius - self.wall.unwrap_or(0.0) / taper.cos();
         match ends.into_iter().find(|end| !(inside - end * taper.tan() > 0.0)) {
-            Some(reached) if inside > 0.0 => Err(Error::ConeReachesApex { apex: inside / taper.tan(), reached }),
-            Some(_) => Err(Error::RadiusNotPositive { radius: inside }),
+            Some(reached) if inside > 0.0 => {
+                Err(PipeError::ConeReachesApex { apex: inside / taper.tan(), reached }.into())
+            }
+            Some(_) => Err(NumberError::RadiusNotPositive { radius: inside }.into()),
             None => Ok(()),
         }
     }
@@ -111,12 +113,13 @@ impl PipeTee {
             let up = depths.map(|depth| reach_up(&branch.crossing, &branch.partition, depth));
             let needed = up[0].max(up[1]) + LEAST_REST * branch.crossing.radii[0] + short;
             if !(branch.length > needed) {
-                return Err(Error::TeePipeTooShort {
+                return Err(TeeError::PipeTooShort {
                     what: ErrorItem::Branch,
                     branch: index,
                     end: branch.length,
                     needed,
-                });
+                }
+                .into());
             }
             // The hole of the inner skin is moved along a cone.
             let rest = rest + self.wall.unwrap_or(0.0) * self.main.taper.sin().abs();
@@ -125,7 +128,7 @@ impl PipeTee {
                 [(self.main.ends[0], low, self.main.ends[0] < low), (self.main.ends[1], high, self.main.ends[1] > high)]
             {
                 if !fits {
-                    return Err(Error::TeePipeTooShort { what: ErrorItem::MainPipe, branch: index, end, needed });
+                    return Err(TeeError::PipeTooShort { what: ErrorItem::MainPipe, branch: index, end, needed }.into());
                 }
             }
         }

@@ -9,7 +9,7 @@ use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::pierced::Mantle;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PipeError, Result, TeeError};
 use crate::rational::{Polynomial, PolynomialRow};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
@@ -70,7 +70,7 @@ fn boosts(index: usize, [main, main_taper]: [f64; 2], branch: &TeeBranch) -> Res
         let beside = ((own_cos - leans[0]) * (own_cos + leans[0])).max(0.0).sqrt() / own_cos;
         let reach = branch.radius + offset.abs() * beside;
         let limit = main * main_cos / own_cos;
-        return Err(Error::TeeBranchTooWide { branch: index, reach, limit, rest: LEAST_ROOM * limit, offset });
+        return Err(TeeError::BranchTooWide { branch: index, reach, limit, rest: LEAST_ROOM * limit, offset }.into());
     }
     Ok([
         Boost::new(taus[0], [room / across[0], -offset * leans[0] / across[0]]),
@@ -138,20 +138,27 @@ impl Crossing {
         if least > FRAC_PI_2 {
             // No angle is far enough from both directions of the main pipe.
             let max = FRAC_PI_2 - SMALLEST_SINE.asin() - pipe.taper.abs();
-            let error = Error::ParameterOutOfRange { name: ErrorItem::Taper, value: branch.taper, min: -max, max };
+            let error = Error::Number(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Taper,
+                value: branch.taper,
+                min: -max,
+                max,
+            });
             return Err(error.in_branch(index, ErrorItem::Taper));
         }
         if !(branch.angle >= least && branch.angle <= PI - least) {
-            let error = Error::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least };
+            let error =
+                Error::Number(NumberError::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least });
             return Err(error.in_branch(index, ErrorItem::Angle));
         }
         let end = branch.radius - branch.length * branch.taper.tan() - wall / taper_cos;
         if !(end > 0.0) && branch.taper > 0.0 && wall < branch.radius * taper_cos {
             let apex = (branch.radius - wall / taper_cos) / branch.taper.tan();
-            return Err(Error::ConeReachesApex { apex, reached: branch.length }.in_branch(index, ErrorItem::Taper));
+            return Err(Error::from(PipeError::ConeReachesApex { apex, reached: branch.length })
+                .in_branch(index, ErrorItem::Taper));
         }
         if !(end > 0.0) {
-            return Err(Error::RadiusNotPositive { radius: end }.in_branch(index, ErrorItem::Taper));
+            return Err(Error::from(NumberError::RadiusNotPositive { radius: end }).in_branch(index, ErrorItem::Taper));
         }
         #[expect(
             clippy::float_cmp,
@@ -183,7 +190,8 @@ impl Crossing {
         if equal || crossing.has_balls() {
             return Ok(crossing);
         }
-        Err(Error::TeePipeTooShort { what: ErrorItem::Branch, branch: index, end: branch.length, needed: main / sin })
+        Err(TeeError::PipeTooShort { what: ErrorItem::Branch, branch: index, end: branch.length, needed: main / sin }
+            .into())
     }
 
     /// A row in the axes of the branch, from its foot.

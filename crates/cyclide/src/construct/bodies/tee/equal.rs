@@ -6,7 +6,7 @@ use super::crossing::{Crossing, PieceForms};
 use super::loop_piece::LoopPiece;
 use super::radius_law::Loop;
 use crate::construct::bodies::angle_law::check_radius;
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{PointError, Result, TeeError, check_tolerance};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// A node whose angle is off that of a flank by less than this is there.
@@ -22,12 +22,12 @@ pub(super) fn pieces(crossing: &Crossing, blend: &TeeBlend) -> Result<Loop> {
         TeeBlend::Radius { radius, tolerance } => (*radius, *tolerance),
         TeeBlend::Least(radius) => (*radius, None),
         TeeBlend::Angles { values, tolerance } => {
-            let [_, first] = values.first().copied().ok_or(Error::TooFewPoints { given: 0, needed: 1 })?;
+            let [_, first] = values.first().copied().ok_or(PointError::TooFewPoints { given: 0, needed: 1 })?;
             for (index, &[_, radius]) in values.iter().enumerate() {
                 check_radius(radius, index)?;
                 #[expect(clippy::float_cmp, reason = "one radius is the same double at all angles")]
                 if radius != first {
-                    return Err(Error::TeeLawOnEqualPipes { branch: crossing.branch, radii: [first, radius] });
+                    return Err(TeeError::LawOnEqualPipes { branch: crossing.branch, radii: [first, radius] }.into());
                 }
             }
             (first, *tolerance)

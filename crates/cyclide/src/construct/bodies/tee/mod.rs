@@ -31,7 +31,7 @@ pub use radius_law::TeeBlend;
 use super::ball_centers::{BallCenters, closed_path};
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PipeError, PointError, Result};
 use crate::rational::NurbsCurve;
 use crate::surface::CanalPatch;
 use crate::topology::Body;
@@ -186,10 +186,10 @@ pub struct TeeBlendFacts {
 
 fn check_pipe(radius: f64) -> Result<()> {
     if !radius.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Radius, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Radius, index: 0 }.into());
     }
     if radius <= 0.0 {
-        return Err(Error::RadiusNotPositive { radius });
+        return Err(NumberError::RadiusNotPositive { radius }.into());
     }
     range::check_distance(radius)
 }
@@ -226,19 +226,19 @@ impl PipeTee {
     /// `not-finite`, `radius-not-positive`, `too-few-points` (no branch), `pipe-ends-reversed`, `parameter-out-of-range` (coordinates beyond the range of the kernel's numbers).
     pub fn new(main: TeeMain, branches: Vec<TeeBranch>) -> Result<Self> {
         if branches.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
         check_pipe(main.radius)?;
         if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into());
         }
         if !main.taper.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Taper, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Taper, index: 0 }.into());
         }
         if let [start, end] = main.ends
             && start >= end
         {
-            return Err(Error::PipeEndsReversed { pipe: 0, start, end });
+            return Err(PipeError::EndsReversed { pipe: 0, start, end }.into());
         }
         for (index, branch) in branches.iter().enumerate() {
             check_pipe(branch.radius).map_err(|error| error.in_branch(index, ErrorItem::Radius))?;
@@ -252,7 +252,7 @@ impl PipeTee {
             ];
             for (what, value) in numbers {
                 if !value.is_finite() {
-                    return Err(Error::NotFinite { what, index });
+                    return Err(NumberError::NotFinite { what, index }.into());
                 }
             }
         }
@@ -266,7 +266,7 @@ impl PipeTee {
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         let max = self.branches.iter().map(|branch| branch.radius).fold(self.main.radius, f64::min);
         if !(wall > 0.0 && wall < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(Self { wall: Some(wall), ..self })
     }
@@ -319,7 +319,7 @@ impl PipeTee {
         let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
         let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
         if !(radii[0] > 0.0) {
-            return Err(in_blend(Error::RadiusNotPositive { radius: radii[0] }));
+            return Err(in_blend(Error::Number(NumberError::RadiusNotPositive { radius: radii[0] })));
         }
         let place = self.main.ends.into_iter().fold(branch.at.abs() + branch.length, |most, end| most.max(end.abs()));
         let smallest = radii[0].min(branch.radius);

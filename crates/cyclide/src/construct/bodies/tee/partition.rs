@@ -9,7 +9,7 @@ use super::crossing::Crossing;
 use super::equal;
 use super::loop_piece::LoopPiece;
 use crate::base::bernstein;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TeeError};
 use crate::rational::Polynomial;
 
 /// Places of a piece at which directions are looked at.
@@ -128,10 +128,11 @@ fn with_corners(crossing: &Crossing, pieces: &[LoopPiece], near: f64) -> Result<
             }
             let kind = (now + 3) % 4;
             if now != (before + 1) % 4 || corners[kind].is_some() || waiting.is_some() {
-                return Err(Error::TeeHoleFolds {
+                return Err(TeeError::HoleFolds {
                     branch: crossing.branch,
                     angle: crossing.true_angle(piece.angle(high)),
-                });
+                }
+                .into());
             }
             let place = change(|t| at(piece, t) == before, [low, high]);
             before = now;
@@ -152,7 +153,7 @@ fn with_corners(crossing: &Crossing, pieces: &[LoopPiece], near: f64) -> Result<
     if let Some(kind) = waiting {
         corners[kind] = Some(0);
     }
-    let fold = || Error::TeeHoleFolds { branch: crossing.branch, angle: 0.0 };
+    let fold = || Error::Tee(TeeError::HoleFolds { branch: crossing.branch, angle: 0.0 });
     let mut found = [0; 4];
     for (place, corner) in found.iter_mut().zip(corners) {
         *place = corner.ok_or_else(fold)?;

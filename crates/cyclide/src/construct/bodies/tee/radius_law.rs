@@ -6,7 +6,7 @@ use super::equal;
 use super::loop_piece::LoopPiece;
 use crate::construct::bodies::angle_law::{Law, SAME_ANGLE, check_radius};
 use crate::construct::bodies::halving::Halving;
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{Result, TeeError, check_tolerance};
 use crate::rational::Polynomial;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -98,7 +98,7 @@ fn quartic(crossing: &Crossing, radius: f64) -> Result<Loop> {
     let mut low = crossing.least_factor();
     let limit = least_of_form(crossing, low);
     if !(radius < limit) {
-        return Err(Error::TeeBlendTooLarge { branch: crossing.branch, radius, limit });
+        return Err(TeeError::BlendTooLarge { branch: crossing.branch, radius, limit }.into());
     }
     let mut high = 2.0 * low;
     while least_of_form(crossing, high) > radius && high.is_finite() {

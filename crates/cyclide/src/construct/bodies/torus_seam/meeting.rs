@@ -5,7 +5,7 @@ use super::cell::{Cell, are_free};
 use super::{Span, TorusSeam};
 use crate::base::box_tree::BoxTree;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Result, TorusError};
 
 /// Pairs of parts that are looked at before seams are given up as too near to tell.
 const MOST_PAIRS: usize = 4_000_000;
@@ -48,13 +48,14 @@ pub(super) fn check(seam: &TorusSeam, spans: &[Span], closed: bool, tolerance: f
         },
     );
     found.map_or(Ok(()), |Meeting { pieces: [first, second], point, distance }| {
-        Err(Error::SeamMeetsItself {
+        Err(TorusError::SeamMeetsItself {
             first: first.min(second),
             second: first.max(second),
             point: point.to_array(),
             distance,
             width: seam.width,
-        })
+        }
+        .into())
     })
 }
 

@@ -15,7 +15,7 @@ mod moving;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{Error, ErrorItem, NumberError, Result, TorusError, check_tolerance};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::surface::TorusSpline;
 use crate::topology::{Body, FaceEdge, Sewing};
@@ -173,7 +173,9 @@ impl TorusSeam {
             let Some(halvings) = halvings.checked_sub(1) else {
                 let cap = 1_usize << HALVINGS;
                 let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
-                return Err(Error::TooManyPieces { what: "piece", segment: Some(piece), needed, cap, remedy });
+                return Err(
+                    NumberError::TooManyPieces { what: "piece", segment: Some(piece), needed, cap, remedy }.into()
+                );
             };
             let middle = 0.5 * (from + to);
             ahead.extend([([middle, to], halvings), ([from, middle], halvings)]);
@@ -224,7 +226,7 @@ impl TorusSeam {
     }
 
     fn too_wide(&self, piece: usize, point: Point3, limit: f64) -> Error {
-        Error::SeamTooWide { piece, point: point.to_array(), width: self.width, limit }
+        Error::Torus(TorusError::SeamTooWide { piece, point: point.to_array(), width: self.width, limit })
     }
 
     /// The rectangle at a place of the curve.
@@ -249,7 +251,7 @@ impl TorusSeam {
 }
 
 fn out_of_range(name: ErrorItem, value: f64, [min, max]: [f64; 2]) -> Error {
-    Error::ParameterOutOfRange { name, value, min, max }
+    Error::Number(NumberError::ParameterOutOfRange { name, value, min, max })
 }
 
 /// The cubic of a corner between two sections, by a parameter of this length.

@@ -2,7 +2,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
-use crate::error::{Error, Result};
+use crate::error::{Error, PointError, Result};
 use crate::surface::TorusSpline;
 
 /// Speed of a corner along the curve, as part of the speed of the curve, below which the seam folds.
@@ -28,7 +28,7 @@ impl Moving {
     /// `zero-tangent`: the curve stops there.
     pub(super) fn at(spline: &TorusSpline, piece: usize, s: f64) -> Result<Self> {
         let torus = spline.torus();
-        let (jet, lost) = (spline.piece_jet(piece, s), || Error::ZeroTangent { index: piece });
+        let (jet, lost) = (spline.piece_jet(piece, s), || Error::Point(PointError::ZeroTangent { index: piece }));
         let (speed, tangent) = (jet.d1.length(), jet.tangent().ok_or_else(lost)?);
         let (axis, from_axis) = (torus.frame().z(), jet.point - torus.frame().origin());
         let outward = (from_axis - axis * from_axis.dot(axis)).unit().ok_or_else(lost)?;

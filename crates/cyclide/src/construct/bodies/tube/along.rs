@@ -7,7 +7,7 @@ use super::radius_law::RadiusLaw;
 use crate::construct::bodies::LARGEST_ARC;
 use crate::construct::bodies::smooth_joint::largest_smooth_turn;
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
-use crate::error::{Error, Result};
+use crate::error::{Error, NumberError, PipeError, PointError, Result, TubeError};
 
 /// A radius that grows by less than this, for each length, away from linear is linear: rounding.
 pub(super) const LINEAR: f64 = 1e-13;
@@ -78,7 +78,13 @@ pub(super) fn parts<'a>(path: &ArcPath, law: &'a RadiusLaw) -> Result<Vec<Part<'
 
 pub(super) fn too_many(source: usize, cap: usize) -> Error {
     let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
-    Error::TooManyPieces { what: "the tube up to piece", segment: Some(source), needed, cap, remedy }
+    Error::Number(NumberError::TooManyPieces {
+        what: "the tube up to piece",
+        segment: Some(source),
+        needed,
+        cap,
+        remedy,
+    })
 }
 
 fn check_joints(path: &ArcPath) -> Result<()> {
@@ -90,11 +96,11 @@ fn check_joints(path: &ArcPath) -> Result<()> {
         }
         let (arc_before, arc_behind) = (&arcs[(joint + n - 1) % n], &arcs[joint]);
         let (Some(before), Some(behind)) = (arc_before.end_tangent(), arc_behind.start_tangent()) else {
-            return Err(Error::ZeroTangent { index: joint });
+            return Err(PointError::ZeroTangent { index: joint }.into());
         };
         let (turn, smooth) = (before.angle(behind), largest_smooth_turn(arc_before, arc_behind));
         if turn > smooth {
-            return Err(Error::CornerNotMitred { joint, turn, smooth, limit: smooth });
+            return Err(PipeError::CornerNotMitred { joint, turn, smooth, limit: smooth }.into());
         }
     }
     Ok(())
@@ -139,10 +145,10 @@ impl<'a> Part<'a> {
         let [[r0, m0, _], [r1, m1, _]] = [self.radius(self.at[0], false), self.radius(self.at[1], true)];
         let ends = [Ball::new(self.arc.start(), r0), Ball::new(self.arc.end(), r1)];
         let ways = [self.arc.start_tangent(), self.arc.end_tangent()];
-        let [Some(v0), Some(v1)] = ways else { return Err(Error::ZeroTangent { index: self.source }) };
+        let [Some(v0), Some(v1)] = ways else { return Err(PointError::ZeroTangent { index: self.source }.into()) };
         for rate in [m0, m1] {
             if !(rate.abs() < 1.0) {
-                return Err(Error::RadiusGrowsTooFast { piece: self.source, rate: rate.abs(), limit: 1.0 });
+                return Err(TubeError::RadiusGrowsTooFast { piece: self.source, rate: rate.abs(), limit: 1.0 }.into());
             }
         }
         if made.arcs.len() >= made.cap {
@@ -152,7 +158,7 @@ impl<'a> Part<'a> {
         let linear = (m0 - slope).abs().max((m1 - slope).abs()) <= LINEAR;
         if linear && self.arc.is_straight() {
             let arc = BallArc::straight(ends, self.source);
-            made.arcs.push(arc.ok_or(Error::RadiusGrowsTooFast {
+            made.arcs.push(arc.ok_or(TubeError::RadiusGrowsTooFast {
                 piece: self.source,
                 rate: slope.abs(),
                 limit: 1.0,

@@ -7,7 +7,7 @@ use crate::base::bounds::Aabb;
 use crate::base::box_tree::BoxTree;
 use crate::base::segments::nearest_of_segments;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{PipeError, Result};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -117,7 +117,7 @@ pub(super) fn check(course: Course<'_>) -> Result<()> {
     let found = tube.tree.find_within(skip, |i, j| meeting([&tube, &tube], [i, j], &mut left));
     found.map_or(Ok(()), |Meeting { sources: [first, second], point, distance, limit, .. }| {
         let [first, second] = [first.min(second), first.max(second)];
-        Err(Error::PipeMeetsItself { first, second, point: point.to_array(), distance, limit })
+        Err(PipeError::MeetsItself { first, second, point: point.to_array(), distance, limit }.into())
     })
 }
 

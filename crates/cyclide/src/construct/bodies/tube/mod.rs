@@ -24,7 +24,7 @@ use super::PipeEnds;
 use crate::base::range;
 use crate::base::vector::Vec3;
 use crate::curve::{ArcPath, Correspondence, ParamCurve};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, Error, ErrorItem, NumberError, PointError, Result, ShellError, TubeError};
 use crate::topology::Body;
 use ball_arc::BallArc;
 use ring::Ring;
@@ -85,12 +85,13 @@ impl Tube {
     /// or faster: its balls hold each other), `too-many-pieces` (more than 4096 arcs of balls, and 4 for each arc of the spine).
     pub fn along(spine: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
-            return Err(Error::ParameterOutOfRange {
+            return Err(NumberError::ParameterOutOfRange {
                 name: ErrorItem::Tolerance,
                 value: tolerance,
                 min: 0.0,
                 max: f64::INFINITY,
-            });
+            }
+            .into());
         }
         let along::Along { arcs, bound, .. } = along::along(spine, law, tolerance)?;
         Ok(Self { arcs, bound, closed: spine.is_closed(), wall: None, ends: PipeEnds::Flat })
@@ -135,7 +136,7 @@ impl Tube {
         let beside::Beside { distance, lag } = beside::beside(curve, arcs, parts, half, steepest > 0.0)?;
         let bound = if steepest > 0.0 { distance + steepest * lag } else { distance };
         if !(bound <= half) {
-            return Err(Error::NotWithinTolerance { piece: 0, bound, tolerance: half });
+            return Err(CurveError::NotWithinTolerance { piece: 0, bound, tolerance: half }.into());
         }
         Ok(Self { bound: bound + tube.bound, ..tube })
     }
@@ -147,7 +148,7 @@ impl Tube {
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         let max = self.radii()[0];
         if !(wall > 0.0 && wall < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(Self { wall: Some(wall), ..self })
     }
@@ -209,7 +210,9 @@ impl Tube {
         self.check_arcs()?;
         meeting::check(self.course())?;
         let not_told_apart = |error| match error {
-            Error::NotAShell { .. } => self.nearest_balls().or_else(|| self.thinner_than_rounding()).unwrap_or(error),
+            Error::Shell(ShellError::NotAShell { .. }) => {
+                self.nearest_balls().or_else(|| self.thinner_than_rounding()).unwrap_or(error)
+            }
             other => other,
         };
         self.sewn().map_err(not_told_apart)
@@ -225,7 +228,7 @@ impl Tube {
         };
         let nearest = self.arcs.iter().map(reach).min_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
         let (distance, limit, first) = nearest.filter(|(distance, limit, _)| distance <= limit)?;
-        Some(Error::CoincidentPoints { first, second: first + 1, distance, limit })
+        Some(Error::Point(PointError::CoincidentPoints { first, second: first + 1, distance, limit }))
     }
 
     /// Of a tube that cannot be sewn: so thin for where it is that the rounding of its places is its shape.
@@ -280,11 +283,11 @@ impl Tube {
         for arc in &self.arcs {
             let [radius, _] = arc.radii();
             if radius <= 0.0 {
-                return Err(Error::TubeRadiusVanishes { piece: arc.source, radius });
+                return Err(TubeError::RadiusVanishes { piece: arc.source, radius }.into());
             }
             let (left, at) = arc.left();
             if !(left > LEAST_LEFT) {
-                return Err(Error::TubeFolds { piece: arc.source, at, left });
+                return Err(TubeError::Folds { piece: arc.source, at, left }.into());
             }
         }
         Ok(())

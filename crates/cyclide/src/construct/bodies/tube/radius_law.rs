@@ -1,7 +1,7 @@
 //! Laws of the radius along a spine.
 
 use crate::base::range;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, ErrorItem, NumberError, PointError, Result, TubeError};
 
 /// How the radius of a tube goes along its spine, over the fraction of the spine's length from 0 to 1: C1, and never beyond the values given
 /// (cubics with the slopes of M. Steffen, 1990). Linear between two values.
@@ -35,24 +35,30 @@ impl RadiusLaw {
     /// increasing).
     pub fn new(values: &[[f64; 2]]) -> Result<Self> {
         let (Some(&[_, first]), Some(&[_, last])) = (values.first(), values.last()) else {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         };
         for (index, &[at, radius]) in values.iter().enumerate() {
             if !(at.is_finite() && radius.is_finite()) {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
+                return Err(NumberError::RadiusNotPositive { radius }.into());
             }
             range::check_distance(radius)?;
             if !(0.0..=1.0).contains(&at) {
-                return Err(Error::ParameterOutOfRange { name: ErrorItem::Parameter, value: at, min: 0.0, max: 1.0 });
+                return Err(NumberError::ParameterOutOfRange {
+                    name: ErrorItem::Parameter,
+                    value: at,
+                    min: 0.0,
+                    max: 1.0,
+                }
+                .into());
             }
         }
         for (index, pair) in values.windows(2).enumerate() {
             let length = pair[1][0] - pair[0][0];
             if !(length > 0.0) {
-                return Err(Error::EmptyInterval { index, length, limit: 0.0 });
+                return Err(CurveError::EmptyInterval { index, length, limit: 0.0 }.into());
             }
         }
         let mut nodes: Vec<[f64; 3]> = values.iter().map(|&[at, radius]| [at, radius, 0.0]).collect();
@@ -74,7 +80,7 @@ impl RadiusLaw {
     pub(super) fn closed(mut self) -> Result<Self> {
         let [first, last] = [self.radius(0.0), self.radius(1.0)];
         if (first - last).abs() > 0.0 {
-            return Err(Error::RadiusNotClosed { first, last });
+            return Err(TubeError::RadiusNotClosed { first, last }.into());
         }
         self.take_slopes(true);
         Ok(self)

@@ -3,7 +3,7 @@
 use super::ball::{Ball, Way};
 use super::ball_arc::BallArc;
 use crate::base::range;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result, TubeError};
 
 /// Refuses balls that are none.
 ///
@@ -13,10 +13,10 @@ pub(super) fn check(balls: &[Ball]) -> Result<()> {
     for (index, ball) in balls.iter().enumerate() {
         range::check_point(index, ball.center.to_vec())?;
         if !ball.radius.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
         }
         if ball.radius <= 0.0 {
-            return Err(Error::RadiusNotPositive { radius: ball.radius });
+            return Err(NumberError::RadiusNotPositive { radius: ball.radius }.into());
         }
         range::check_distance(ball.radius)?;
     }
@@ -31,7 +31,7 @@ pub(super) fn check(balls: &[Ball]) -> Result<()> {
 pub(super) fn through(balls: &[Ball], closed: bool) -> Result<Vec<BallArc>> {
     let needed = if closed { 3 } else { 2 };
     if balls.len() < needed {
-        return Err(Error::TooFewPoints { given: balls.len(), needed });
+        return Err(PointError::TooFewPoints { given: balls.len(), needed }.into());
     }
     check(balls)?;
     let n = balls.len();
@@ -39,7 +39,8 @@ pub(super) fn through(balls: &[Ball], closed: bool) -> Result<Vec<BallArc>> {
     let ways: Vec<Way> = (0..spans).map(|k| way(balls, k, (k + 1) % n)).collect::<Result<_>>()?;
     if let [only] = ways[..] {
         let ends = [balls[0], balls[1]];
-        let nested = Error::BallsNested { first: 0, second: 1, distance: only.v.length(), limit: only.r.abs() };
+        let nested =
+            Error::Tube(TubeError::BallsNested { first: 0, second: 1, distance: only.v.length(), limit: only.r.abs() });
         return Ok(vec![BallArc::straight(ends, 0).ok_or(nested)?]);
     }
     let tangents: Vec<Way> = (0..n).map(|k| tangent(&ways, k, closed)).collect::<Result<_>>()?;
@@ -47,7 +48,7 @@ pub(super) fn through(balls: &[Ball], closed: bool) -> Result<Vec<BallArc>> {
     for k in 0..spans {
         let next = (k + 1) % n;
         let pair = BallArc::biarc([balls[k], balls[next]], [tangents[k], tangents[next]], k);
-        arcs.extend(pair.ok_or(Error::TubeTurnsBack { ball: k })?);
+        arcs.extend(pair.ok_or(TubeError::TurnsBack { ball: k })?);
     }
     Ok(arcs)
 }
@@ -55,7 +56,7 @@ pub(super) fn through(balls: &[Ball], closed: bool) -> Result<Vec<BallArc>> {
 fn way(balls: &[Ball], first: usize, second: usize) -> Result<Way> {
     let way = balls[first].to(balls[second]);
     let (distance, limit) = (way.v.length(), way.r.abs());
-    if way.square() > 0.0 { Ok(way) } else { Err(Error::BallsNested { first, second, distance, limit }) }
+    if way.square() > 0.0 { Ok(way) } else { Err(TubeError::BallsNested { first, second, distance, limit }.into()) }
 }
 
 /// `a/<a,a> + b/<b,b>` of both ways; at an end that of the next ball, mirrored.
@@ -77,5 +78,5 @@ fn tangent(ways: &[Way], k: usize, closed: bool) -> Result<Way> {
         _ => middle(k - 1, k),
     };
     // At an end it is the next ball that has no tangent.
-    found.ok_or(Error::TubeTurnsBack { ball: if closed { k } else { k.clamp(1, n - 1) } })
+    found.ok_or(Error::Tube(TubeError::TurnsBack { ball: if closed { k } else { k.clamp(1, n - 1) } }))
 }

@@ -14,7 +14,7 @@
 
 use super::chord::{ChordFrame, mirrored};
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 use std::f64::consts::TAU;
 
 /// Bulges below this are lines: their squares would underflow, their sagitta is far below any coordinate's rounding.
@@ -77,14 +77,14 @@ impl ArcCertificate {
 pub fn certify_arc(points: &[Point2], bulge: f64, heights: Option<&[f64]>) -> Result<ArcCertificate> {
     let frame = ChordFrame::new(points)?;
     if !bulge.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Bulge, index: 0 }.into());
     }
     if let Some(z) = heights {
         if z.len() != points.len() {
-            return Err(Error::TooFewPoints { given: z.len(), needed: points.len() });
+            return Err(PointError::TooFewPoints { given: z.len(), needed: points.len() }.into());
         }
         if let Some(index) = z.iter().position(|z| !z.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Height, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Height, index }.into());
         }
     }
     let b = if bulge.abs() < LINE_BULGE { 0.0 } else { bulge.abs() };

@@ -7,7 +7,7 @@
 
 use super::chord::{ChordFrame, mirrored};
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{NumberError, Result, check_tolerance};
 use std::f64::consts::TAU;
 
 /// The feasible bulges of a span: intervals of `|bulge| = tan(sweep/4)`, or `None` where no arc will do.
@@ -48,7 +48,7 @@ pub struct BulgeIntervals {
 pub fn feasible_bulges(points: &[Point2], tolerance: f64, edges: bool, max_sweep: f64) -> Result<BulgeIntervals> {
     check_tolerance(tolerance)?;
     if !(max_sweep > 0.0 && max_sweep < TAU) {
-        return Err(Error::SweepOutOfRange { sweep: max_sweep, min: 0.0, max: TAU });
+        return Err(NumberError::SweepOutOfRange { sweep: max_sweep, min: 0.0, max: TAU }.into());
     }
     let frame = ChordFrame::new(points)?;
     let t = tolerance / frame.half;

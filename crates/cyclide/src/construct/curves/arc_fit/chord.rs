@@ -4,7 +4,7 @@
 
 use super::input;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result};
+use crate::error::{Error, PointError, Result};
 
 /// Chord frame of the span from the first to the last point.
 pub(super) struct ChordFrame {
@@ -21,8 +21,12 @@ impl ChordFrame {
         input::check_points(points, 2)?;
         let (a, b) = (points[0], points[points.len() - 1]);
         let half = 0.5 * a.distance(b);
-        let coincident =
-            Error::CoincidentPoints { first: 0, second: points.len() - 1, distance: 2.0 * half, limit: 0.0 };
+        let coincident = Error::Point(PointError::CoincidentPoints {
+            first: 0,
+            second: points.len() - 1,
+            distance: 2.0 * half,
+            limit: 0.0,
+        });
         let axis = (b - a).unit().ok_or(coincident)?;
         Ok(Self { middle: a + (b - a) * 0.5, axis, half })
     }

@@ -7,7 +7,7 @@
 use super::bulge_interval::one_minus_and_plus;
 use super::input;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 
 /// Largest `|curvature| * tolerance` of an arc: below 1 the circle cannot hide inside the tube.
 const MAX_CURVATURE_TOLERANCE: f64 = 0.98;
@@ -154,10 +154,10 @@ pub fn curvature_intervals(
     check_tolerance(tolerance)?;
     input::check_points(points, 2)?;
     if !start.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Start, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Start, index: 0 }.into());
     }
     if !tangent_angle.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Tangent, index: 0 });
+        return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index: 0 }.into());
     }
     let (sine, cosine) = tangent_angle.sin_cos();
     let frame = JointFrame { joint: start, tangent: Vec2::new(cosine, sine) };

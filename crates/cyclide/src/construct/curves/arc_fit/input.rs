@@ -4,7 +4,7 @@ use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, PointError, Result};
 use crate::warning::Warning;
 
 /// Neighbours closer than this times the diameter are one point,
@@ -31,10 +31,10 @@ pub(super) fn check_points(points: &[Point2], needed: usize) -> Result<()> {
 
 fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<()> {
     if given < needed {
-        return Err(Error::TooFewPoints { given, needed });
+        return Err(PointError::TooFewPoints { given, needed }.into());
     }
     match (0..given).find(|i| !finite(*i)) {
-        Some(index) => Err(Error::NotFinite { what: ErrorItem::Point, index }),
+        Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into()),
         None => Ok(()),
     }
 }
@@ -61,7 +61,7 @@ impl Distinct {
         check(points.len(), needed, |i| points[i].is_finite())?;
         let diameter = diameter(points);
         if !diameter.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::DistanceFromPoint, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::DistanceFromPoint, index: 0 }.into());
         }
         let mut edges: Vec<f64> = points.windows(2).map(|w| w[0].distance(w[1])).collect();
         let usual = *edges.select_nth_unstable_by(points.len() / 2 - usize::from(points.len() < 3), f64::total_cmp).1;
@@ -90,10 +90,10 @@ impl Distinct {
         }
         if source.len() == 1 {
             let distance = points[0].distance(points[1]);
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance, limit }.into());
         }
         if source.len() < needed {
-            return Err(Error::TooFewPoints { given: source.len(), needed });
+            return Err(PointError::TooFewPoints { given: source.len(), needed }.into());
         }
         let count = points.len() - source.len();
         if count > 0 && first_dropped.is_none() {

@@ -39,7 +39,7 @@ use crate::base::planar::Point2;
 use crate::base::vector::Point3;
 use crate::construct::curves::outline::{Outline, Scattered, kept_corners};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, FitError, PointError, Result};
 use crate::warning::Warning;
 use beam::ChainJoint;
 use certificate::certify;
@@ -88,7 +88,9 @@ impl ArcFit {
         options.check(points.len())?;
         let limits = options.limits();
         match Self::in_any_tube(points, options) {
-            Err(died @ Error::NoG1SplineInTube { .. }) if options.min_radius.or(options.min_arc_length).is_some() => {
+            Err(died @ Error::Fit(FitError::NoG1SplineInTube { .. }))
+                if options.min_radius.or(options.min_arc_length).is_some() =>
+            {
                 // What would do without them keeps them all the same, or says where they are missed.
                 let free = ArcFitOptions { min_radius: None, min_arc_length: None, ..options.clone() };
                 let fit = Self::in_any_tube(points, &free).map_err(|_| died)?;
@@ -131,7 +133,7 @@ impl ArcFit {
         let nearest = |a: &&usize, b: &&usize| points[**a].distance(at).total_cmp(&points[**b].distance(at));
         let indices: Vec<usize> = (0..points.len()).collect();
         let vertex = *indices.iter().min_by(nearest)?;
-        Some(Error::ArcLimitNotKept { vertex, name, value, limit })
+        Some(Error::Fit(FitError::ArcLimitNotKept { vertex, name, value, limit }))
     }
 
     fn in_any_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
@@ -140,7 +142,9 @@ impl ArcFit {
         let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
         let tolerance = WIDE_TUBE * size;
         match fit {
-            Err(died @ Error::NoG1SplineInTube { .. }) if tolerance > 0.0 && options.tolerance > tolerance => {
+            Err(died @ Error::Fit(FitError::NoG1SplineInTube { .. }))
+                if tolerance > 0.0 && options.tolerance > tolerance =>
+            {
                 Self::within_tube(points, &ArcFitOptions { tolerance, ..options.clone() }).map_err(|_| died)
             }
             fit => fit,
@@ -160,13 +164,15 @@ impl ArcFit {
                     }
                 }
                 // More effort finds more ways between samples; edges that are meant leave none.
-                Err(error @ Error::NoG1SplineInTube { .. }) if options.target == FitTarget::Points => {
+                Err(error @ Error::Fit(FitError::NoG1SplineInTube { .. })) if options.target == FitTarget::Points => {
                     died = Some(error);
                 }
                 Err(error) => return best.ok_or(error),
             }
         }
-        let Some(mut fit) = best else { return Err(died.unwrap_or(Error::TooFewPoints { given: 0, needed: 2 })) };
+        let Some(mut fit) = best else {
+            return Err(died.unwrap_or(Error::Point(PointError::TooFewPoints { given: 0, needed: 2 })));
+        };
         let FitCertificate { turning, turning_limit: limit, .. } = fit.certificate;
         fit.warnings.push(Warning::TurnsMoreThanData { turning, limit });
         Ok(fit)
@@ -190,7 +196,7 @@ impl ArcFit {
         let way = WayRound::of(&list.points, options.closed);
         match Self::one_way(&list, &way, options, effort) {
             // What ends in a dead end from one side may not from the other.
-            Err(died @ Error::NoG1SplineInTube { .. }) => {
+            Err(died @ Error::Fit(FitError::NoG1SplineInTube { .. })) => {
                 Self::one_way(&list, &way.turned(), options, effort).map_err(|_| died)
             }
             found => found,
@@ -204,7 +210,7 @@ impl ArcFit {
         let outline = read(Scattered::Vertices);
         match Self::of_outline(&distinct, &outline, way, options, effort) {
             // Points that noise has moved past each other are vertices of no outline.
-            Err(error @ Error::NoG1SplineInTube { .. }) => {
+            Err(error @ Error::Fit(FitError::NoG1SplineInTube { .. })) => {
                 let other = read(Scattered::Noise);
                 if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, way, options, effort) }
             }
@@ -222,7 +228,8 @@ impl ArcFit {
         let (data, tolerance) = (&distinct.points, options.tolerance);
         let corners = &outline.corners;
         let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
-        let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
+        let died =
+            |vertex: usize| Error::Fit(FitError::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance });
 
         let largest = data.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let rounding = (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);

@@ -3,7 +3,7 @@
 use super::beam::BeamSize;
 use super::piece::Piece;
 use crate::curve::Arc;
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 use std::f64::consts::PI;
 
 /// What the points are; never mixed silently.
@@ -197,17 +197,25 @@ impl ArcFitOptions {
         if let Some(value) = self.corner_angle
             && !(value > 0.0 && value <= PI)
         {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, min: 0.0, max: PI });
+            return Err(
+                NumberError::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, min: 0.0, max: PI }.into()
+            );
         }
         let limits = [(ErrorItem::MinRadius, self.min_radius), (ErrorItem::MinArcLength, self.min_arc_length)];
         for (name, value) in limits.into_iter().filter_map(|(name, value)| Some((name, value?))) {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::ParameterOutOfRange { name, value, min: 0.0, max: f64::INFINITY });
+                return Err(NumberError::ParameterOutOfRange { name, value, min: 0.0, max: f64::INFINITY }.into());
             }
         }
         if let Some(corner) = self.corners.iter().find(|c| **c >= points) {
             let max = points.saturating_sub(1) as f64;
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Corner, value: *corner as f64, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange {
+                name: ErrorItem::Corner,
+                value: *corner as f64,
+                min: 0.0,
+                max,
+            }
+            .into());
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use super::options::{Heights, Noise, Outliers};
 use super::{FairFit, FairFitOptions, corners, whittaker};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, FitError, NumberError, PointError, Result};
 use crate::warning::Warning;
 
 /// The curve keeps this near to the points without their noise, in deviations of these from what was measured,
@@ -120,7 +120,9 @@ pub(super) fn with_loose_heights(
 ) -> Result<(Distinct, f64)> {
     let (least, max) = (options.tolerance, f64::MAX);
     if !(within > least && within.is_finite()) {
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::ToleranceZ, value: within, min: least, max });
+        return Err(
+            NumberError::ParameterOutOfRange { name: ErrorItem::ToleranceZ, value: within, min: least, max }.into()
+        );
     }
     let mut points = distinct.points.clone();
     let mut moved = 0.0_f64;
@@ -179,7 +181,7 @@ impl FairFit {
                 fit.warnings = warnings;
                 return Ok(fit);
             }
-            _ => return Err(Error::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }),
+            _ => return Err(PointError::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }.into()),
         };
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
@@ -210,10 +212,10 @@ impl FairFit {
         let mut tries = 0;
         let mut fit = loop {
             match Self::near(&places, &task, Some(measured)) {
-                Err(Error::ToleranceNotReached { points, deviation, .. }) => {
+                Err(Error::Fit(FitError::ToleranceNotReached { points, deviation, .. })) => {
                     let next = task.tolerance * RELAXED;
                     if tries == RELAXATIONS || next > widest {
-                        return Err(Error::NoiseNotSmoothed { points, deviation, noise: found.deviation });
+                        return Err(FitError::NoiseNotSmoothed { points, deviation, noise: found.deviation }.into());
                     }
                     tries += 1;
                     task.tolerance = next;
@@ -224,7 +226,7 @@ impl FairFit {
         if fit.certificate.deviation > options.tolerance {
             let points = vec![fit.certificate.worst];
             let (deviation, tolerance) = (fit.certificate.deviation, options.tolerance);
-            return Err(Error::ToleranceNotReached { points, deviation, tolerance });
+            return Err(FitError::ToleranceNotReached { points, deviation, tolerance }.into());
         }
         let apart = noise::usual_length(&distinct.points);
         if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {

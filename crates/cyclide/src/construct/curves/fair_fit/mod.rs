@@ -47,7 +47,7 @@ use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::construct::curves::canonical_start::runs_backwards;
 use crate::curve::CircleSpline;
-use crate::error::{Error, Result};
+use crate::error::{Error, FitError, Result};
 use crate::warning::Warning;
 use edged::Edged;
 use measured::{Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
@@ -245,7 +245,7 @@ impl FairFit {
         distinct: &Distinct,
         options: &FairFitOptions,
     ) -> Error {
-        let Error::ToleranceNotReached { tolerance, .. } = error else { return error };
+        let Error::Fit(FitError::ToleranceNotReached { tolerance, .. }) = error else { return error };
         let Some(found) = found else { return error };
         // The others have to be within it.
         let outside: Vec<(usize, f64)> = found.outliers.iter().copied().filter(|o| o.1 > tolerance).collect();
@@ -253,7 +253,7 @@ impl FairFit {
             return error;
         }
         let points = outside.into_iter().map(|(i, distance)| (distinct.source[i], distance)).collect();
-        Error::OutliersOutside { points, noise: found.deviation, tolerance }
+        Error::Fit(FitError::OutliersOutside { points, noise: found.deviation, tolerance })
     }
 
     /// The fit within the tolerance of points that differ. With `measured` these are points without their noise, and those
@@ -406,8 +406,12 @@ fn runs(n: usize, closed: bool, corners: &[usize]) -> Vec<(usize, usize)> {
 
 fn in_users_numbers(error: Error, source: &[usize]) -> Error {
     match error {
-        Error::ToleranceNotReached { points, deviation, tolerance } => {
-            Error::ToleranceNotReached { points: points.iter().map(|i| source[*i]).collect(), deviation, tolerance }
+        Error::Fit(FitError::ToleranceNotReached { points, deviation, tolerance }) => {
+            Error::Fit(FitError::ToleranceNotReached {
+                points: points.iter().map(|i| source[*i]).collect(),
+                deviation,
+                tolerance,
+            })
         }
         other => other,
     }

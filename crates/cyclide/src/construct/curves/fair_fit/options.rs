@@ -1,6 +1,6 @@
 //! What the user can ask of a fair fit.
 
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 use std::f64::consts::PI;
 
 /// Largest weight of the data's middle: beyond it the fit is one of least squares.
@@ -144,7 +144,7 @@ impl FairFitOptions {
             if value >= min && value <= max {
                 Ok(())
             } else {
-                Err(Error::ParameterOutOfRange { name, value, min, max })
+                Err(NumberError::ParameterOutOfRange { name, value, min, max }.into())
             }
         };
         // An angle of 0 would make every point a corner.

@@ -14,7 +14,7 @@ use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::Distinct;
 use crate::construct::curves::outline::kept_corners;
 use crate::curve::{BlendSegment, CircleSpline};
-use crate::error::{Error, Result};
+use crate::error::{FitError, Result};
 use crate::rational::RationalBezier;
 use crate::warning::Warning;
 use std::f64::consts::PI;
@@ -103,7 +103,7 @@ impl<'a> Parts<'a> {
                     outside.iter().map(|i| numbers[own.partition_point(|k| k <= i) - 1]).collect();
                 points.dedup();
                 let deviation = farthest / frame.length(1.0);
-                return Err(Error::ToleranceNotReached { points, deviation, tolerance: options.tolerance });
+                return Err(FitError::ToleranceNotReached { points, deviation, tolerance: options.tolerance }.into());
             }
         };
         let nodes = &fit.curve.nodes;
@@ -156,11 +156,12 @@ impl<'a> Parts<'a> {
         if self.measured.is_none() && sheet.deviation > options.tolerance {
             // Only the rounding of coordinates far larger than the tolerance can do that.
             let points = vec![sheet.worst];
-            return Err(Error::ToleranceNotReached {
+            return Err(FitError::ToleranceNotReached {
                 points,
                 deviation: sheet.deviation,
                 tolerance: options.tolerance,
-            });
+            }
+            .into());
         }
         let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
         warnings.extend(kept_corners(corners, source));

@@ -1,7 +1,7 @@
 //! What the user can ask of [`CircleSpline::fair`](crate::CircleSpline::fair).
 
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// How a fair circle spline ends.
 ///
@@ -76,7 +76,7 @@ impl FairSplineOptions {
     /// `parameter-out-of-range`.
     pub(super) fn check(&self) -> Result<()> {
         let in_range = |name, value: f64, max: f64, inside: bool| {
-            if inside { Ok(()) } else { Err(Error::ParameterOutOfRange { name, value, min: 0.0, max }) }
+            if inside { Ok(()) } else { Err(NumberError::ParameterOutOfRange { name, value, min: 0.0, max }.into()) }
         };
         in_range(ErrorItem::Tension, self.tension, 1.0, (0.0..=1.0).contains(&self.tension))?;
         let tight = self.tight.unwrap_or(0.25);

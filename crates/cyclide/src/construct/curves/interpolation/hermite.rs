@@ -16,7 +16,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::QbCurve;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, InterpolationError, NumberError, Result};
 
 /// A point that a curve passes at a parameter, with as many of its derivatives there as are given.
 ///
@@ -54,13 +54,13 @@ impl QbInterpolation {
     pub fn through_nodes(nodes: &[QbNode]) -> Result<Self> {
         let conditions: usize = nodes.iter().map(|node| 1 + node.derivatives.len()).sum();
         if conditions.is_multiple_of(2) {
-            return Err(Error::EvenPointCount { given: conditions });
+            return Err(InterpolationError::EvenPointCount { given: conditions }.into());
         }
         for (index, node) in nodes.iter().enumerate() {
             range::check_point(index, node.point.to_vec())?;
             node.derivatives.iter().try_for_each(|d| range::check_derivative(index, *d))?;
             if !node.parameter.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Parameter, index });
+                return Err(NumberError::NotFinite { what: ErrorItem::Parameter, index }.into());
             }
         }
         let t: Vec<f64> = nodes.iter().map(|node| node.parameter).collect();
@@ -193,9 +193,12 @@ fn check_met(curve: &QbCurve, jets: &[Jet], frame: DataFrame, spread: f64) -> Re
     };
     let missed: Vec<usize> = (0..jets.len()).filter(|k| !(distance(&jets[*k]) <= MISSED)).collect();
     match missed.first() {
-        Some(&first) => {
-            Err(Error::UnattainablePoint { measured: distance(&jets[first]), points: missed, limit: MISSED })
+        Some(&first) => Err(InterpolationError::UnattainablePoint {
+            measured: distance(&jets[first]),
+            points: missed,
+            limit: MISSED,
         }
+        .into()),
         None => Ok(()),
     }
 }

@@ -18,7 +18,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::curve::QbCurve;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, InterpolationError, NumberError, Result};
 
 impl QbInterpolation {
     /// The curve through an odd number of points, in their order, at their parameters; those given have to be in `[0, 1]` and differ, in any
@@ -32,10 +32,15 @@ impl QbInterpolation {
         if let NodeParameters::Given(given) = parameters
             && given.len() != points.len()
         {
-            return Err(Error::CountDiffers { what: ErrorItem::Parameter, given: given.len(), needed: points.len() });
+            return Err(NumberError::CountDiffers {
+                what: ErrorItem::Parameter,
+                given: given.len(),
+                needed: points.len(),
+            }
+            .into());
         }
         if points.len().is_multiple_of(2) {
-            return Err(Error::EvenPointCount { given: points.len() });
+            return Err(InterpolationError::EvenPointCount { given: points.len() }.into());
         }
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
@@ -83,9 +88,12 @@ fn through(t: &[f64], a: &[Quat], frame: DataFrame) -> Result<(QbCurve, Vec<f64>
 pub(super) fn check_attained(attainability: &[f64]) -> Result<()> {
     let failing: Vec<usize> = (0..attainability.len()).filter(|k| attainability[*k] <= ATTAINED).collect();
     match failing.first() {
-        Some(&first) => {
-            Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED })
+        Some(&first) => Err(InterpolationError::UnattainablePoint {
+            points: failing,
+            measured: attainability[first],
+            limit: ATTAINED,
         }
+        .into()),
         None => Ok(()),
     }
 }
@@ -100,12 +108,14 @@ pub(super) fn in_order(t: &[f64]) -> Vec<usize> {
 /// Refuses parameters outside `[0, 1]` and equal ones.
 pub(super) fn check_parameters(t: &[f64]) -> Result<()> {
     if let Some(value) = t.iter().find(|t| !(0.0..=1.0).contains(*t)) {
-        return Err(Error::ParameterOutOfRange { name: ErrorItem::Parameter, value: *value, min: 0.0, max: 1.0 });
+        return Err(
+            NumberError::ParameterOutOfRange { name: ErrorItem::Parameter, value: *value, min: 0.0, max: 1.0 }.into()
+        );
     }
     match in_order(t).windows(2).find(|w| t[w[0]] - t[w[1]] == 0.0) {
         Some(w) => {
             let [first, second] = [w[0].min(w[1]), w[0].max(w[1])];
-            Err(Error::RepeatedParameter { first, second, value: t[first] })
+            Err(InterpolationError::RepeatedParameter { first, second, value: t[first] }.into())
         }
         None => Ok(()),
     }
@@ -163,7 +173,10 @@ fn check_met(curve: &QbCurve, t: &[f64], a: &[Quat], frame: DataFrame) -> Result
     let distance = |k: usize| (curve.local_point(t[k]) / frame.radius - a[k].vector()).length();
     let missed: Vec<usize> = (0..t.len()).filter(|k| !(distance(*k) <= MISSED)).collect();
     match missed.first() {
-        Some(&first) => Err(Error::UnattainablePoint { points: missed, measured: distance(first), limit: MISSED }),
+        Some(&first) => {
+            Err(InterpolationError::UnattainablePoint { points: missed, measured: distance(first), limit: MISSED }
+                .into())
+        }
         None => Ok(()),
     }
 }

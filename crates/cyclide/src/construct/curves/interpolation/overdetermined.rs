@@ -7,7 +7,7 @@
 
 use super::finish::MOST_DEGREE;
 use crate::curve::QbCurve;
-use crate::error::{Error, Result};
+use crate::error::{Error, InterpolationError, NurbsError, Result};
 
 /// Conditions that a curve of the largest degree takes.
 pub(super) const MOST_CONDITIONS: usize = 2 * MOST_DEGREE + 1;
@@ -24,7 +24,7 @@ pub(super) fn from_some(
     check: impl Fn(&QbCurve) -> Result<()>,
 ) -> Result<QbCurve> {
     let degree = owners.len() / 2;
-    let too_high = Error::DegreeTooHigh { degree, limit: MOST_DEGREE };
+    let too_high = Error::Nurbs(NurbsError::DegreeTooHigh { degree, limit: MOST_DEGREE });
     let mut aside: Vec<usize> = Vec::new();
     loop {
         let open: Vec<usize> = owners.iter().copied().filter(|node| !aside.contains(node)).collect();
@@ -39,16 +39,18 @@ pub(super) fn from_some(
                 let conditions = |missed: &[usize]| owners.iter().filter(|node| missed.contains(node)).count();
                 return match check(&curve) {
                     Ok(()) => Ok(curve),
-                    Err(Error::UnattainablePoint { points, measured, limit })
+                    Err(Error::Interpolation(InterpolationError::UnattainablePoint { points, measured, limit }))
                         if curve.degree() + conditions(&points) <= degree =>
                     {
-                        Err(Error::UnattainablePoint { points, measured, limit })
+                        Err(InterpolationError::UnattainablePoint { points, measured, limit }.into())
                     }
                     Err(_) => Err(too_high),
                 };
             }
             // The other ones decide.
-            Err(Error::UnattainablePoint { points, .. }) if aside.len() + points.len() <= MOST_DEGREE => {
+            Err(Error::Interpolation(InterpolationError::UnattainablePoint { points, .. }))
+                if aside.len() + points.len() <= MOST_DEGREE =>
+            {
                 aside.extend(points.iter().map(|place| chosen[*place].0));
             }
             Err(_) => return Err(too_high),

@@ -2,7 +2,7 @@
 
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
 /// The parameters at which a curve meets its points. They matter: the curve through the same points at others is another curve,
 /// but for those that differ by a projective map of the line (`docs/math/qb-interpolation.md#parameters`).
@@ -41,7 +41,7 @@ impl NodeParameters {
             return check_given(given, points.len());
         }
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Point, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into());
         }
         if points.len() == 1 {
             return Ok(vec![0.0]);
@@ -61,10 +61,10 @@ impl NodeParameters {
 /// The given parameters, one for each point.
 fn check_given(given: &[f64], points: usize) -> Result<Vec<f64>> {
     if given.len() != points {
-        return Err(Error::CountDiffers { what: ErrorItem::Parameter, given: given.len(), needed: points });
+        return Err(NumberError::CountDiffers { what: ErrorItem::Parameter, given: given.len(), needed: points }.into());
     }
     match given.iter().position(|t| !t.is_finite()) {
-        Some(index) => Err(Error::NotFinite { what: ErrorItem::Parameter, index }),
+        Some(index) => Err(NumberError::NotFinite { what: ErrorItem::Parameter, index }.into()),
         None => Ok(given.to_vec()),
     }
 }
@@ -90,7 +90,7 @@ pub(in crate::construct::curves) fn node_steps(
         } else if distance > 0.0 {
             Ok(if by_roots { distance.sqrt() } else { distance })
         } else {
-            Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 })
+            Err(Error::Point(PointError::CoincidentPoints { first, second, distance, limit: 0.0 }))
         }
     };
     let mut steps = Vec::with_capacity(count);

@@ -14,7 +14,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::QbCurve;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, InterpolationError, NumberError, Result};
 
 /// `L`, `R` or the denominator in the middle up to this part of what they are sums of vanish.
 const VANISHES: f64 = 1e-11;
@@ -45,14 +45,14 @@ impl QbInterpolation {
             range::check_derivative(index, *v)?;
         }
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 }.into());
         }
         let parameters = vec![0.0, t, 1.0];
         let frame = DataFrame::of(&points);
         range::check_distance(frame.radius)?;
         let (value, max) = (tangents.iter().map(|v| v.length()).fold(0.0, f64::max), MOST_SPEED * frame.radius);
         if value > max && frame.radius > 0.0 {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Tangent, value, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Tangent, value, min: 0.0, max }.into());
         }
         let Some(inverse) = Quat::from(points[2] - points[0]).inverse() else {
             // Closed: no chord to divide by.
@@ -83,8 +83,9 @@ fn closed_form(
     let right = (d20 * (1.0 / tau), d42 * alpha);
     let vanishes = |(a, b): (Quat, Quat)| (a - b).norm() <= VANISHES * (a.norm() + b.norm());
     let measure = |(a, b): (Quat, Quat)| (a - b).norm() / (a.norm() + b.norm()).max(f64::MIN_POSITIVE);
-    let missed =
-        |point: usize, measured: f64| Error::UnattainablePoint { points: vec![point], measured, limit: VANISHES };
+    let missed = |point: usize, measured: f64| {
+        Error::Interpolation(InterpolationError::UnattainablePoint { points: vec![point], measured, limit: VANISHES })
+    };
     let local = |p: Point3| Quat::from(p - frame.center);
     match (vanishes(left), vanishes(right)) {
         (true, true) => return Ok(vec![(local(a0), Quat::ONE), (local(a4) * alpha, alpha)]),
@@ -110,7 +111,9 @@ fn check_met(curve: &QbCurve, points: [Point3; 3], tangents: [Vec3; 2], t: f64, 
     let slope = |end: f64, v: Vec3| (curve.jet(end).d1 - v).length() / (v.length() + r);
     let [first, last] = [slope(0.0, tangents[0]), slope(1.0, tangents[1])];
     match [(0, first), (1, place), (2, last)].into_iter().find(|(_, off)| !(*off <= MISSED)) {
-        Some((point, measured)) => Err(Error::UnattainablePoint { points: vec![point], measured, limit: MISSED }),
+        Some((point, measured)) => {
+            Err(InterpolationError::UnattainablePoint { points: vec![point], measured, limit: MISSED }.into())
+        }
         None => Ok(()),
     }
 }

@@ -4,7 +4,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Chord, QbCurve, SpanData};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, InterpolationError, NumberError, PointError, Result};
 
 /// Tangents that add up to less than this oppose each other.
 const OPPOSITE: f64 = 1e-12;
@@ -34,14 +34,14 @@ impl QbCurve {
             range::check_point(index, p.to_vec())?;
         }
         if let Some(index) = velocities.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());
         }
         let chord = Chord::new(ends[0], ends[1]);
         if chord.length <= range::MIN_DISTANCE {
             let (distance, limit) = (chord.length, range::MIN_DISTANCE);
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+            return Err(PointError::CoincidentPoints { first: 0, second: 1, distance, limit }.into());
         }
-        let unit = |index: usize| velocities[index].unit().ok_or(Error::ZeroTangent { index });
+        let unit = |index: usize| velocities[index].unit().ok_or(Error::Point(PointError::ZeroTangent { index }));
         let (t1, t2) = (unit(0)?, unit(1)?.reflect(chord.unit));
         let speeds = velocities.map(|v| v.length() / chord.length);
         let data = SpanData { ends, unit: chord.unit, length: chord.length, tangent: t1, root: root(t1, t2)?, speeds };
@@ -69,7 +69,7 @@ fn root(t1: Vec3, t2: Vec3) -> Result<Quat> {
     let (mut sum, difference) = (t1 + t2, t2 - t1);
     let measured = sum.length();
     if measured < OPPOSITE {
-        return Err(Error::OppositeArcs { measured, limit: OPPOSITE });
+        return Err(InterpolationError::OppositeArcs { measured, limit: OPPOSITE }.into());
     }
     if measured < difference.length() {
         // Rounding of the sum along the difference, which it stands across.

@@ -8,7 +8,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Chord, chords_between, corner_nodes};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, PoseError, Result};
 
 /// The derivative with which a curve arrives at a node, and that with which it leaves: different at corners and cusps only.
 #[derive(Debug, Clone, Copy)]
@@ -40,20 +40,21 @@ impl<'a> Nodes<'a> {
     pub(super) fn new(points: &'a [Point3], knots: &[f64], closed: bool, corners: &[usize]) -> Result<Self> {
         let needed = points.len() + usize::from(closed);
         if knots.len() != needed {
-            return Err(Error::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed });
+            return Err(NumberError::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed }.into());
         }
         if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Knot, index }.into());
         }
         let steps: Vec<f64> = knots.windows(2).map(|w| w[1] - w[0]).collect();
         let chords = match (chords_between(points, closed), steps.iter().position(|h| !(*h > 0.0))) {
             // Of both faults that of the knots is told first, unless there are no points at all.
-            (Ok(_) | Err(Error::CoincidentPoints { .. }), Some(index)) => {
-                return Err(Error::ParametersNotIncreasing {
+            (Ok(_) | Err(Error::Point(PointError::CoincidentPoints { .. })), Some(index)) => {
+                return Err(PoseError::ParametersNotIncreasing {
                     index: index + 1,
                     value: knots[index + 1],
                     before: knots[index],
-                });
+                }
+                .into());
             }
             (chords, _) => chords?,
         };
@@ -149,7 +150,7 @@ pub fn circle_tangents(points: &[Point3], knots: &[f64], closed: bool) -> Result
             let n = points.len();
             let (before, after) = (&nodes.chords[(index + n - 1) % n], &nodes.chords[index]);
             let measured = (before.unit + after.unit).length();
-            return Err(Error::Cusp { index, measured, limit: Chord::CUSP_LIMIT });
+            return Err(ArcError::Cusp { index, measured, limit: Chord::CUSP_LIMIT }.into());
         }
         Ok(velocity.arriving)
     };

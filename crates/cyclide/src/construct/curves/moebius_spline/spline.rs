@@ -5,7 +5,7 @@ use super::nodes::{NodeVelocity, Nodes};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::interpolation::{NodeParameters, node_steps};
 use crate::curve::{BlendLaw, BlendSegment, BlendTangents, Chord, QbCurve, QbSpline, inspect_node, rounded_directions};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 use crate::warning::Warning;
 
 /// How [`QbSpline::through_points`] makes its curve.
@@ -49,7 +49,12 @@ impl QbSpline {
         let knots = knots_of(points, options)?;
         let nodes = Nodes::new(points, &knots, closed, &options.corners)?;
         if !(options.tangents.is_empty() || options.tangents.len() == n) {
-            return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n });
+            return Err(NumberError::CountDiffers {
+                what: ErrorItem::Tangent,
+                given: options.tangents.len(),
+                needed: n,
+            }
+            .into());
         }
         let mut warnings = Vec::from_iter(rounded_directions(points, &nodes.chords));
         // Not collected: results do not say how many they are, and vectors that grow are half of the work.
@@ -74,10 +79,10 @@ fn knots_of(points: &[Point3], options: &MoebiusSplineOptions) -> Result<Vec<f64
     }
     let needed = if options.closed { 3 } else { 2 };
     if points.len() < needed {
-        return Err(Error::TooFewPoints { given: points.len(), needed });
+        return Err(PointError::TooFewPoints { given: points.len(), needed }.into());
     }
     if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Point, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into());
     }
     let mut sum = 0.0;
     let steps = node_steps(&options.knots, points, options.closed)?;
@@ -98,8 +103,8 @@ fn velocity(
 ) -> Result<NodeVelocity> {
     if let Some(given) = options.tangents.get(i).copied().flatten() {
         return match given {
-            v if !v.is_finite() => Err(Error::NotFinite { what: ErrorItem::Tangent, index: i }),
-            v if v.unit().is_none() => Err(Error::ZeroTangent { index: i }),
+            v if !v.is_finite() => Err(NumberError::NotFinite { what: ErrorItem::Tangent, index: i }.into()),
+            v if v.unit().is_none() => Err(PointError::ZeroTangent { index: i }.into()),
             v => Ok(NodeVelocity::smooth(v)),
         };
     }
@@ -114,7 +119,7 @@ fn velocity(
 fn span_between(nodes: &Nodes, i: usize, [v0, v1]: [Vec3; 2], warnings: &mut Vec<Warning>) -> Result<QbCurve> {
     let n = nodes.points.len();
     let (chord, next): (&Chord, usize) = (&nodes.chords[i], (i + 1) % n);
-    let unit = |v: Vec3, index: usize| v.unit().ok_or(Error::ZeroTangent { index });
+    let unit = |v: Vec3, index: usize| v.unit().ok_or(Error::Point(PointError::ZeroTangent { index }));
     let (start, end) = (unit(v0, i)?, unit(v1, next)?.reflect(chord.unit));
     let magnification = magnification(nodes, i);
     let tangents = BlendTangents { start, end, magnification };

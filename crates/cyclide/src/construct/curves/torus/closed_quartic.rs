@@ -7,7 +7,7 @@ use super::projective_biarc::within;
 use super::spline_data::check_angles;
 use crate::base::complex::Complex;
 use crate::base::planar::Point2;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, Result, TorusError};
 use crate::surface::{
     CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn,
 };
@@ -41,7 +41,7 @@ impl TorusSpline {
         #[expect(clippy::float_cmp, reason = "the ratios 1 and -1 alone are circles")]
         if Some(kind) == villarceau && ratio.abs() == 1.0 {
             let turns = if ratio > 0.0 { [2, 0] } else { [0, 2] };
-            return Err(Error::NotCoprime { turns, divisor: 2 });
+            return Err(TorusError::NotCoprime { turns, divisor: 2 }.into());
         }
         let step = PI / f64::from(STEPS);
         let at = |k: u32, ratio: f64| {

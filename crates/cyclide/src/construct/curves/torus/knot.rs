@@ -8,7 +8,7 @@ use super::projective_biarc::within;
 use super::spline_data::check_angles;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, Result, TorusError};
 use crate::surface::{
     CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn,
 };
@@ -143,7 +143,7 @@ fn check(turns: [i32; 2], start: Point2) -> Result<()> {
     let [p, q] = turns.map(i32::unsigned_abs);
     within(ErrorItem::Winding, f64::from(p.max(q)), [0.0, f64::from(MOST_TURNS)])?;
     let divisor = greatest_common_divisor(p, q);
-    if divisor == 1 { Ok(()) } else { Err(Error::NotCoprime { turns, divisor }) }
+    if divisor == 1 { Ok(()) } else { Err(TorusError::NotCoprime { turns, divisor }.into()) }
 }
 
 fn greatest_common_divisor(a: u32, b: u32) -> u32 {

@@ -10,7 +10,7 @@
 //! their digits.
 
 use crate::base::complex::Complex;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, ErrorItem, NumberError, Result, TorusError};
 use crate::surface::Course;
 use std::f64::consts::PI;
 
@@ -109,20 +109,20 @@ impl ProjectiveBiarc {
 fn check(coordinate: usize, start: f64, step: f64, slopes: [f64; 2], lengths: [f64; 2]) -> Result<()> {
     for (what, value) in [(ErrorItem::Angle, start), (ErrorItem::Angle, step)] {
         if !value.is_finite() {
-            return Err(Error::NotFinite { what, index: coordinate });
+            return Err(NumberError::NotFinite { what, index: coordinate }.into());
         }
     }
     for index in 0..2 {
         if !(lengths[index] > 0.0) {
-            return Err(Error::EmptyInterval { index, length: lengths[index], limit: 0.0 });
+            return Err(CurveError::EmptyInterval { index, length: lengths[index], limit: 0.0 }.into());
         }
         within(ErrorItem::Parameter, lengths[index], LENGTH_RANGE)?;
         if !slopes[index].is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());
         }
     }
     if step.abs() >= PI {
-        return Err(Error::SpanTooLarge { coordinate, step, limit: PI });
+        return Err(TorusError::SpanTooLarge { coordinate, step, limit: PI }.into());
     }
     let still = step == 0.0 && slopes.iter().all(|m| *m == 0.0);
     let of_one_sign = slopes.iter().all(|m| m * step.signum() > 0.0) && step != 0.0;
@@ -130,7 +130,7 @@ fn check(coordinate: usize, start: f64, step: f64, slopes: [f64; 2], lengths: [f
         return Ok(());
     }
     if !of_one_sign {
-        return Err(Error::NotMonotone { coordinate, step, slopes });
+        return Err(TorusError::NotMonotone { coordinate, step, slopes }.into());
     }
     within(ErrorItem::Angle, step.abs(), STEP_RANGE)?;
     (0..2).try_for_each(|k| within(ErrorItem::TangentOverSpan, slopes[k].abs() * lengths[k], STEP_RANGE))
@@ -138,5 +138,9 @@ fn check(coordinate: usize, start: f64, step: f64, slopes: [f64; 2], lengths: [f
 
 /// Refuses a number outside its range.
 pub(super) fn within(name: ErrorItem, value: f64, [min, max]: [f64; 2]) -> Result<()> {
-    if (min..=max).contains(&value) { Ok(()) } else { Err(Error::ParameterOutOfRange { name, value, min, max }) }
+    if (min..=max).contains(&value) {
+        Ok(())
+    } else {
+        Err(NumberError::ParameterOutOfRange { name, value, min, max }.into())
+    }
 }

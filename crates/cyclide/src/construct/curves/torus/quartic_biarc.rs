@@ -3,7 +3,7 @@
 
 use super::projective_biarc::ProjectiveBiarc;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 use crate::surface::{Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline, within_a_turn};
 
 /// Step and slopes at both ends of each coordinate.
@@ -54,7 +54,7 @@ impl TorusSpline {
         lengths: [f64; 2],
     ) -> Result<Self> {
         if !start.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         let start = within_a_turn(start);
         let [first, second] = LocalData::new(kind, step, rates).pieces(kind, start, lengths)?;

@@ -9,7 +9,7 @@ use super::spline_options::TorusSplineOptions;
 use super::spline_span::{Hermite, TypedSpan};
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Result, TorusError};
 use crate::surface::{SegmentMethod, Torus, TorusChain, TorusSpline};
 use std::f64::consts::TAU;
 
@@ -100,7 +100,7 @@ fn join(whole: &Hermite) -> Result<(Vec<TypedSpan>, SegmentMethod)> {
     let mut from = 0.0;
     let mut typed = |(data, to): (Hermite, f64)| {
         // Every span of a detour turns by less than 45 degrees, which is inside the cone of some type.
-        let (kind, quality) = data.best().ok_or_else(|| Error::NotMonotone {
+        let (kind, quality) = data.best().ok_or_else(|| TorusError::NotMonotone {
             coordinate: 0,
             step: data.step.length(),
             slopes: data.rates.map(|rate| rate.length()),

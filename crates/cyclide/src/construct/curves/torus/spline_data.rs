@@ -3,7 +3,7 @@
 use super::projective_biarc::within;
 use super::spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, ErrorItem, NumberError, PointError, Result};
 use crate::surface::{Torus, within_a_turn};
 use std::f64::consts::PI;
 
@@ -107,7 +107,7 @@ impl Data {
 /// Refuses too few places, and angles that are not finite or have lost their digits modulo pi.
 pub(super) fn check_places(places: &[Point2], needed: usize) -> Result<()> {
     if places.len() < needed {
-        return Err(Error::TooFewPoints { given: places.len(), needed });
+        return Err(PointError::TooFewPoints { given: places.len(), needed }.into());
     }
     places.iter().enumerate().try_for_each(|(index, place)| check_angles(index, *place))
 }
@@ -115,7 +115,7 @@ pub(super) fn check_places(places: &[Point2], needed: usize) -> Result<()> {
 /// The same of one place.
 pub(super) fn check_angles(index: usize, place: Point2) -> Result<()> {
     if !place.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Angle, index }.into());
     }
     within(ErrorItem::Angle, place.x.abs().max(place.y.abs()), [0.0, MAX_ANGLE])
 }
@@ -124,9 +124,9 @@ pub(super) fn check_angles(index: usize, place: Point2) -> Result<()> {
 pub(super) fn check_rate(index: usize, rate: Vec2) -> Result<()> {
     let speed = rate.length();
     if !speed.is_finite() {
-        Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+        Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into())
     } else if speed == 0.0 {
-        Err(Error::ZeroTangent { index })
+        Err(PointError::ZeroTangent { index }.into())
     } else {
         Ok(())
     }
@@ -139,7 +139,7 @@ fn check_way(steps: &[Vec2]) -> Result<()> {
         return Ok(());
     }
     let (what, remedy) = ("curve on the torus", "ask for fewer turns");
-    Err(Error::TooManyPieces { what, segment: None, needed, cap: MOST_WAY as usize, remedy })
+    Err(NumberError::TooManyPieces { what, segment: None, needed, cap: MOST_WAY as usize, remedy }.into())
 }
 
 /// The step to the next place by the shortest way, each angle by half pi at most.
@@ -154,17 +154,22 @@ fn knots(options: &TorusSplineOptions, segments: usize) -> Result<Vec<f64>> {
         return Ok((0..=segments).map(|k| k as f64).collect());
     }
     if options.knots.len() != segments + 1 {
-        return Err(Error::CountDiffers { what: ErrorItem::Knot, given: options.knots.len(), needed: segments + 1 });
+        return Err(NumberError::CountDiffers {
+            what: ErrorItem::Knot,
+            given: options.knots.len(),
+            needed: segments + 1,
+        }
+        .into());
     }
     if let Some(index) = options.knots.iter().position(|k| !k.is_finite()) {
-        return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+        return Err(NumberError::NotFinite { what: ErrorItem::Knot, index }.into());
     }
     let whole = options.knots[segments] - options.knots[0];
     let limit = (SHORTEST_SPAN * whole).max(0.0);
     for (index, pair) in options.knots.windows(2).enumerate() {
         let length = pair[1] - pair[0];
         if !(length > limit && whole.is_finite()) {
-            return Err(Error::EmptyInterval { index, length, limit });
+            return Err(CurveError::EmptyInterval { index, length, limit }.into());
         }
     }
     Ok(options.knots.clone())
@@ -177,7 +182,9 @@ fn given_rates(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -
         return Ok(vec![None; n]);
     }
     if options.tangents.len() != n {
-        return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n });
+        return Err(
+            NumberError::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n }.into()
+        );
     }
     let rate = |(index, tangent): (usize, &TorusTangent)| {
         let rate = match tangent {
@@ -198,7 +205,12 @@ fn wind(steps: &mut [Vec2], options: &TorusSplineOptions) -> Result<()> {
         TorusWinding::Shortest => Ok(()),
         TorusWinding::PerSegment(list) => {
             if list.len() != steps.len() {
-                return Err(Error::CountDiffers { what: ErrorItem::Winding, given: list.len(), needed: steps.len() });
+                return Err(NumberError::CountDiffers {
+                    what: ErrorItem::Winding,
+                    given: list.len(),
+                    needed: steps.len(),
+                }
+                .into());
             }
             for (step, turns) in steps.iter_mut().zip(list) {
                 let [x, y] = turns.map(f64::from);
@@ -268,8 +280,8 @@ fn check_step(step: &mut Vec2, first: usize, ends: [Point2; 2], second: usize, l
         return Ok(());
     }
     if first == second {
-        return Err(Error::TooFewPoints { given: 1, needed: 2 });
+        return Err(PointError::TooFewPoints { given: 1, needed: 2 }.into());
     }
     let (distance, limit) = (step.length(), rounding(ends).length());
-    Err(Error::CoincidentPoints { first, second, distance, limit })
+    Err(PointError::CoincidentPoints { first, second, distance, limit }.into())
 }

@@ -12,7 +12,7 @@
 use super::projective_biarc::ProjectiveBiarc;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{ErrorItem, NumberError, Result, TorusError};
 use crate::surface::{Course, QuarticType, TorusPiece};
 use std::f64::consts::PI;
 
@@ -51,10 +51,10 @@ impl TwoTypeBiarc {
         lengths: [f64; 2],
     ) -> Result<Vec<Self>> {
         if !(start.is_finite() && step.length().is_finite() && rates.iter().all(|r| r.length().is_finite())) {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index: 0 });
+            return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index: 0 }.into());
         }
         let Some(shared) = Shared::of(kinds) else {
-            return Err(Error::NoTwoTypeSolution { segment: 0, cosine: f64::INFINITY });
+            return Err(TorusError::NoTwoTypeSolution { segment: 0, cosine: f64::INFINITY }.into());
         };
         shared.solve(kinds, start, step, rates, lengths)
     }
@@ -121,14 +121,14 @@ impl Shared {
         let (p_rate, q_rate, q1) = (first[1 - i], last[1 - j], kinds[1].local(step)[1 - j]);
         let (al, be, c) = (1.0 / (h1 * h1 * q_rate), self.e / (h0 * h0 * p_rate), self.g * f.mid_slope());
         if !(al.is_finite() && be.is_finite()) {
-            return Err(Error::NoTwoTypeSolution { segment: 0, cosine: f64::INFINITY });
+            return Err(TorusError::NoTwoTypeSolution { segment: 0, cosine: f64::INFINITY }.into());
         }
         let (sin, cos) = (self.e * (q1 - self.g * f.mid_offset())).sin_cos();
         let root_squared = al * be * sin * sin + c * (al - be - c);
         let r = 2.0 * c - al + be;
         let cosine = r / (r * r + 4.0 * root_squared).max(0.0).sqrt();
         if !(root_squared >= 0.0) {
-            return Err(Error::NoTwoTypeSolution { segment: 0, cosine });
+            return Err(TorusError::NoTwoTypeSolution { segment: 0, cosine }.into());
         }
         let middle = al * sin * cos;
         let sum = middle + root_squared.sqrt().copysign(middle);
@@ -144,7 +144,7 @@ impl Shared {
                 self.biarc(kinds, start, &f, courses, (p_step.sin() / h0).powi(2) / p_rate)
             })
             .collect();
-        if found.is_empty() { Err(Error::NoTwoTypeSolution { segment: 0, cosine }) } else { Ok(found) }
+        if found.is_empty() { Err(TorusError::NoTwoTypeSolution { segment: 0, cosine }.into()) } else { Ok(found) }
     }
 
     /// From the biarc of the shared coordinate and the courses of the others.

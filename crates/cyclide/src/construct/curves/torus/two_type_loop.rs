@@ -3,7 +3,7 @@
 use super::spline_data::{check_places, check_rate, shortest_step};
 use super::two_type::TwoTypeBiarc;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, ErrorItem, NumberError, Result, TorusError};
 use crate::surface::CircleFamily::{Meridian, MirrorVillarceau, Parallel, Villarceau};
 use crate::surface::{CircleFamily, QuarticType, SegmentMethod, Torus, TorusChain, TorusSpline, within_a_turn};
 
@@ -37,7 +37,7 @@ impl TorusSpline {
         let n = places.len();
         check_places(places, 2)?;
         if rates.len() != n {
-            return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: rates.len(), needed: n });
+            return Err(NumberError::CountDiffers { what: ErrorItem::Tangent, given: rates.len(), needed: n }.into());
         }
         rates.iter().enumerate().try_for_each(|(index, rate)| check_rate(index, *rate))?;
         let places: Vec<Point2> = places.iter().copied().map(within_a_turn).collect();
@@ -61,13 +61,13 @@ impl TorusSpline {
 /// The quarter that stays nearest to the middle of its step.
 fn quarter(start: Point2, step: Vec2, rates: [Vec2; 2], segment: usize) -> Result<TwoTypeBiarc> {
     let types = QUARTERS.map(|pair| pair.map(|[one, other]| QuarticType::between(one, other)));
-    let mut best: Result<TwoTypeBiarc> = Err(Error::NoTwoTypeSolution { segment, cosine: f64::INFINITY });
+    let mut best: Result<TwoTypeBiarc> = Err(TorusError::NoTwoTypeSolution { segment, cosine: f64::INFINITY }.into());
     for kinds in types {
         let [Some(first), Some(second)] = kinds else { continue };
         let found = match TwoTypeBiarc::all([first, second], start, step, rates, [0.5; 2]) {
             Ok(found) => found,
-            Err(Error::NoTwoTypeSolution { cosine, .. }) if best.is_err() && cosine.is_finite() => {
-                best = Err(Error::NoTwoTypeSolution { segment, cosine });
+            Err(Error::Torus(TorusError::NoTwoTypeSolution { cosine, .. })) if best.is_err() && cosine.is_finite() => {
+                best = Err(TorusError::NoTwoTypeSolution { segment, cosine }.into());
                 continue;
             }
             Err(_) => continue,

@@ -11,7 +11,7 @@ use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::curve::{Arc, ArcPath, ParamCurve as _, length};
-use crate::error::{Error, ErrorItem, Result, check_tolerance};
+use crate::error::{ErrorItem, NumberError, Result, check_tolerance};
 use crate::surface::{PlaceAngle, Torus, TorusSpline};
 use std::f64::consts::PI;
 
@@ -151,7 +151,7 @@ impl TorusSpline {
     pub fn unroll(&self, options: &UnrollOptions) -> Result<UnrolledSpline> {
         check_tolerance(options.tolerance)?;
         if let Some(index) = options.seam.iter().position(|angle| !angle.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+            return Err(NumberError::NotFinite { what: ErrorItem::Angle, index }.into());
         }
         let seam = self.torus().place_of_angles(options.seam[0], options.seam[1]);
         super::spline_data::check_angles(0, seam)?;

@@ -16,7 +16,7 @@ use super::pieces::{far_from, seeds};
 use super::sheet::Sheet;
 use super::walker::Walker;
 use crate::base::vector::Point3;
-use crate::error::{Error, JoinFault, LayoutFault};
+use crate::error::{Error, GridError, JoinFault, LayoutFault};
 use crate::surface::QuadLayout;
 use quad_walk::{Centre, QuadWalk};
 use slits::Slit;
@@ -140,9 +140,9 @@ impl Surface<'_> {
         }
         match QuadLayout::new(mesh.points, &mesh.quads) {
             Ok(layout) => Ok(Joined { layout, left_out, off_lines, made_up }),
-            Err(Error::NotAQuadLayout { fault: LayoutFault::Crowded, .. } | Error::CellsUnfit { .. }) => {
-                Err(self.tightest(edge))
-            }
+            Err(Error::Grid(
+                GridError::NotAQuadLayout { fault: LayoutFault::Crowded, .. } | GridError::CellsUnfit { .. },
+            )) => Err(self.tightest(edge)),
             Err(_) => Err(refused(JoinFault::Folded)),
         }
     }

@@ -7,7 +7,7 @@ use crate::base::box_tree::BoxTree;
 use crate::base::segments::nearest_of_segments;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ParamCurve as _};
-use crate::error::{Error, Result};
+use crate::error::{PipeError, Result};
 use crate::rational::Polynomial;
 use std::f64::consts::PI;
 
@@ -117,7 +117,7 @@ pub(super) fn check(course: &Course) -> Result<()> {
     found.map_or(Ok(()), |Meeting { sources: [a, b], centers: [p, q], radii }| {
         let point = p.midpoint(q).to_array();
         let (distance, limit) = (p.distance(q), radii[0] + radii[1]);
-        Err(Error::PipeMeetsItself { first: a.min(b), second: a.max(b), point, distance, limit })
+        Err(PipeError::MeetsItself { first: a.min(b), second: a.max(b), point, distance, limit }.into())
     })
 }
 

@@ -16,7 +16,7 @@ use super::radius_law::RadiusLaw;
 use super::{MOST_ARCS_OF_PIECE, along};
 use crate::base::range;
 use crate::curve::{ArcPath, Correspondence, CurvePlace, ParamCurve};
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{CurveError, Error, ErrorItem, NumberError, Result, ShellError};
 use crate::topology::Body;
 use piece::Piece;
 use skin::Stations;
@@ -54,7 +54,9 @@ impl TaperedTube {
     pub fn along(spine: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             let name = ErrorItem::Tolerance;
-            return Err(Error::ParameterOutOfRange { name, value: tolerance, min: 0.0, max: f64::INFINITY });
+            return Err(
+                NumberError::ParameterOutOfRange { name, value: tolerance, min: 0.0, max: f64::INFINITY }.into()
+            );
         }
         let closed = spine.is_closed();
         let law = if closed { law.clone().closed()? } else { law.clone() };
@@ -107,7 +109,7 @@ impl TaperedTube {
             bound += steepest * (lag + most * lean(curve, arcs, parts) / (left * arcs.length()));
         }
         if !(bound <= half) {
-            return Err(Error::NotWithinTolerance { piece: 0, bound, tolerance: half });
+            return Err(CurveError::NotWithinTolerance { piece: 0, bound, tolerance: half }.into());
         }
         Ok(Self { bound: bound + tube.bound, proved: steepest == 0.0, ..tube })
     }
@@ -120,7 +122,7 @@ impl TaperedTube {
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         let [max, _] = self.radii();
         if !(wall > 0.0 && wall < max) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+            return Err(NumberError::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max }.into());
         }
         Ok(Self { wall: Some(wall), ..self })
     }
@@ -170,7 +172,7 @@ impl TaperedTube {
     pub fn body(&self) -> Result<Body> {
         meeting::check(&self.course())?;
         let thin = |error| match error {
-            Error::NotAShell { .. } => self.thinner_than_rounding().unwrap_or(error),
+            Error::Shell(ShellError::NotAShell { .. }) => self.thinner_than_rounding().unwrap_or(error),
             other => other,
         };
         self.sewn().map_err(thin)

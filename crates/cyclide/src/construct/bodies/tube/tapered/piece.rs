@@ -5,7 +5,7 @@ use super::super::LEAST_LEFT;
 use super::super::along::{self, LINEAR, MOST_HALVINGS, Part};
 use super::super::radius_law::RadiusLaw;
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, Result};
+use crate::error::{Result, TubeError};
 use crate::rational::Polynomial;
 
 /// Places at which a radius is compared with its law, at first and at most.
@@ -62,7 +62,7 @@ fn of_part(part: &Part<'_>) -> Result<(Piece, f64)> {
     let left = 1.0 - arc.curvature() * most;
     if !(left > LEAST_LEFT) {
         let at = if r0 > r1 { 0.0 } else { 1.0 };
-        return Err(Error::TubeFolds { piece: part.source, at, left });
+        return Err(TubeError::Folds { piece: part.source, at, left }.into());
     }
     let slope = (r1 - r0) / length;
     let linear = (m0 - slope).abs().max((m1 - slope).abs()) <= LINEAR;

@@ -8,7 +8,7 @@ use crate::construct::bodies::bands::{Bands, Ring};
 use crate::construct::bodies::carried::{Carrier, surface_of};
 use crate::construct::bodies::smooth_joint::rounding_of_direction;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, PointError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{EdgeCurve, Shell};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
@@ -54,7 +54,9 @@ impl Station {
 impl Stations {
     pub(super) fn new(pieces: &[Piece], closed: bool) -> Result<Self> {
         // The normal of the first arc: the seams of a plane tube lie in its plane and across it.
-        let along = |piece: &Piece| piece.arc.start_tangent().ok_or(Error::ZeroTangent { index: piece.source });
+        let along = |piece: &Piece| {
+            piece.arc.start_tangent().ok_or(Error::Point(PointError::ZeroTangent { index: piece.source }))
+        };
         let first = along(&pieces[0])?;
         let bent = pieces.iter().find_map(|piece| piece.arc.normal());
         let level = bent.map(|normal| normal - first * normal.dot(first)).filter(|v| v.length() > 0.5);
@@ -68,7 +70,7 @@ impl Stations {
         }
         let mut made = Self { list, closed, twist: None, quarters: 0 };
         if let (false, Some(last)) = (closed, pieces.last()) {
-            let axis = last.arc.end_tangent().ok_or(Error::ZeroTangent { index: last.source })?;
+            let axis = last.arc.end_tangent().ok_or(PointError::ZeroTangent { index: last.source })?;
             let across = (across - axis * across.dot(axis)).unit().unwrap_or(across);
             made.list.push(Station { center: last.arc.end(), axis, across, radius: last.radius.value(1.0) });
         } else {

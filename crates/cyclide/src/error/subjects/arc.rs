@@ -1,0 +1,152 @@
+//! Why an arc, a circle, a sphere or a blend of circles was refused.
+
+use crate::table::table;
+
+table! {
+    /// Why an arc, a circle, a sphere or a blend of circles was refused.
+    ///
+    /// ```
+    /// use cyclide::{ArcError, Error};
+    /// let error: Error = ArcError::ZeroWeight { index: 1 }.into();
+    /// assert_eq!(error.reason(), "zero-weight");
+    /// ```
+    pub enum ArcError: Error {
+        /// A weight quaternion is zero.
+        ZeroWeight {
+            /// Which weight, from 0.
+            index: usize,
+        }
+        reason "zero-weight";
+        at *index;
+        says "weight {index} is zero";
+
+        /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
+        PoleOnSegment {
+            /// Real part of the weight ratio.
+            real: f64,
+            /// Length of its vector part.
+            vector: f64,
+            /// Lengths up to this are refused.
+            limit: f64,
+        }
+        reason "pole-on-segment";
+        says "the arc passes through infinity: its weight ratio has real part {real} and vector part {vector}, \
+            limit {limit}";
+
+        /// An arc that turns by so nearly a full circle that its points would lose their digits.
+        NearlyFullCircle {
+            /// What it leaves of a full turn, radians.
+            rest: f64,
+            /// What it must leave at least, radians.
+            limit: f64,
+        }
+        reason "nearly-full-circle";
+        says "the arc turns by a full circle less {rest} radians, limit {limit}: its ends nearly coincide; take a \
+            circle, or two arcs";
+
+        /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
+        NotInImH {
+            /// Cosine of the angle between the chord and the weight's vector part.
+            cosine: f64,
+            /// Largest cosine accepted.
+            limit: f64,
+        }
+        reason "not-in-im-h";
+        says "the weight takes the arc out of three-space: cosine {cosine} between chord and weight, limit {limit}";
+
+        /// The tangent points straight away from the other end, where only an infinite line would do, or so nearly that the arc
+        /// runs out far beyond its chord.
+        TangentOpposesChord {
+            /// Which tangent (or piece of a curve), from 0.
+            index: usize,
+            /// Its angle with the way back along the chord, radians.
+            angle: f64,
+            /// Smallest angle accepted.
+            limit: f64,
+        }
+        reason "tangent-opposes-chord";
+        at *index;
+        when *limit <= ROUNDING_OF_ANGLES, says "tangent {index} points away from the chord: the arc would pass \
+            through infinity";
+        says "tangent {index} points away from the chord but for {angle} radians, where {limit} are needed: the \
+            arcs there would run out nearly to infinity";
+
+        /// Three points on a line have no finite circle.
+        DegenerateCircle {
+            /// Sine of the angle at the middle point.
+            sine: f64,
+            /// Smallest sine accepted.
+            limit: f64,
+        }
+        reason "degenerate-circle";
+        says "the points lie on a line: sine of their angle {sine}, limit {limit}";
+
+        /// Four points in a plane have no finite sphere.
+        DegenerateSphere {
+            /// Volume relative to the product of the three edges.
+            volume: f64,
+            /// Smallest relative volume accepted.
+            limit: f64,
+        }
+        reason "degenerate-sphere";
+        says "the points lie in a plane: relative volume {volume}, limit {limit}";
+
+        /// No biarc with finite arcs joins the data.
+        NoFiniteBiarc {
+            /// What was measured.
+            measured: &'static str,
+            /// Its value.
+            value: f64,
+            /// The limit it broke.
+            limit: f64,
+        }
+        reason "no-finite-biarc";
+        says "no finite biarc: {measured} is {value}, limit {limit}";
+
+        /// The points turn back on themselves: there is no tangent to estimate.
+        Cusp {
+            /// The point, from 0.
+            index: usize,
+            /// Length of the sum of the two unit chords.
+            measured: f64,
+            /// Sums up to this are a cusp.
+            limit: f64,
+        }
+        reason "tangent-undefined";
+        at *index;
+        says "cusp at point {index}: the unit chords sum to {measured}, limit {limit}; split the points there";
+
+        /// A circle of a blend is the chord's own line taken through infinity, or comes so near infinity that its points have lost
+        /// their digits.
+        ThroughInfinity {
+            /// Which segment, from 0.
+            segment: usize,
+            /// How far the largest circle of the blend runs, in lengths of the chord; infinite where it is a line.
+            reach: f64,
+            /// How far it may run.
+            limit: f64,
+        }
+        reason "arc-through-infinity";
+        at *segment;
+        when !reach.is_finite(), says "segment {segment}: a start tangent opposes the chord, the blend would pass \
+            through infinity";
+        says "segment {segment}: the curve runs out to {reach} times the distance of its two points and loses its \
+            digits there (at most {limit} times is written); make the turn there less sharp, or add a point";
+
+        /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
+        AmbiguousHalfTurn {
+            /// Which segment, from 0.
+            segment: usize,
+            /// Sine of the angle between the tangent and the chord.
+            sine: f64,
+            /// Smallest sine accepted.
+            limit: f64,
+        }
+        reason "ambiguous-half-turn";
+        at *segment;
+        says "segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous";
+    }
+}
+
+/// Limits up to here are the rounding of an angle, about which nothing else can be said.
+const ROUNDING_OF_ANGLES: f64 = 64.0 * f64::EPSILON;

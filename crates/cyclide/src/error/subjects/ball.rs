@@ -1,0 +1,85 @@
+//! Why no ball rolls between two surfaces.
+
+use crate::table::table;
+
+table! {
+    /// Why no ball rolls between two surfaces.
+    ///
+    /// ```
+    /// use cyclide::{BallError, Error};
+    /// let error: Error = BallError::NoPositiveRadius { radius: -2.0 }.into();
+    /// assert_eq!(error.reason(), "no-positive-radius");
+    /// ```
+    pub enum BallError: Error {
+        /// Two cylinders or cones whose common tangent balls have no torus: their pair is spacelike, or on the border.
+        NotTimelikePair {
+            /// Of two skew cylinders the distance of the axes, of a general pair the norm ratio of its common form.
+            measured: f64,
+            /// The distance must be above this, the ratio below it.
+            limit: f64,
+        }
+        reason "not-timelike-pair";
+        says "the balls that touch both surfaces form no torus: measured {measured}, limit {limit}";
+
+        /// Two surfaces whose axes meet or are parallel in the space of balls: their tangent balls form no single surface.
+        DegeneratePair {
+            /// Norm ratio of the common form, or the smallest pivot of the forms where there are several.
+            measured: f64,
+            /// Values of this size or below are refused.
+            limit: f64,
+        }
+        reason "degenerate-pair";
+        says "the two surfaces have a common tangent ball for an axis, or parallel or equal axes: measured \
+            {measured}, limit {limit}";
+
+        /// A place on the border of the balls between two cylinders, where they are infinite.
+        SphereAtInfinity {
+            /// The product of sines that vanishes there.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "sphere-at-infinity";
+        says "the ball at this place is infinite: the product of sines is {measured}, which must be above {limit}";
+
+        /// A ball that touches a surface from the wrong side, or its other nappe.
+        WrongSide {
+            /// Which surface, from 0; 0 where it is both.
+            surface: usize,
+            /// What must be positive: the product of sines of a place, or the distance from the axis.
+            measured: f64,
+        }
+        reason "wrong-side";
+        at *surface;
+        says "the ball touches surface {surface} from the wrong side: measured {measured}, which must be above 0";
+
+        /// A ball whose radius is not positive where one outside is asked for.
+        NoPositiveRadius {
+            /// The radius found.
+            radius: f64,
+        }
+        reason "no-positive-radius";
+        says "the ball outside both surfaces would have the radius {radius}";
+
+        /// A contact whose ball lies between parallel planes, so that none or any touches both.
+        ParallelContact {
+            /// What vanishes there: 1 less the cosine between the normals, or the distance that the radius is divided by.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "parallel-contact";
+        says "the tangent planes are so nearly parallel that no single ball touches both: measured {measured}, \
+            limit {limit}";
+
+        /// A ball too small to touch both cylinders.
+        RadiusTooSmall {
+            /// The radius given.
+            radius: f64,
+            /// It must be above this.
+            limit: f64,
+        }
+        reason "radius-too-small";
+        says "a ball of radius {radius} cannot touch both cylinders: it must be above {limit}";
+    }
+}

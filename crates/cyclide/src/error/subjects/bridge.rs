@@ -1,0 +1,83 @@
+//! Why no surface was laid between two curves.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why no surface was laid between two curves.
+    ///
+    /// ```
+    /// use cyclide::{BridgeError, Error};
+    /// let error: Error = BridgeError::EllipsesCross { along_x: 0.5, along_y: 0.5 }.into();
+    /// assert_eq!(error.reason(), "ellipses-cross");
+    /// ```
+    pub enum BridgeError: Error {
+        /// Two ellipses cross, between which there is no solid.
+        EllipsesCross {
+            /// Difference of the semi-axes along x, of the other sign than that along y.
+            along_x: f64,
+            /// Difference of the semi-axes along y.
+            along_y: f64,
+        }
+        reason "ellipses-cross";
+        says "the ellipses cross: the second is wider by {along_x} along x and by {along_y} along y; a solid needs \
+            one inside the other";
+
+        /// Two curves between which pieces are to be matched one by one do not have as many.
+        PieceCountsDiffer {
+            /// Pieces of the first curve.
+            first: usize,
+            /// Pieces of the second.
+            second: usize,
+        }
+        reason "piece-counts-differ";
+        says "the first curve has {first} piece(s), the second {second}: pieces are joined one by one, in their \
+            order";
+
+        /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
+        RulingsCross {
+            /// Which piece, from 0.
+            piece: usize,
+            /// The parameter of the piece, and the part of the way from the first curve to the second.
+            at: [f64; 2],
+            /// Length of the normal there, relative to what it could have.
+            normal: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "rulings-cross";
+        at *piece;
+        says "the straight lines between piece {piece} of both curves cross, or lie in one line: at {} of the piece \
+            and {} of the way between them the surface has no normal (of its length {normal} is left, limit \
+            {limit}); does the second curve run the other way?", ShortNumber(at[0]), ShortNumber(at[1]);
+
+        /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
+        ArcsCross {
+            /// Which piece of the curves, from 0.
+            piece: usize,
+            /// Near which part of the piece, and of the arcs.
+            at: [f64; 2],
+        }
+        reason "arcs-cross";
+        at *piece;
+        says "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of \
+            the arcs, and the surface runs through itself or folds back; does the second curve run the other way, \
+            or the tangent away from it?", ShortNumber(at[0]), ShortNumber(at[1]);
+
+        /// The directions of arcs at neighbouring joints of a curve oppose each other: halfway between them there is none.
+        OppositeTangents {
+            /// The first one, from 0.
+            first: usize,
+            /// The next one; of closed curves the first of all again.
+            second: usize,
+            /// What is left of the longer one between them.
+            length: f64,
+            /// Parts up to this are refused.
+            limit: f64,
+        }
+        reason "opposite-tangents";
+        at *first;
+        says "between tangents {first} and {second}, which oppose each other, there is a place without a direction: \
+            {length} of the longer one is left, limit {limit}; turn one of them to a side";
+    }
+}

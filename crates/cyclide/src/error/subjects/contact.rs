@@ -1,0 +1,63 @@
+//! Why a tube was not blended with a plane or a sphere.
+
+use crate::table::table;
+
+table! {
+    /// Why a tube was not blended with a plane or a sphere.
+    ///
+    /// ```
+    /// use cyclide::{ContactError, Error};
+    /// let error: Error = ContactError::LoopTurnsBack { angle: 0.5 }.into();
+    /// assert_eq!(error.reason(), "contact-loop-turns-back");
+    /// ```
+    pub enum ContactError: Error {
+        /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with; of a ring,
+        /// all round.
+        LoopOpen {
+            /// Whether it is a ring.
+            ring: bool,
+            /// The angle round the tube.
+            angle: f64,
+            /// What must be positive there: the rise of the tube's line over the plane, the square of half the distance between
+            /// both such balls on it, or, inside, how far from the axis the centre of the ball is on the side of the contact.
+            measured: f64,
+        }
+        reason "contact-loop-open";
+        when *ring, says "no ball of this radius touches both the ring and what it stands on: what must be positive \
+            is {measured}; the ring is too far from it, or within it: change its height, its radius or the ball";
+        says "no ball of this radius touches both at {angle} radians round the tube: what must be positive there is \
+            {measured}; the tube has to meet the plane or the sphere all round, with room for the ball: move its \
+            axis nearer to the centre of the sphere, turn it nearer to the normal of the plane, or take a thinner \
+            tube";
+
+        /// The contact of the blend of a cone with a sphere turns back, so that the rest of the sphere would overlap.
+        LoopTurnsBack {
+            /// The angle round the tube where that is.
+            angle: f64,
+        }
+        reason "contact-loop-turns-back";
+        says "the border of the blend on the sphere turns back at {angle} radians round the cone; take one that \
+            widens less towards its end, or whose axis passes nearer to the centre of the sphere";
+
+        /// The blend of a tube with a plane or a sphere runs through itself.
+        BlendFolds {
+            /// The angle round the tube where that is.
+            angle: f64,
+            /// What is left of its width there, in parts of that on a straight way.
+            left: f64,
+        }
+        reason "contact-blend-folds";
+        says "the blend runs through itself at {angle} radians round the tube: its width there is {left} of that on \
+            a straight way, which must be positive; take a smaller ball or a thinner wall";
+
+        /// A tube ends within its blend.
+        TubeTooShort {
+            /// Its end, as the distance along its axis.
+            end: f64,
+            /// The distance that it must be beyond.
+            needed: f64,
+        }
+        reason "contact-tube-too-short";
+        says "the tube ends within the blend: at {end} along its axis, which must be beyond {needed}";
+    }
+}

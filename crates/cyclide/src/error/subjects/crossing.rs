@@ -1,0 +1,123 @@
+//! Why a crossing of two pipes was refused.
+
+use crate::error::{ErrorItem, FoldRemedy};
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a crossing of two pipes was refused.
+    ///
+    /// ```
+    /// use cyclide::{CrossingError, Error};
+    /// let error: Error = CrossingError::AxesTooNear { distance: 1e-12, limit: 1e-9 }.into();
+    /// assert_eq!(error.reason(), "crossing-axes-too-near");
+    /// ```
+    pub enum CrossingError: Error {
+        /// The axes of a crossing are too near to each other.
+        AxesTooNear {
+            /// Their distance.
+            distance: f64,
+            /// What the radii differ, of cones where they are nearest: it must be above this.
+            limit: f64,
+        }
+        reason "crossing-axes-too-near";
+        says "the axes are {distance} apart, and pipes pass each other if that is more than their radii differ, by \
+            {limit}: move them apart; a pipe that ends on another, its axis nearer or meeting, is a branch of a \
+            `pipe-tee`";
+
+        /// A ball is too large for the edge of a crossing: of what both pipes have in common, or of one less the other.
+        BallTooLarge {
+            /// Its radius.
+            radius: f64,
+            /// Half of the room between the pipes where the common normal of their axes goes through: it must be below this.
+            limit: f64,
+        }
+        reason "crossing-ball-too-large";
+        when *limit <= 0.0, says "the pipes have nothing in common whose edge could be rounded: they are {} apart",
+            ShortNumber(-2.0 * *limit);
+        says "a ball of radius {radius} does not roll along the edge: it must be below {limit}, half of the room \
+            that the pipes leave it";
+
+        /// Pipes of which one is to be cut by the other do not meet, or hardly.
+        PipesApart {
+            /// The distance of their axes.
+            distance: f64,
+            /// The sum of their radii less a thousandth of it: it must be below this.
+            limit: f64,
+        }
+        reason "crossing-pipes-apart";
+        says "the pipes do not meet, or hardly, and neither cuts the other: their axes are {distance} apart, which \
+            must be below the sum of the radii less a thousandth, {limit}";
+
+        /// A crossing of a pipe with a taper that is made of cylinders only.
+        NeedsCylinders {
+            /// What needs them: the side of the ball, or the law of its radius.
+            what: ErrorItem,
+            /// Which pipe has a taper, from 0.
+            pipe: usize,
+            /// The taper, in radians.
+            taper: f64,
+        }
+        reason "crossing-needs-cylinders";
+        says "pipe {pipe} has a taper of {taper} radians, and such pipes are crossed by a ball of one radius \
+            outside or inside both: the {} asks for cylinders", what.word();
+
+        /// The centres of the balls of a blend are on no surface with a patch of its own: two pipes that pass each other have one,
+        /// balls outside both or inside both.
+        NoCenterSurface
+        reason "no-center-surface";
+        says "the centres of these balls have no surface of their own: only pipes that pass each other have one, \
+            with balls outside both or inside both";
+
+        /// A pipe of a crossing ends within the blend.
+        PipeTooShort {
+            /// Which pipe, from 0.
+            pipe: usize,
+            /// The end, as its place along the axis.
+            end: f64,
+            /// The place that it must be beyond.
+            needed: f64,
+        }
+        reason "crossing-pipe-too-short";
+        says "pipe {pipe} ends within the blend: at {end}, which must be beyond {needed}";
+
+        /// The hole of a crossing goes too far round a pipe.
+        HoleTooWide {
+            /// Which pipe, from 0.
+            pipe: usize,
+            /// How far it goes to either side, in radians.
+            angle: f64,
+            /// The largest such angle.
+            limit: f64,
+        }
+        reason "crossing-hole-too-wide";
+        says "the blend goes {angle} radians round pipe {pipe} to either side, and at most {limit} leave a back to \
+            it; take a smaller ball, or move the axes apart";
+
+        /// The border of the hole of a crossing turns back, so that parts of its pipe would overlap.
+        HoleTurnsBack {
+            /// Which pipe, from 0.
+            pipe: usize,
+            /// Where, as a place along its axis.
+            along: f64,
+        }
+        reason "crossing-hole-turns-back";
+        says "the border of the hole in pipe {pipe} turns back at {along} along it; take a smaller ball, move the \
+            axes apart, or turn them nearer to a right angle";
+
+        /// The blend of a crossing runs through itself.
+        Folds {
+            /// Where its ball is then, as an angle about the common normal of the axes from the first one.
+            angle: f64,
+            /// What is left of its width there, in parts of that on a straight way.
+            left: f64,
+            /// What helps.
+            remedy: FoldRemedy,
+            /// Whether it is that of an inner skin, below a wall.
+            walled: bool,
+        }
+        reason "crossing-folds";
+        says "the blend runs through itself where its ball is at {angle} radians from the first axis: its width \
+            there is {left} of that on a straight way, which must be positive; {}", remedy.advice(*walled);
+    }
+}

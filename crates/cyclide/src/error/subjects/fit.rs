@@ -1,0 +1,101 @@
+//! Why no curve was fitted to the points.
+
+use crate::error::ErrorItem;
+use crate::error::words::points_in_words;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why no curve was fitted to the points.
+    ///
+    /// ```
+    /// use cyclide::{Error, FitError};
+    /// let error: Error = FitError::NoG1SplineInTube { vertex: 2, tolerance: 0.5 }.into();
+    /// assert_eq!(error.reason(), "no-g1-spline-in-tube");
+    /// ```
+    pub enum FitError: Error {
+        /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
+        NoG1SplineInTube {
+            /// Vertex of the input where the search died.
+            vertex: usize,
+            /// The tolerance.
+            tolerance: f64,
+        }
+        reason "no-g1-spline-in-tube";
+        at *vertex;
+        says "no G1 arc spline within {tolerance} of the polyline near vertex {vertex}: a larger tolerance, the \
+            target `polyline` where the edges are meant, a corner angle below the turn there, or smoothing first, \
+            where points are closer together than their noise";
+
+        /// Arcs within the tolerance were found, but none that keep a limit of the machine.
+        ArcLimitNotKept {
+            /// Point of the input where the arc is that misses the limit by most.
+            vertex: usize,
+            /// The limit: `min_radius` or `min_arc_length`.
+            name: ErrorItem,
+            /// What that arc has.
+            value: f64,
+            /// The limit's value.
+            limit: f64,
+        }
+        reason "arc-limit-not-kept";
+        at *vertex;
+        says "no arcs within the tolerance keep `{name}` {limit}: at point {vertex} it takes {}; a larger \
+            tolerance, or a smaller limit", ShortNumber::no_more(*value);
+
+        /// No curve of the kind was found within the tolerance of these points.
+        ToleranceNotReached {
+            /// The points outside, in the user's numbering.
+            points: Vec<usize>,
+            /// Largest distance of one of them.
+            deviation: f64,
+            /// The tolerance.
+            tolerance: f64,
+        }
+        reason "tolerance-not-reached";
+        at points.first().copied();
+        says "tolerance {tolerance} not reached: {} stay outside, up to {deviation} away; a larger tolerance, or \
+            corners where the data turn sharply", points_in_words(&points);
+
+        /// A tolerance is not reached because of points that do not belong to the others.
+        OutliersOutside {
+            /// Each of them, in the user's numbering, and how far it is from the curve of the others.
+            points: Vec<(usize, f64)>,
+            /// Standard deviation of the noise of the others.
+            noise: f64,
+            /// The tolerance.
+            tolerance: f64,
+        }
+        reason "outliers";
+        at points.first().map(|p| p.0);
+        says "tolerance {tolerance} not reached because of {} outlier(s): {} from the curve of the other points, \
+            whose noise has a standard deviation of {noise}; leave them out with `--outliers drop` (in a document \
+            `\"outliers\": \"drop\"`), or use a larger tolerance", points.len(), outliers(&points);
+
+        /// No curve follows the points without their noise.
+        NoiseNotSmoothed {
+            /// The points it leaves by too much, in the user's numbering.
+            points: Vec<usize>,
+            /// Largest distance of one of them, without its noise, from the curve.
+            deviation: f64,
+            /// Standard deviation of the noise.
+            noise: f64,
+        }
+        reason "noise-not-smoothed";
+        at points.first().copied();
+        says "no curve follows the points without their noise, whose standard deviation is about {noise}: it is up \
+            to {deviation} from {}; take fewer points, farther apart than their noise, or give a tolerance",
+            points_in_words(&points);
+    }
+}
+
+/// Outliers that are named one by one.
+const NAMED_OUTLIERS: usize = 20;
+
+/// The first of some outliers with their distances, and how many more there are.
+fn outliers(points: &[(usize, f64)]) -> String {
+    let named = points.iter().take(NAMED_OUTLIERS);
+    let named: Vec<_> = named.map(|(point, away)| format!("point {point} ({} away)", ShortNumber(*away))).collect();
+    let more = points.len() - named.len();
+    named.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
+}

@@ -1,0 +1,95 @@
+//! Why a grid or layout of quads was refused, or could not be made circular.
+
+use crate::error::{GridCellFault, LayoutFault};
+use crate::shape_change::ShapeChange;
+use crate::table::table;
+
+table! {
+    /// Why a grid or layout of quads was refused, or could not be made circular.
+    ///
+    /// ```
+    /// use cyclide::{Error, GridError};
+    /// let error: Error = GridError::CollapsedOnCurve { first: 0, second: 1 }.into();
+    /// assert_eq!(error.reason(), "collapsed-on-curve");
+    /// ```
+    pub enum GridError: Error {
+        /// The cells of a grid are no part of it that can be made, or something needs all of them.
+        CellsUnfit {
+            /// What is wrong.
+            fault: GridCellFault,
+            /// A quad where it is, s fastest, from 0.
+            index: usize,
+        }
+        reason "cells-unfit";
+        at *index;
+        says "{}", fault.words(*index);
+
+        /// The quads of a mesh make no regular grids that join round its extraordinary vertices.
+        NotAQuadLayout {
+            /// What is wrong.
+            fault: LayoutFault,
+            /// The quad or vertex where it is, from 0.
+            index: usize,
+        }
+        reason "not-a-quad-layout";
+        at *index;
+        says "{}", fault.words(*index);
+
+        /// A frame that is carried round an extraordinary vertex comes back turned by more than quarter turns.
+        RingDoesNotClose {
+            /// The vertex of the mesh.
+            vertex: usize,
+            /// By so much more, radians.
+            angle: f64,
+            /// The largest angle that is accepted.
+            limit: f64,
+        }
+        reason "ring-does-not-close";
+        at *vertex;
+        says "the frame that is carried round extraordinary vertex {vertex} comes back turned by {angle} rad more \
+            than quarter turns (at most {limit}): the net is not smooth round it";
+
+        /// The quads of a grid cannot be made circular.
+        NotConverged {
+            /// Steps made.
+            step: usize,
+            /// Largest residual of a quad (dimensionless).
+            residual: f64,
+            /// Largest residual accepted.
+            limit: f64,
+        }
+        reason "not-converged";
+        says "not circular after {step} steps: the largest residual is {residual}, limit {limit}";
+
+        /// A grid made circular is no longer the surface that was given.
+        ShapeLost {
+            /// What was measured.
+            change: Box<ShapeChange>,
+        }
+        reason "shape-lost";
+        says "the shape is lost: {}", change.lost();
+
+        /// Two neighbouring vertices of a side came to the same point of the curve it shall slide on.
+        CollapsedOnCurve {
+            /// The first vertex, s fastest.
+            first: usize,
+            /// The second vertex.
+            second: usize,
+        }
+        reason "collapsed-on-curve";
+        says "vertices {first} and {second} fall together on the curve of their side: let it run along the whole \
+            side";
+
+        /// Two curves on which the sides of a grid slide do not meet at the corner between them.
+        BorderCurvesApart {
+            /// The corner of the grid, s fastest.
+            vertex: usize,
+            /// Distance of the curves beside the corner.
+            distance: f64,
+            /// Curves at most this far apart meet.
+            limit: f64,
+        }
+        reason "border-curves-apart";
+        says "the curves of the two sides at vertex {vertex} do not meet near it: {distance} apart, limit {limit}";
+    }
+}

@@ -1,0 +1,62 @@
+//! Why no curve was put through the points.
+
+use crate::error::words::points_in_words;
+use crate::table::table;
+
+table! {
+    /// Why no curve was put through the points.
+    ///
+    /// ```
+    /// use cyclide::{Error, InterpolationError};
+    /// let error: Error = InterpolationError::EvenPointCount { given: 2 }.into();
+    /// assert_eq!(error.reason(), "even-point-count");
+    /// ```
+    pub enum InterpolationError: Error {
+        /// A curve of degree n takes an odd number of conditions, `2n + 1`.
+        EvenPointCount {
+            /// Number of conditions given: points, and derivatives at them.
+            given: usize,
+        }
+        reason "even-point-count";
+        says "{given} conditions given: a curve of degree n takes an odd number, 2n + 1; add or leave out a point, \
+            or take a Moebius spline, which takes any number";
+
+        /// Two points, or two poses, are asked for at one parameter.
+        RepeatedParameter {
+            /// Which of them, from 0.
+            first: usize,
+            /// The other one.
+            second: usize,
+            /// The parameter of the second; of the first too, or so near that it is the same on the scale of all.
+            value: f64,
+        }
+        reason "repeated-parameter";
+        at *second;
+        says "parameters {first} and {second} are both {value}";
+
+        /// The only curve of the degree that fits the other points, at their parameters, misses these.
+        UnattainablePoint {
+            /// Which points, from 0, rising.
+            points: Vec<usize>,
+            /// What is left of the weight of the first one, relative to all, or its distance from the curve in sizes of the data.
+            measured: f64,
+            /// The weight must be above this, the distance below it.
+            limit: f64,
+        }
+        reason "unattainable-point";
+        at points.first().copied();
+        says "{} cannot be attained: the others lie, at their parameters, on a curve of lower degree that misses \
+            them ({measured}, limit {limit}); move a point or change the parameters", points_in_words(&points);
+
+        /// The circular arcs that leave two points along their tangents run in opposite directions: no direction is halfway.
+        OppositeArcs {
+            /// Length of the sum of their unit tangents at the start.
+            measured: f64,
+            /// Lengths below this are refused.
+            limit: f64,
+        }
+        reason "opposite-arcs";
+        says "the circles along both tangents run in opposite directions ({measured} of a common one, at least \
+            {limit} needed): turn a tangent, or put a point between";
+    }
+}

@@ -1,0 +1,87 @@
+//! Why a rational curve or surface was refused.
+
+use crate::table::table;
+
+table! {
+    /// Why a rational curve or surface was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, NurbsError};
+    /// let error: Error = NurbsError::WeightNotPositive { index: 1, weight: 0.5 }.into();
+    /// assert_eq!(error.reason(), "weight-not-positive");
+    /// ```
+    pub enum NurbsError: Error {
+        /// A knot is less than the one before.
+        KnotsDecrease {
+            /// Which knot, from 0.
+            index: usize,
+            /// Its value.
+            knot: f64,
+            /// The knot before, which it must not be below.
+            before: f64,
+        }
+        reason "knots-decrease";
+        at *index;
+        says "knot {index} is {}, less than the one before, {}: knots must not decrease", *knot, *before;
+
+        /// A knot is repeated so often that the curve falls apart there, or a control point counts for nothing.
+        KnotMultiplicity {
+            /// The first knot of that value, from 0.
+            index: usize,
+            /// How often it is there.
+            multiplicity: usize,
+            /// How often it may be there.
+            limit: usize,
+        }
+        reason "knot-multiplicity";
+        at *index;
+        says "the knot at {index} is there {multiplicity} times, {limit} at most: the curve would fall apart there";
+
+        /// The knots, weights and points of a spline do not fit together.
+        NotASpline {
+            /// What does not fit.
+            detail: &'static str,
+        }
+        reason "not-a-spline";
+        says "not a spline: {detail}";
+
+        /// A rational weight that must be positive is not.
+        WeightNotPositive {
+            /// Which weight, from 0.
+            index: usize,
+            /// Its value.
+            weight: f64,
+        }
+        reason "weight-not-positive";
+        at *index;
+        says "weight {index} is {weight}: rational weights must be positive here";
+
+        /// Weights of a rational curve differ so much that its points cannot be distinguished by their parameters.
+        WeightsUneven {
+            /// One of the two weights, from 0.
+            first: usize,
+            /// The other one.
+            second: usize,
+            /// The larger over the smaller one.
+            ratio: f64,
+            /// The largest ratio accepted: 1e9 from one to the next, 1e18 over two steps, and 1e150 of any two.
+            limit: f64,
+        }
+        reason "weights-uneven";
+        at *second;
+        says "weights {first} and {second} differ by a factor of {ratio}, at most {limit}: double precision cannot \
+            resolve the curve between them; reduce the ratio (weights far above their neighbors pull the curve \
+            onto the control polygon: write that as segments)";
+
+        /// A surface of so high a degree that no program would read it.
+        DegreeTooHigh {
+            /// The degree needed.
+            degree: usize,
+            /// Largest degree made.
+            limit: usize,
+        }
+        reason "degree-too-high";
+        says "the degree would be {degree}, limit {limit}: take fewer points, or curves of lower degrees (segments \
+            have 1, arcs 2, fair splines 4)";
+    }
+}

@@ -1,0 +1,157 @@
+//! Why a patch, a net of patches or an offset of it was refused.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a patch, a net of patches or an offset of it was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, PatchError};
+    /// let error: Error = PatchError::CrossingQuad { position: 0.5 }.into();
+    /// assert_eq!(error.reason(), "crossing-quad");
+    /// ```
+    pub enum PatchError: Error {
+        /// The four corners of a quad are not on one circle (or line).
+        NotConcircular {
+            /// Distance of the last corner from the circle of the others, relative to the quad's size.
+            measured: f64,
+            /// Largest distance accepted.
+            limit: f64,
+        }
+        reason "not-concircular";
+        says "the corners are not on one circle: off by {measured} of the size, limit {limit}";
+
+        /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
+        CrossingQuad {
+            /// Position of the opposite corner on the inverted arc between its neighbours, outside `[0, 1]`.
+            position: f64,
+        }
+        reason "crossing-quad";
+        says "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position \
+            {position}, should be 0 to 1)";
+
+        /// The directions of a frame, which may have any length but zero, are not perpendicular.
+        FrameNotOrthonormal {
+            /// Cosine of the angle between them; 1 where one of them is zero.
+            measured: f64,
+            /// Largest cosine accepted.
+            limit: f64,
+        }
+        reason "frame-not-orthonormal";
+        says "the directions of the frame are not perpendicular: the cosine between them is {measured}, limit \
+            {limit}";
+
+        /// The weights do not put the surface into three-space.
+        NotInSpace {
+            /// Largest real part of the quotient, relative to the size.
+            defect: f64,
+            /// Largest defect accepted.
+            limit: f64,
+        }
+        reason "not-in-space";
+        says "the weights leave three-space: defect {defect} of the size, limit {limit}";
+
+        /// The patch contains the point at infinity.
+        ThroughInfinity {
+            /// First parameter.
+            s: f64,
+            /// Second parameter.
+            t: f64,
+        }
+        reason "patch-through-infinity";
+        says "the patch passes through infinity near s = {s}, t = {t}";
+
+        /// The frame does not come back when it is carried once round a closed net.
+        NetDoesNotClose {
+            /// The closed direction: 0 for s, 1 for t.
+            direction: usize,
+            /// The row or column along it that is to blame, from 0, where it is one: it is pinned.
+            line: Option<usize>,
+            /// Angle of the rotation from the frame that left to the frame that came back, radians.
+            angle: f64,
+            /// Ratio of the parameter speeds on both sides of the seam, minus 1.
+            stretch: f64,
+            /// Largest angle and stretch accepted.
+            limit: f64,
+        }
+        reason "net-does-not-close";
+        says "the net does not close along {}: after one turn{} the frame is off by {angle} radians{}, limit {limit}",
+            if *direction == 0 { 's' } else { 't' },
+            along_pinned(*direction, *line),
+            speed_ratio(*stretch, *limit);
+
+        /// No frame fits the directions of the edges of a net better than all others.
+        AmbiguousFrame {
+            /// How much the second direction that the edges agree on stands out, relative to the first: 0 where there is one only.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "ambiguous-frame";
+        says "the edges of the net determine no frame: give one at the first vertex (their second direction stands \
+            out by {measured} of the first, limit {limit})";
+
+        /// A construction needs four real sides and met one that is a single point.
+        CollapsedSide {
+            /// The side: `s = 0`, `s = 1`, `t = 0` or `t = 1`.
+            side: &'static str,
+            /// What cannot be made.
+            cannot: &'static str,
+        }
+        reason "collapsed-side";
+        says "the side {side} of the net is one point: {cannot}";
+
+        /// An offset that is no surface.
+        OffsetOnFocalSet {
+            /// Signed distance of the offset.
+            distance: f64,
+            /// Largest speed of a line of the family that shrinks, relative to what it is made of.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "offset-on-focal-set";
+        says "the offset at distance {distance} lies on the focal set: all centres of curvature of one family of \
+            lines are at that distance, and the surface shrinks to a curve or a point (lines keep {measured} of \
+            their speed, limit {limit})";
+
+        /// A solid between a surface and its offset would run through itself.
+        OffsetNotRegular {
+            /// Signed distance of the offset.
+            distance: f64,
+            /// Signed distance of the first centre of curvature on that side: less is accepted. 0 where the surface itself runs against
+            /// its normal, or through a singular point.
+            limit: f64,
+        }
+        reason "offset-not-regular";
+        when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would run \
+            through itself: the surface itself is singular or folded there, limit 0";
+        says "a solid between the surface and its offset at distance {distance} would run through itself: a centre \
+            of curvature lies between them, or on one of them, limit {} (`report` gives the radii)",
+            ShortNumber(nearer(*limit));
+    }
+}
+
+/// The line of a net that is to blame: rows run along s, columns along t.
+fn along_pinned(direction: usize, line: Option<usize>) -> String {
+    let name = if direction == 0 { "row" } else { "column" };
+    line.map_or(String::new(), |line| format!(" along pinned {name} {line}"))
+}
+
+/// The ratio of speeds `1 + stretch` in words, where it is worth any.
+fn speed_ratio(stretch: f64, limit: f64) -> String {
+    if stretch.abs() <= limit {
+        return String::new();
+    }
+    let sign = if stretch < 0.0 { '-' } else { '+' };
+    format!(" and the speed of the lines across by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
+}
+
+/// A limit as it is shown, rounded towards zero unless it is as short as that: what is read can be taken.
+fn nearer(limit: f64) -> f64 {
+    let shown = |x: f64| ShortNumber(x).to_string().parse::<f64>().map_or(x.abs(), f64::abs);
+    let parts = [0.0, 1e-4, 1e-3, 1e-2].into_iter().map(|part| limit * (1.0 - part));
+    // What is off by less is rounding of the limit itself.
+    parts.into_iter().find(|x| shown(*x) <= limit.abs() * (1.0 + 1e-9)).unwrap_or(limit)
+}

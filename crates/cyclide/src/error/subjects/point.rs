@@ -1,0 +1,126 @@
+//! Why points, directions, or a map of them were refused.
+
+use crate::error::ErrorItem;
+use crate::table::table;
+
+table! {
+    /// Why points, directions, or a map of them were refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, PointError};
+    /// let error: Error = PointError::ZeroTangent { index: 1 }.into();
+    /// assert_eq!(error.reason(), "zero-tangent");
+    /// ```
+    pub enum PointError: Error {
+        /// Fewer points than the construction needs.
+        TooFewPoints {
+            /// Number of points given.
+            given: usize,
+            /// Number of points needed.
+            needed: usize,
+        }
+        reason "too-few-points";
+        says "too few points: {given} given, at least {needed} needed";
+
+        /// Two points that must differ are equal (or closer than the stated limit).
+        CoincidentPoints {
+            /// Index of the first point.
+            first: usize,
+            /// Index of the second point.
+            second: usize,
+            /// Their distance.
+            distance: f64,
+            /// Distances up to this count as equal (0: only equal doubles).
+            limit: f64,
+        }
+        reason "coincident-points";
+        at *second;
+        when *limit <= 0.0, says "points {first} and {second} coincide";
+        says "points {first} and {second} coincide (distance {distance}, at most {limit} is allowed to be called \
+            equal)";
+
+        /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
+        BelowRoundingOfPlace {
+            /// The kind of thing.
+            what: ErrorItem,
+            /// Its size: the diagonal of the box of its points, or a radius.
+            size: f64,
+            /// Its largest coordinate.
+            place: f64,
+            /// Smallest size accepted there.
+            limit: f64,
+        }
+        reason "below-rounding-of-place";
+        when *what == ErrorItem::Cells, says "cells are as short as {size} at coordinates of up to {place}, which \
+            are rounded: below {limit} their ends are one point; take fewer, or lengths that differ less";
+        when *size > 0.0, says "the {what} is {size} large at coordinates of up to {place}, which are rounded: \
+            below {limit} it has no shape of its own; make it larger, or move it to the origin";
+        says "the {what} is one single point at coordinates of up to {place}, which are rounded: below {limit} it \
+            has no shape of its own; make it larger, or move it to the origin";
+
+        /// A tangent or direction vector is zero.
+        ZeroTangent {
+            /// Which tangent, from 0.
+            index: usize,
+        }
+        reason "zero-tangent";
+        at *index;
+        says "tangent {index} is zero";
+
+        /// A rotation axis, plane normal or direction is zero (or not usable in the plane asked for).
+        ZeroAxis {
+            /// What it is.
+            what: ErrorItem,
+            /// Which one, from 0.
+            index: usize,
+            /// Length of what is usable of it.
+            length: f64,
+            /// Lengths up to this are refused.
+            limit: f64,
+        }
+        reason "zero-axis";
+        at *index;
+        when *limit <= 0.0, says "the {what} is zero";
+        says "the {what} runs along the chord: {length} of it is across, limit {limit}";
+
+        /// Something goes to infinity, or so near it that its digits are lost: a third point on the line of the other two, outside the
+        /// segment; a point that a map takes there.
+        AtInfinity {
+            /// What goes there.
+            what: ErrorItem,
+            /// Which one, from 0.
+            index: usize,
+            /// Its distance from the place that goes to infinity.
+            distance: f64,
+            /// Smallest distance accepted (0: only that place itself).
+            limit: f64,
+        }
+        reason "point-at-infinity";
+        at *index;
+        when *limit <= 0.0, says "a point is at infinity: it lies on the line through the ends outside the segment, \
+            or maps there";
+        says "the {what} comes within {distance} of the point that goes to infinity, where its image loses its \
+            digits (at least {limit} is needed there); move that point, the centre of an inversion, away from the \
+            {what}";
+
+        /// A matrix of quaternions does not map three-space to itself.
+        NotMobius {
+            /// Relative defect measured.
+            defect: f64,
+            /// Largest defect accepted.
+            limit: f64,
+        }
+        reason "not-mobius";
+        says "the Möbius matrix does not preserve three-space: defect {defect}, limit {limit}";
+
+        /// A Möbius map that is not a similarity was given where only similarities keep the kind of curve.
+        NotASimilarity {
+            /// Length of the entry `c` of its matrix.
+            measured: f64,
+            /// Largest one accepted.
+            limit: f64,
+        }
+        reason "not-a-similarity";
+        says "the map is not a similarity";
+    }
+}

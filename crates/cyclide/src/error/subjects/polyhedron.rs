@@ -1,0 +1,118 @@
+//! Why a polyhedron, plane or spherical, was refused.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a polyhedron, plane or spherical, was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, PolyhedronError};
+    /// let error: Error = PolyhedronError::Flat { thickness: 0.5, limit: 1e-9 }.into();
+    /// assert_eq!(error.reason(), "flat-polyhedron");
+    /// ```
+    pub enum PolyhedronError: Error {
+        /// A loop of vertices is no face.
+        NotAFace {
+            /// Which face, from 0.
+            face: usize,
+            /// What is wrong with it.
+            detail: &'static str,
+        }
+        reason "not-a-face";
+        at *face;
+        says "face {face}: {detail}";
+
+        /// An edge of a polyhedron without one face on each side.
+        NotClosed {
+            /// Start of the edge.
+            first: usize,
+            /// Its end.
+            second: usize,
+            /// Faces along it in this direction.
+            forward: usize,
+            /// Faces along it in the other direction.
+            back: usize,
+        }
+        reason "not-closed";
+        when *forward + *back == 2, says "the faces do not close: {forward} of them run from point {first} to point \
+            {second} and {back} the other way, where one and one should: one of the two is to be turned over";
+        says "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the \
+            other way, where one and one should";
+
+        /// A corner of a face of a polyhedron is off its plane.
+        NonPlanarFace {
+            /// Which face, from 0.
+            face: usize,
+            /// The point that is farthest off.
+            vertex: usize,
+            /// Its distance.
+            distance: f64,
+            /// Largest distance accepted.
+            limit: f64,
+        }
+        reason "non-planar-face";
+        at *face;
+        says "face {face} is not planar: point {vertex} is {distance} off, limit {limit}";
+
+        /// A polyhedron with an edge at which its faces turn towards each other.
+        NotConvex {
+            /// Start of the edge that is reflex most of all.
+            first: usize,
+            /// Its end.
+            second: usize,
+            /// The angle between its normals, radians: not positive.
+            angle: f64,
+            /// How many edges are reflex.
+            reflex: usize,
+            /// How many there are.
+            edges: usize,
+        }
+        reason "not-convex";
+        when *reflex == *edges, says "not convex: {reflex} of {edges} edges are reflex, most of all that between \
+            the points {first} and {second}, by {} radians, limit 0; are the faces clockwise, seen from outside?",
+            ShortNumber(-*angle);
+        says "not convex: {reflex} of {edges} edges are reflex, most of all that between the points {first} and \
+            {second}, by {} radians, limit 0", ShortNumber(-*angle);
+
+        /// Points in one plane, which bound no body.
+        Flat {
+            /// How far they are from it, at most.
+            thickness: f64,
+            /// Largest distance that counts as being in it: the flatness, half of it where points that near are one, or rounding.
+            limit: f64,
+        }
+        reason "flat-polyhedron";
+        says "the points bound no body: all are within {thickness} of one plane, and what is within {limit} of a \
+            plane is taken for it";
+
+        /// Directions that are not the corners of a convex polygon in an open half of the sphere.
+        NotInOpenHemisphere {
+            /// Which side, from 0; `None` for all together.
+            side: Option<usize>,
+            /// Its angle about the middle, radians, or that of all together; 0 where there is no middle.
+            measured: f64,
+            /// What the angle of one side must be above, and that of all together at most.
+            limit: f64,
+        }
+        reason "not-in-open-hemisphere";
+        when side.is_some(), says "the corners are not in an open half of the sphere, counter-clockwise: side \
+            {side} runs round the middle by {measured} radians, not between 0 and pi";
+        says "the corners are not in an open half of the sphere, counter-clockwise: all sides run round the middle \
+            by {measured} radians, not by 2 pi";
+
+        /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
+        PlanesMissPoint {
+            /// The point, or the given one that became the corner.
+            vertex: usize,
+            /// Its distance from the other surface.
+            distance: f64,
+            /// Largest distance accepted.
+            limit: f64,
+        }
+        reason "planes-miss-point";
+        at *vertex;
+        says "with faces that are near to one plane made one, the surface is {distance} off at point {vertex}, \
+            limit {limit}";
+    }
+}

@@ -1,0 +1,73 @@
+//! Why a pose, or a list of them, was refused.
+
+use crate::table::table;
+
+table! {
+    /// Why a pose, or a list of them, was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, PoseError};
+    /// let error: Error = PoseError::ZeroRotation { index: 1 }.into();
+    /// assert_eq!(error.reason(), "zero-rotation");
+    /// ```
+    pub enum PoseError: Error {
+        /// A rotation quaternion is zero.
+        ZeroRotation {
+            /// Which rotation, from 0.
+            index: usize,
+        }
+        reason "zero-rotation";
+        at *index;
+        says "rotation {index} is zero: it has no direction";
+
+        /// A matrix that should be a displacement is none: its columns are not orthonormal and right-handed, or its last row is not
+        /// `0 0 0 1`.
+        NotARotation {
+            /// Largest deviation of a length, a scalar product, the determinant or an entry of the last row.
+            off: f64,
+            /// Deviations above this are refused.
+            limit: f64,
+        }
+        reason "not-a-rotation";
+        says "the matrix is no displacement: its first three columns have to be orthonormal and right-handed and \
+            its last row 0 0 0 1, and they are off by {off}, limit {limit} (with more decimals they are nearer; \
+            one that scales or mirrors is none)";
+
+        /// A dual quaternion is no displacement: its parts are not perpendicular.
+        NotOnStudyQuadric {
+            /// `|p·r| / (|p| |r|)`.
+            product: f64,
+            /// Products above this are refused.
+            limit: f64,
+        }
+        reason "not-on-study-quadric";
+        says "the dual quaternion is no displacement: its parts are not perpendicular, their product over both \
+            lengths is {product}, limit {limit}";
+
+        /// A motion needs another number of poses.
+        WrongPoseCount {
+            /// Number of poses given.
+            given: usize,
+            /// Number of poses needed.
+            needed: usize,
+            /// True if more will do.
+            or_more: bool,
+        }
+        reason "wrong-pose-count";
+        when *or_more, says "{given} poses given, {needed} or more needed";
+        says "{given} poses given, {needed} needed";
+
+        /// A pose is not after the one before it in time.
+        ParametersNotIncreasing {
+            /// Which parameter, from 0.
+            index: usize,
+            /// Its value.
+            value: f64,
+            /// The value before it.
+            before: f64,
+        }
+        reason "parameters-not-increasing";
+        at *index;
+        says "the parameters do not rise: number {index} is {value} after {before}";
+    }
+}

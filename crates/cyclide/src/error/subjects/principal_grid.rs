@@ -1,0 +1,109 @@
+//! Why no grid was laid along the lines of curvature of a surface.
+
+use crate::error::{JoinFault, SurfaceFault};
+use crate::table::table;
+
+table! {
+    /// Why no grid was laid along the lines of curvature of a surface.
+    ///
+    /// ```
+    /// use cyclide::{Error, PrincipalGridError};
+    /// let error: Error = PrincipalGridError::SpiralLines { shift: 0.5, edge: 0.5 }.into();
+    /// assert_eq!(error.reason(), "spiral-lines");
+    /// ```
+    pub enum PrincipalGridError: Error {
+        /// Triangles are not one piece of a surface with a border.
+        NotASurface {
+            /// What is wrong.
+            fault: SurfaceFault,
+            /// A triangle where it is, from 0.
+            index: usize,
+        }
+        reason "not-a-surface";
+        at *index;
+        says "the mesh is not one piece of a surface with a border: {}", fault.words(*index);
+
+        /// A surface has no lines of curvature: it is a plane or a sphere.
+        FlatSurface {
+            /// Median difference of the principal curvatures.
+            difference: f64,
+            /// Least difference that shows directions.
+            limit: f64,
+            /// The distance of the vertices from a smooth surface, where noise alone makes that difference.
+            noise: Option<f64>,
+        }
+        reason "flat-surface";
+        when noise.is_some(), says "the surface is flat, or a sphere, but for noise of {noise}: its principal \
+            curvatures differ by {difference} (median), and more than {limit} is needed to tell lines of curvature \
+            from noise; smooth the mesh first, or take one with longer edges";
+        says "the surface is flat, or a sphere: its principal curvatures differ by {difference} (median), and more \
+            than {limit} is needed to tell lines of curvature; any grid of a plane or a sphere has circles as it is";
+
+        /// However much the directions are smoothed, umbilics are left.
+        UmbilicsRemain {
+            /// How many.
+            count: usize,
+            /// Where the first is.
+            at: [f64; 3],
+            /// How many half turns the lines of curvature make round it.
+            halves: i32,
+            /// The smoothing that was tried last with so few left.
+            smoothing: f64,
+        }
+        reason "umbilics-remain";
+        says "{count} umbilic(s) are left after smoothing by {smoothing}, the first at ({at}) (index {}): one grid \
+            has no room for them: take \"umbilics\": \"pieces\" or \"joined\" with \"border\": \"inside\" or \
+            \"staircase\", or cut a hole round them", index_of_halves(*halves);
+
+        /// One mesh of quads does not go through an umbilic.
+        UmbilicsNotJoined {
+            /// Where it is.
+            at: [f64; 3],
+            /// What stands against it.
+            fault: JoinFault,
+        }
+        reason "umbilics-not-joined";
+        says "no mesh of quads goes on through the umbilic at ({at}): {}; \"umbilics\": \"pieces\" lays grids \
+            beside it", fault.words();
+
+        /// Lines of curvature come back turned over after a way round a hole: no coordinates follow them all round.
+        FieldNotOrientable {
+            /// A place on the border of the hole.
+            at: [f64; 3],
+            /// How many half turns the lines make round in the hole.
+            halves: i32,
+        }
+        reason "field-not-orientable";
+        says "lines of curvature come back turned over after a way round the hole at ({at}) (index {}): take \
+            \"umbilics\": \"pieces\"", index_of_halves(*halves);
+
+        /// The lines of curvature of a tube come back so much higher that closing them would be a shape of its own.
+        SpiralLines {
+            /// By how much they come back higher.
+            shift: f64,
+            /// Length of an edge of the grid, the limit.
+            edge: f64,
+        }
+        reason "spiral-lines";
+        says "the lines of curvature are spirals, which come back {shift} higher or lower (an edge is {edge}): \
+            closing them gives the surface another shape; \"closed\": true closes them all the same, \"closed\": \
+            false leaves the grid open";
+
+        /// No grid finds room on a surface.
+        NoGrid {
+            /// Length of its edges.
+            edge: f64,
+            /// Cells along each side at least.
+            least: usize,
+        }
+        reason "no-grid";
+        says "no grid of {least} by {least} cells with edges of {edge} finds room on the surface: take shorter edges";
+    }
+}
+
+/// The index of a place that lines turn round, by the half turns they make.
+fn index_of_halves(halves: i32) -> String {
+    let sign = if halves < 0 { "-" } else { "+" };
+    let size = halves.unsigned_abs();
+    if size.is_multiple_of(2) { format!("{sign}{}", size / 2) } else { format!("{sign}{size}/2") }
+}

@@ -1,0 +1,89 @@
+//! Why a profile was not turned about an axis, or a section not swept.
+
+use crate::table::table;
+
+table! {
+    /// Why a profile was not turned about an axis, or a section not swept.
+    ///
+    /// ```
+    /// use cyclide::{Error, ProfileError};
+    /// let error: Error = ProfileError::SectionMeetsItself { contour: 2 }.into();
+    /// assert_eq!(error.reason(), "section-meets-itself");
+    /// ```
+    pub enum ProfileError: Error {
+        /// A profile meets the axis that it is to turn about, other than with its ends.
+        CrossesAxis {
+            /// Which piece, from 0.
+            piece: usize,
+            /// Its distance from the axis where that was found.
+            distance: f64,
+            /// Distances up to this are refused; a larger one is on another side of the axis.
+            limit: f64,
+        }
+        reason "crosses-axis";
+        at *piece;
+        says "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before \
+            (distance {distance}): cut it there, and turn one half, or each part for itself";
+
+        /// All of a profile lies along the axis that it is to turn about, and sweeps nothing.
+        OnAxis {
+            /// The largest distance from the axis.
+            distance: f64,
+            /// Distances up to this are on the axis.
+            limit: f64,
+        }
+        reason "profile-on-axis";
+        says "the profile lies along the axis and sweeps nothing: it is {distance} off it at most, and up to \
+            {limit} are on it";
+
+        /// The meridian of a profile meets itself, and with it what it sweeps.
+        MeetsItself {
+            /// Which piece, from 0.
+            first: usize,
+            /// The other one; the same if it comes back to itself.
+            second: usize,
+            /// Distance from the axis near the place.
+            radius: f64,
+            /// Height along the axis, from its given point.
+            height: f64,
+        }
+        reason "profile-meets-itself";
+        at *second;
+        says "the profile meets itself: pieces {first} and {second} at the distance {radius} from the axis, height \
+            {height}; a solid needs a profile that goes round once";
+
+        /// A profile in a plane across its axis that sweeps a part of the plane twice.
+        Folded {
+            /// Which piece, from 0.
+            piece: usize,
+            /// Where it turns back.
+            distance: f64,
+        }
+        reason "folded-profile";
+        at *piece;
+        says "piece {piece} of the profile turns back at the distance {distance} from the axis, in a plane across \
+            it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights \
+            along the axis";
+
+        /// A section leaves the plane that it should be in.
+        SectionNotPlane {
+            /// Which contour, from 0.
+            contour: usize,
+            /// Largest distance of a control point from the plane.
+            distance: f64,
+            /// Distances up to this are rounding.
+            limit: f64,
+        }
+        reason "section-not-plane";
+        says "contour {contour} of the section is up to {distance} off the plane of sections, limit {limit}";
+
+        /// The contours of a section meet themselves or each other, or go round no area.
+        SectionMeetsItself {
+            /// Which contour, from 0.
+            contour: usize,
+        }
+        reason "section-meets-itself";
+        says "contour {contour} of the section meets itself or another contour, or encloses no area: a solid needs \
+            contours that go once round an area";
+    }
+}

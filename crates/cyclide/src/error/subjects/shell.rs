@@ -1,0 +1,41 @@
+//! Why faces do not make a shell, or not one that files can hold.
+
+use crate::error::ErrorItem;
+use crate::table::table;
+
+table! {
+    /// Why faces do not make a shell, or not one that files can hold.
+    ///
+    /// ```
+    /// use cyclide::{Error, ShellError};
+    /// let error: Error = ShellError::ShortEdge { edge: 2, length: 0.5, limit: 1e-9 }.into();
+    /// assert_eq!(error.reason(), "short-edge");
+    /// ```
+    pub enum ShellError: Error {
+        /// Vertices, edges and faces do not make a shell.
+        NotAShell {
+            /// The kind of item: vertex, edge or face.
+            item: ErrorItem,
+            /// Which one, from 0.
+            index: usize,
+            /// What is wrong with it.
+            detail: &'static str,
+        }
+        reason "not-a-shell";
+        at *index;
+        says "not a shell: {item} {index}: {detail}";
+
+        /// An edge that other programs would take for a point.
+        ShortEdge {
+            /// Which edge, from 0, after faces were cut.
+            edge: usize,
+            /// Distance of its ends.
+            length: f64,
+            /// Shortest length accepted.
+            limit: f64,
+        }
+        reason "short-edge";
+        says "edge {edge} of the faces for a file is {length} long, shorter than {limit}: the surface is too close \
+            to a singular one; move its points or its radii apart, or leave out the part that is so thin";
+    }
+}

@@ -1,0 +1,160 @@
+//! Why a torus, or a point, curve or seam on one, was refused.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a torus, or a point, curve or seam on one, was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, TorusError};
+    /// let error: Error = TorusError::ZeroCoordinate { index: 1 }.into();
+    /// assert_eq!(error.reason(), "zero-coordinate");
+    /// ```
+    pub enum TorusError: Error {
+        /// A torus whose tube is not thinner than the circle that its middle follows.
+        NotARingTorus {
+            /// Radius of the middle of the tube.
+            major: f64,
+            /// Radius of the tube: must be above 0 and below the other.
+            minor: f64,
+        }
+        reason "not-a-ring-torus";
+        says "no ring torus: the radius {minor} of the tube must be above 0 and below the radius {major} of its \
+            middle";
+
+        /// A complex coordinate of a point of a torus is zero.
+        ZeroCoordinate {
+            /// Which of the four, from 0.
+            index: usize,
+        }
+        reason "zero-coordinate";
+        at *index;
+        says "complex coordinate {index} of a point of the torus is zero";
+
+        /// A point on the axis of a torus: every longitude is equally near.
+        PointOnAxis {
+            /// Which point, from 0.
+            index: usize,
+            /// Its distance from the axis.
+            distance: f64,
+            /// Distances up to this are refused.
+            limit: f64,
+        }
+        reason "point-on-axis";
+        at *index;
+        says "point {index} is on the axis of the torus, where no longitude is the nearest: distance {distance}, \
+            limit {limit}";
+
+        /// A point on the circle along the middle of the tube of a torus: its whole meridian is equally near.
+        PointOnCoreCircle {
+            /// Which point, from 0.
+            index: usize,
+            /// Its distance from the circle.
+            distance: f64,
+            /// Distances up to this are refused.
+            limit: f64,
+        }
+        reason "point-on-core-circle";
+        at *index;
+        says "point {index} is in the middle of the tube, where no side is the nearest: distance {distance}, limit \
+            {limit}";
+
+        /// A point that should lie on a torus does not.
+        PointOffTorus {
+            /// Which point, from 0.
+            index: usize,
+            /// Its distance from the torus.
+            distance: f64,
+            /// Largest distance accepted.
+            limit: f64,
+        }
+        reason "point-off-torus";
+        at *index;
+        says "point {index} is {distance} off the torus, limit {limit}";
+
+        /// A coordinate that can run in one direction only is asked to turn back, or to stand still at an end of a step.
+        NotMonotone {
+            /// Which of the two coordinates, from 0.
+            coordinate: usize,
+            /// The step over the span, radians.
+            step: f64,
+            /// The slopes at its ends, by the parameter of the curve.
+            slopes: [f64; 2],
+        }
+        reason "not-monotone";
+        says "coordinate {coordinate} would have to turn back or stand still: step {step}, slopes {} and {} at its \
+            ends", ShortNumber(slopes[0]), ShortNumber(slopes[1]);
+
+        /// A coordinate is asked to go farther than half round within one span.
+        SpanTooLarge {
+            /// Which of the two coordinates, from 0.
+            coordinate: usize,
+            /// The step, radians.
+            step: f64,
+            /// Steps must be below this.
+            limit: f64,
+        }
+        reason "span-too-large";
+        says "coordinate {coordinate} goes {step} radians in one span, which must be below {limit}: put a point \
+            between";
+
+        /// No two pieces of the given types join the ends of a segment.
+        NoTwoTypeSolution {
+            /// Which segment, from 0.
+            segment: usize,
+            /// The number whose arc cosine the middle needs; within 1, or infinite, where no solution runs in the directions given.
+            cosine: f64,
+        }
+        reason "no-two-type-solution";
+        at *segment;
+        when cosine.abs() > 1.0 && cosine.is_finite(), says "no two pieces of these types join the ends of segment \
+            {segment}: the cosine of their middle would be {cosine}, at most 1 is one";
+        says "no two pieces of these types join the ends of segment {segment} in the directions given: on the way \
+            each coordinate of a type runs in one direction, that of its speeds at both ends";
+
+        /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.
+        NotCoprime {
+            /// The turns.
+            turns: [i32; 2],
+            /// Their greatest common divisor; 0 if both are 0.
+            divisor: u32,
+        }
+        reason "not-coprime";
+        says "{} and {} turns have the greatest common divisor {divisor}, not 1: the curve would run over itself, \
+            or not at all", turns[0], turns[1];
+
+        /// A seam along a curve of a torus is wider than a bend of the curve allows.
+        SeamTooWide {
+            /// Which piece of the curve, from 0.
+            piece: usize,
+            /// The place on it.
+            point: [f64; 3],
+            /// Width of the seam.
+            width: f64,
+            /// The largest that fits everywhere.
+            limit: f64,
+        }
+        reason "seam-too-wide";
+        says "the seam is {width} wide, and folds on the inner side of the bend of its curve at {point}, in piece \
+            {piece}: it may be {limit} wide; take a narrower seam, or a curve that bends less along the torus";
+
+        /// Parts of a seam along a curve of a torus that are no neighbours share space.
+        SeamMeetsItself {
+            /// Which piece of the curve, from 0.
+            first: usize,
+            /// The other one; the same if it comes round.
+            second: usize,
+            /// A point that both parts hold.
+            point: [f64; 3],
+            /// Distance of the curve from itself there.
+            distance: f64,
+            /// Width of the seam.
+            width: f64,
+        }
+        reason "seam-meets-itself";
+        at *second;
+        says "the seam runs through itself at {point}: pieces {first} and {second} of its curve are {distance} \
+            apart there, and it is {width} wide; take a narrower seam, or a curve that keeps away from itself";
+    }
+}

@@ -1,0 +1,78 @@
+//! Why a triangle, or a patch over one, was refused.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a triangle, or a patch over one, was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, TriangleError};
+    /// let error: Error = TriangleError::Degenerate { area: 0.5, limit: 1e-9 }.into();
+    /// assert_eq!(error.reason(), "degenerate-triangle");
+    /// ```
+    pub enum TriangleError: Error {
+        /// The corners of a triangle lie on one line, or nearly.
+        Degenerate {
+            /// Twice the area, relative to the square of the longest edge.
+            area: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "degenerate-triangle";
+        says "the corners of the triangle lie on one line: twice its area is {area} of its longest edge squared, \
+            limit {limit}";
+
+        /// No sphere is told by a control point on the circle through the corners of its triangle.
+        ControlPointOnCircumcircle {
+            /// The corner whose sphere it is, from 0.
+            corner: usize,
+            /// How far it is off, relative to the circle and its distance.
+            distance: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "control-point-on-circumcircle";
+        says "control point {corner} lies on the circle through the corners: it is {distance} off it, relative to \
+            its distance, limit {limit}";
+
+        /// Spheres that cancel each other where they are blended.
+        OppositeSpheres {
+            /// The first two barycentric coordinates of the place.
+            at: [f64; 2],
+            /// Length of the blended sphere, 1 where all agree.
+            length: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "opposite-spheres";
+        says "the spheres of the corners oppose each other near lambda = {}, {}: their blend has the length \
+            {length}, limit {limit}", ShortNumber(at[0]), ShortNumber(at[1]);
+
+        /// A normal along the edge that shall be perpendicular to it.
+        NormalAlongEdge {
+            /// The corner of the triangle, from 0.
+            corner: usize,
+            /// The part of the line across the normal, relative to it.
+            across: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "normal-along-edge";
+        says "the normal at corner {corner} runs along an edge or a line across its triangle: {across} of that line \
+            is across the normal, limit {limit}";
+
+        /// The normals at the ends of an edge cancel each other between them.
+        OppositeNormals {
+            /// The corner of the triangle, from 0.
+            corner: usize,
+            /// Length of the blended normal across the edge.
+            length: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "opposite-normals";
+        says "the normals at the ends of the side opposite to corner {corner} oppose each other: between them \
+            {length} is left, limit {limit}";
+    }
+}

@@ -1,0 +1,66 @@
+//! Why a spherical cube, or the block in it, was refused.
+
+use crate::error::words::parameters;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// Why a spherical cube, or the block in it, was refused.
+    ///
+    /// ```
+    /// use cyclide::{Error, VolumeError};
+    /// let error: Error = VolumeError::ThroughInfinity { at: [1.0, 2.0, 0.0] }.into();
+    /// assert_eq!(error.reason(), "volume-through-infinity");
+    /// ```
+    pub enum VolumeError: Error {
+        /// The first corner of a spherical cube and its three neighbours are on one circle: the eighth corner is not determined.
+        ConcircularCube {
+            /// Twice the area of the triangle of the neighbours, inverted at the first corner.
+            measured: f64,
+            /// Areas up to this are zero.
+            limit: f64,
+        }
+        reason "concircular-cube";
+        says "the first corner and its three neighbours are on one circle, so that the eighth corner is not \
+            determined: the triangle of the neighbours, inverted at the first corner, has the area {measured}, \
+            limit {limit}";
+
+        /// A face of a volume crosses itself: one of its sides runs backwards.
+        CrossingFace {
+            /// Direction of the side: 0, 1, 2 for s, t, u.
+            axis: usize,
+            /// Where it is: its places in the two other directions, in order, each 0 or 1.
+            at: [f64; 2],
+            /// Speed of the side, a length.
+            speed: f64,
+            /// Speeds are above this.
+            limit: f64,
+        }
+        reason "crossing-face";
+        says "two faces cross themselves: their common side along {} at {} = {}, {} = {} runs backwards (speed \
+            {speed}, limit {limit}); move the corners nearer to those of a box",
+            parameters(*axis)[0],
+            parameters(*axis)[1],
+            ShortNumber(at[0]),
+            parameters(*axis)[2],
+            ShortNumber(at[1]);
+
+        /// A volume contains the point at infinity.
+        ThroughInfinity {
+            /// Where: s, t, u.
+            at: [f64; 3],
+        }
+        reason "volume-through-infinity";
+        says "the volume passes through infinity near s = {}, t = {}, u = {}: its sides are arcs of nearly whole \
+            circles there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+
+        /// Lines of a volume run backwards in a part of it, where that is asked for which must not.
+        Folded {
+            /// Where: s, t, u.
+            at: [f64; 3],
+        }
+        reason "folded-volume";
+        says "lines run backwards near s = {}, t = {}, u = {}: what folds bounds no solid; take a frame nearer to \
+            the sides, or none", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+    }
+}
