@@ -1,6 +1,7 @@
 //! What a document is told about a net that is not what was given: refusals, warnings and figures of the report.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+use cyclide::NetWarning;
 use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport, Report, SurfaceReport};
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
@@ -241,14 +242,17 @@ fn offsets_beyond_the_focal_set_say_how_far_they_can_go() {
     // All patches have the tube's radius 1.
     assert!(remark.message.contains("by -1.5 ") && remark.message.contains(" on 16 patch(es)"), "{}", remark.message);
     let warning = beyond.remarks[0].warning.as_ref().unwrap();
-    let cyclide::Warning::BeyondFocalSet { radius, count, .. } = *warning else { panic!("{warning:?}") };
+    let cyclide::Warning::Net(NetWarning::BeyondFocalSet { radius, count, .. }) = *warning else {
+        panic!("{warning:?}")
+    };
     assert!((radius - 1.0).abs() < 1e-12 && count == 16, "{radius}"); // rounding
     for near in [-0.999, 0.5, 1.99] {
         assert!(offset(near).remarks.is_empty(), "{near}");
     }
     // Outwards the inner half of the ring has centres of curvature, 2 and farther away.
     let outwards = offset(2.5);
-    let Some(cyclide::Warning::BeyondFocalSet { radius, count, .. }) = outwards.remarks[0].warning else {
+    let Some(cyclide::Warning::Net(NetWarning::BeyondFocalSet { radius, count, .. })) = outwards.remarks[0].warning
+    else {
         panic!("a warning")
     };
     assert!((radius - 2.0).abs() < 1e-12 && count == 8, "{radius} {count}");

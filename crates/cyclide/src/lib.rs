@@ -95,7 +95,7 @@
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`] (by subject: [`NumberError`], [`PointError`], [`ArcError`], [`CurveError`], [`InterpolationError`], [`NurbsError`], [`FitError`], [`PatchError`], [`GridError`], [`PrincipalGridError`], [`ShellError`], [`ProfileError`], [`PipeError`], [`TubeError`], [`TeeError`], [`CrossingError`], [`ContactError`], [`BallError`], [`BridgeError`], [`PolyhedronError`], [`TriangleError`], [`MeshError`], [`TorusError`], [`PoseError`], [`MotionError`], [`VolumeError`], [`PartError`]), [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] ([`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
+//! | what is refused, what is remarked | [`Error`] (by subject: [`NumberError`], [`PointError`], [`ArcError`], [`CurveError`], [`InterpolationError`], [`NurbsError`], [`FitError`], [`PatchError`], [`GridError`], [`PrincipalGridError`], [`ShellError`], [`ProfileError`], [`PipeError`], [`TubeError`], [`TeeError`], [`CrossingError`], [`ContactError`], [`BallError`], [`BridgeError`], [`PolyhedronError`], [`TriangleError`], [`MeshError`], [`TorusError`], [`PoseError`], [`MotionError`], [`VolumeError`], [`PartError`]), [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] (by subject: [`PointWarning`], [`CurveWarning`], [`FitWarning`], [`NoiseWarning`], [`MotionWarning`], [`PoseFitWarning`], [`PrincipalGridWarning`], [`CircularWarning`], [`NetWarning`], [`MeshWarning`], [`PolyhedronWarning`], [`BodyWarning`], [`VolumeWarning`]; [`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -220,6 +220,10 @@ pub use topology::{SurfaceJoint, surface_joints};
 pub use volume::{
     CellQuality, CyclideGrid, CyclideVolume, FineEnd, FoldVerdict, Grading, GridQuality, MOST_CELLS, ParamVolume,
     SphericalCube, StructuredGrid, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeMetric, VolumeRow, miquel_point,
+};
+pub use warning::{
+    BodyWarning, CircularWarning, CurveWarning, FitWarning, MeshWarning, MotionWarning, NetWarning, NoiseWarning,
+    PointWarning, PolyhedronWarning, PoseFitWarning, PrincipalGridWarning, VolumeWarning,
 };
 pub use warning::{InvertedCause, SpikeRemedy, SwingPart, Warning, WaverRemedy};
 

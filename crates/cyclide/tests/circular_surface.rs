@@ -2,9 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, ArcError, Body, BridgeError, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _, FaceSurface,
-    Mobius, ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier, RationalBezierSurface, Vec3,
-    Warning, surface_joints, tessellate,
+    Arc, ArcError, Body, BodyWarning, BridgeError, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _,
+    FaceSurface, Mobius, ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier,
+    RationalBezierSurface, Vec3, Warning, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -192,7 +192,7 @@ fn chords_of_different_lengths_have_arcs_to_the_same_limit() {
             let made = RailSurface::circular([&first, &second], &[tangent], false).unwrap();
             match made.warnings() {
                 [] => assert!(angle >= 0.1),
-                [Warning::NearlyFullArcs { piece: 0, angle: said, limit }] => {
+                [Warning::Body(BodyWarning::NearlyFullArcs { piece: 0, angle: said, limit })] => {
                     assert!((said - angle).abs() < 1e-12 && angle < *limit);
                 }
                 other => panic!("{other:?}"),

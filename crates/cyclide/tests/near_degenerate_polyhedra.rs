@@ -1,7 +1,7 @@
 //! Polyhedra next to degenerate ones: what is flat, how far; edges that are one point; planes that are nearly one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, Vec3, Warning};
+use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, PolyhedronWarning, Vec3, Warning};
 
 /// A box, and its sides counter-clockwise from outside.
 fn boxed(sizes: [f64; 3]) -> (Vec<Point3>, Vec<Vec<usize>>) {
@@ -76,7 +76,9 @@ fn short_edges_of_meshes_are_named() {
     let faces = [vec![0, 3, 2, 1], vec![0, 1, 5, 4], vec![1, 2, 5], vec![2, 3, 4, 5], vec![3, 0, 4]];
     let made = ConvexPolyhedron::new(&roof(1e-13), &faces).unwrap();
     let warnings = made.warnings();
-    let [Warning::ShortEdges { ends, count: 1, length, limit }] = &warnings[..] else { panic!("{warnings:?}") };
+    let [Warning::Polyhedron(PolyhedronWarning::ShortEdges { ends, count: 1, length, limit })] = &warnings[..] else {
+        panic!("{warnings:?}")
+    };
     assert!([[4, 5], [5, 4]].contains(ends) && (length / 1e-13 - 1.0).abs() < 0.01 && *limit > 1e-9, "{length}");
     assert_eq!(warnings[0].reason(), "short-edges");
     // Longer than half of what counts as flat: an edge.
@@ -112,7 +114,7 @@ fn the_flatness_of_hulls_is_lowered_where_planes_are_nearly_one() {
             Err(error) => panic!("{error}"),
         };
         assert!(made.deviation() <= flatness && made.edges().all(|edge| edge.angle > 0.0));
-        if let Some(Warning::FlatnessLowered { asked, used }) =
+        if let Some(Warning::Polyhedron(PolyhedronWarning::FlatnessLowered { asked, used })) =
             made.warnings().iter().find(|warning| warning.reason() == "flatness-lowered")
         {
             assert!(

@@ -3,8 +3,8 @@
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
-    Arc, Body, BridgeError, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface, ParamSurface as _, Point3,
-    RailSurface, RationalBezier, Vec3, Warning, surface_joints,
+    Arc, Body, BodyWarning, BridgeError, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface,
+    ParamSurface as _, Point3, RailSurface, RationalBezier, Vec3, Warning, surface_joints,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -240,7 +240,7 @@ fn kinks_at_smooth_joints_are_said() {
             let angle = surface_joints(&made.body().outer).iter().map(|joint| joint.angle).fold(0.0, f64::max);
             match *made.warnings() {
                 [] => assert!(first == second && angle < 1e-12, "{first} {second}: {angle}"),
-                [Warning::KinksAtJoints { count: 1, joint: 1, angle: said, limit }] => {
+                [Warning::Body(BodyWarning::KinksAtJoints { count: 1, joint: 1, angle: said, limit })] => {
                     assert!(said == angle && angle > limit && first != second)
                 }
                 ref other => panic!("{other:?}"),
@@ -290,7 +290,10 @@ fn bridges_of_very_uneven_width_have_their_volume() {
 #[test]
 fn bridges_that_cross_are_said() {
     let warnings = |first, second| EllipseBridge::new(first, second).unwrap().warnings();
-    assert_eq!(warnings([2.0, 1.0], [1.0, 2.0]), [Warning::EllipsesCross { along_x: -1.0, along_y: 1.0 }]);
+    assert_eq!(
+        warnings([2.0, 1.0], [1.0, 2.0]),
+        [Warning::Body(BodyWarning::EllipsesCross { along_x: -1.0, along_y: 1.0 })]
+    );
     assert_eq!(warnings([1.0, 2.0], [3.0, 2.5]), []);
     assert!(EllipseBridge::new([2.0, 1.0], [1.0, 2.0]).unwrap().body(None).is_ok());
     assert!(EllipseBridge::new([2.0, 1.0], [1.0, 2.0]).unwrap().body(Some(1.0)).is_err());

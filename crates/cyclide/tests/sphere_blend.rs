@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleError, TriangleSurface, Vec3, Warning,
+    Circle, MeshWarning, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleError, TriangleSurface, Vec3,
+    Warning,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -161,7 +162,9 @@ fn refusals_have_names() {
     let large = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0]].map(Point3::from);
     let control = [[5.0, 5.0, 50.0], [5.0, 5.0, -50.0], [3.0, 3.0, 1.0]].map(Point3::from);
     let wild = SphereBlend::from_control_points(large, control).and_then(SphereBlend::whole).unwrap();
-    let [Warning::SpheresNearlyOpposite { length, limit }] = wild.warnings()[..] else { panic!("it is said") };
+    let [Warning::Mesh(MeshWarning::SpheresNearlyOpposite { length, limit })] = wild.warnings()[..] else {
+        panic!("it is said")
+    };
     assert!((length - 0.02558).abs() < 1e-5 && length < limit);
     let ball = SphereBlend::from_normals(c, c.map(Point3::to_vec)).unwrap();
     assert_eq!(ball.warnings(), []);

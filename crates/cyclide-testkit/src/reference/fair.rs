@@ -5,8 +5,8 @@ use super::arc::{triple, xyz};
 use super::blend::{Rules, bezier_rows};
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::blends_by_turn;
 use cyclide::{BlendLaw, BlendSegment, CircleSpline, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, Warning};
+use cyclide::{CurveWarning, blends_by_turn};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {
@@ -78,7 +78,7 @@ fn curve(case: &Case, check: &mut Check) -> Result<(), Fault> {
     let curvatures = segments.iter().map(|s| s.end_curvatures()[0]).chain(last.map(|s| s.end_curvatures()[1]));
     let allowed = in_list(case, check, "curvature", shortest_chord(segments));
     check.points("curvature", curvatures.map(triple), &allowed);
-    check.exact("relaxed", spline.warnings().iter().any(|w| matches!(w, Warning::Relaxed { .. })));
+    check.exact("relaxed", spline.warnings().iter().any(|w| matches!(w, Warning::Curve(CurveWarning::Relaxed { .. }))));
     check.samples("samples", |t| xyz(spline.point(t)), &rules.point());
     Ok(())
 }

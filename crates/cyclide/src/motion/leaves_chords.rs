@@ -6,7 +6,7 @@
 use super::rational_motion::MotionSpan;
 use super::swings::{Ground, place};
 use crate::base::vector::Vec3;
-use crate::warning::Warning;
+use crate::warning::{MotionWarning, Warning};
 
 /// It is reported of spans that are left by more than this part of the longest chord beside them,
 const LEAVES: f64 = 0.05;
@@ -69,7 +69,7 @@ impl LeavesChords {
 
     pub(super) fn warning(self) -> Warning {
         let Self { span, count, distance, chord } = self;
-        Warning::LeavesChords { span, count, distance, chord, limit: LEAVES }
+        Warning::Motion(MotionWarning::LeavesChords { span, count, distance, chord, limit: LEAVES })
     }
 }
 

@@ -11,7 +11,7 @@ use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{ErrorItem, MeshError, NumberError, Result};
-use crate::warning::{SpikeRemedy, Warning};
+use crate::warning::{MotionWarning, SpikeRemedy, Warning};
 
 /// How long a motion may take: the cube of it divides a jerk.
 const DURATIONS: [f64; 2] = [1e-90, 1e90];
@@ -201,7 +201,8 @@ impl MovingBody {
         if self.law != TimeLaw::AsGiven
             && let [span, ..] = *schedule.timing.at_rest()
         {
-            warnings.push(Warning::RestsPassedOver { span, count: schedule.timing.at_rest().len() });
+            warnings
+                .push(Warning::Motion(MotionWarning::RestsPassedOver { span, count: schedule.timing.at_rest().len() }));
         }
         let spans = schedule.span_cells();
         let turn = schedule.fastest_turn(spans).filter(|turn| turn.ratio > PEAK);
@@ -210,14 +211,32 @@ impl MovingBody {
         let named = |peak: &SpeedPeak| turn.is_some_and(|turn| turn.span == peak.span && peak.turning);
         if let Some(SpeedPeak { span, time, ratio, turning }) = peak.filter(|peak| !named(peak)) {
             let remedy = self.spike_remedy(turning);
-            warnings.push(Warning::SpeedSpike { span, time, ratio, turning, limit: PEAK, remedy });
+            warnings.push(Warning::Motion(MotionWarning::SpeedSpike {
+                span,
+                time,
+                ratio,
+                turning,
+                limit: PEAK,
+                remedy,
+            }));
         }
         if let Some(FastTurn { span, turn, seconds, ratio }) = turn {
-            warnings.push(Warning::TurnsNearlyInPlace { span, turn, seconds, ratio, limit: PEAK });
+            warnings.push(Warning::Motion(MotionWarning::TurnsNearlyInPlace {
+                span,
+                turn,
+                seconds,
+                ratio,
+                limit: PEAK,
+            }));
         }
         let reversals = schedule.reversals();
         if let Some(&MotionReversal { span, time, velocity_jump, .. }) = reversals.first() {
-            warnings.push(Warning::MotionReverses { span, time, count: reversals.len(), velocity_jump });
+            warnings.push(Warning::Motion(MotionWarning::Reverses {
+                span,
+                time,
+                count: reversals.len(),
+                velocity_jump,
+            }));
         }
         warnings
     }

@@ -17,7 +17,7 @@ use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, jet_of_homogeneous};
-use crate::warning::Warning;
+use crate::warning::{MotionWarning, Warning};
 
 /// A span is halved so often at most until its weights are good; `|p|²` is nowhere zero, so a few halvings do.
 const HALVINGS: u32 = 60;
@@ -106,7 +106,8 @@ impl RationalMotion {
     /// turn away from the one before, and the sign of its rotation decides (`half-turn`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let rounded = (self.left_out > 0.0).then_some(Warning::PosesRounded { off: self.left_out, limit: ROUNDED });
+        let rounded = (self.left_out > 0.0)
+            .then_some(Warning::Motion(MotionWarning::PosesRounded { off: self.left_out, limit: ROUNDED }));
         let half_turns = self.half_turns.map(HalfTurns::warning);
         let leaves = self.leaves_chords.map(LeavesChords::warning);
         rounded.into_iter().chain(self.swings.map(Swings::warning)).chain(leaves).chain(half_turns).collect()

@@ -10,7 +10,7 @@ use super::rational_motion::MotionSpan;
 use crate::base::bernstein;
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
-use crate::warning::{SwingPart, Warning};
+use crate::warning::{MotionWarning, SwingPart, Warning};
 
 /// Ratios of the speed at an end to that on average above which a cubic need not be monotone.
 const SWINGS: f64 = 3.0;
@@ -90,7 +90,7 @@ impl Swings {
 
     pub(super) fn warning(self) -> Warning {
         let Self { span, count, ratio, part, beyond } = self;
-        Warning::MotionSwings { span, count, ratio, part, beyond, limit: SWINGS }
+        Warning::Motion(MotionWarning::Swings { span, count, ratio, part, beyond, limit: SWINGS })
     }
 }
 

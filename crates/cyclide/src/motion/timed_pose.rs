@@ -7,7 +7,7 @@ use crate::base::quat::Quat;
 use crate::base::range::MAX_COORDINATE;
 use crate::base::vector::Vec3;
 use crate::error::{ErrorItem, InterpolationError, NumberError, PoseError, Result};
-use crate::warning::Warning;
+use crate::warning::{MotionWarning, Warning};
 
 /// A pose and the time, or other parameter, at which a motion takes it.
 ///
@@ -43,7 +43,7 @@ pub(super) struct HalfTurns {
 impl HalfTurns {
     pub(super) fn warning(self) -> Warning {
         let Self { pose, count, off } = self;
-        Warning::HalfTurn { pose, count, off, limit: HALF_TURN }
+        Warning::Motion(MotionWarning::HalfTurn { pose, count, off, limit: HALF_TURN })
     }
 }
 

@@ -19,7 +19,7 @@ use super::smooth::Jet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, MeshError, NumberError, PatchError, Result, TriangleError};
-use crate::warning::Warning;
+use crate::warning::{MeshWarning, Warning};
 
 /// Triangles with less than this, twice the area over the longest edge squared, have no circle.
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
@@ -175,8 +175,8 @@ impl SphereBlend {
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let (length, _) = nearest_to_origin(self.leave);
-        let near =
-            (length <= NEARLY_OPPOSITE).then_some(Warning::SpheresNearlyOpposite { length, limit: NEARLY_OPPOSITE });
+        let near = (length <= NEARLY_OPPOSITE)
+            .then_some(Warning::Mesh(MeshWarning::SpheresNearlyOpposite { length, limit: NEARLY_OPPOSITE }));
         near.into_iter().collect()
     }
 

@@ -3,7 +3,7 @@
 /// What helps against a motion that gets very fast in a moment.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, SpikeRemedy, TimedPose, Vec3, Warning};
+/// use cyclide::{MotionWarning, MovingBody, Pose, Quat, RationalMotion, SpikeRemedy, TimedPose, Vec3, Warning};
 /// let at = |time: f64, rotation: [f64; 4], place: [f64; 3]| TimedPose { time, pose: Pose::new(Quat::from(rotation), Vec3::from(place)).unwrap() };
 /// // The body turns over in a moment, a hundred times as fast as on average.
 /// let motion = RationalMotion::conic(&[
@@ -12,7 +12,7 @@
 ///     at(2.0, [-0.1, -0.1, -0.6, -0.1], [-0.1, -5.5, 8.9]),
 /// ])?;
 /// let warnings = MovingBody::new(motion.into()).warnings();
-/// assert!(warnings.iter().any(|w| matches!(w, Warning::SpeedSpike { remedy: SpikeRemedy::Spline, .. })));
+/// assert!(warnings.iter().any(|w| matches!(w, Warning::Motion(MotionWarning::SpeedSpike { remedy: SpikeRemedy::Spline, .. }))));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,14 +3,14 @@
 /// What of a motion runs beyond its poses and back.
 ///
 /// ```
-/// use cyclide::{Pose, Quat, RationalMotion, SwingPart, TimedPose, Vec3, Warning};
+/// use cyclide::{MotionWarning, Pose, Quat, RationalMotion, SwingPart, TimedPose, Vec3, Warning};
 /// let at = |time: f64, x: f64, degrees: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, f64::to_radians(degrees)), Vec3::X * x).unwrap(),
 /// };
 /// // It turns on while it slides, though it is turned alike at both ends of the slide.
 /// let motion = RationalMotion::spline(&[at(0.0, 0.0, 0.0), at(1.0, 1.0, 60.0), at(5.0, 5.0, 60.0), at(6.0, 6.0, 120.0)])?;
-/// assert!(matches!(motion.warnings()[..], [Warning::MotionSwings { span: 1, part: SwingPart::Turn, .. }]));
+/// assert!(matches!(motion.warnings()[..], [Warning::Motion(MotionWarning::Swings { span: 1, part: SwingPart::Turn, .. })]));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,5 +31,10 @@ impl SwingPart {
             Self::Place => "its place",
             Self::Turn => "its turn",
         }
+    }
+
+    /// The unit of how far it runs; lengths have none.
+    pub(super) fn unit(self) -> &'static str {
+        if self == Self::Turn { " rad" } else { "" }
     }
 }

@@ -3,8 +3,8 @@
 /// What helps against a curve that bends to and fro, by its kind.
 ///
 /// ```
-/// use cyclide::{Warning, WaverRemedy};
-/// let warning = Warning::Wavers { curve: 9, data: 2, explained: 2, remedy: WaverRemedy::Tolerance };
+/// use cyclide::{CurveWarning, Warning, WaverRemedy};
+/// let warning = Warning::Curve(CurveWarning::Wavers { curve: 9, data: 2, explained: 2, remedy: WaverRemedy::Tolerance });
 /// assert!(warning.to_string().contains("tolerance"));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //! grows.
 
 use super::*;
-use cyclide::{Arc, joints};
+use cyclide::{Arc, FitWarning, joints};
 use cyclide_testkit::circuits::{Circuit, circuits};
 
 /// Falling: the counts must rise along the list.
@@ -28,7 +28,7 @@ fn counts(circuit: &Circuit, effort: Effort) -> Vec<usize> {
         assert!((turned - certificate.turning).abs() < 1e-9 * turned, "{name}: {turned} {}", certificate.turning);
         assert!(turned <= certificate.turning_limit, "{name} at {tolerance}, {effort:?}: {certificate:?}");
         for warning in fit.warnings() {
-            if let Warning::TightArc { radius, data, .. } = warning {
+            if let Warning::Fit(FitWarning::TightArc { radius, data, .. }) = warning {
                 // Noise above the tolerance: arcs that follow it may be tight, but none hides a corner. Turns of up to 30
                 // degrees between straight sides are rounded: by 28 tolerances touching both sides, by twice that in the
                 // whole tube.

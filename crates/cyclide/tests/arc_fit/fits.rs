@@ -1,6 +1,7 @@
 //! The fit as a whole.
 
 use super::*;
+use cyclide::{FitWarning, PointWarning};
 
 #[test]
 fn samples_of_true_arcs_give_exactly_that_many() {
@@ -105,7 +106,7 @@ fn out_and_back_turns_round_at_the_far_end() {
     let exact: Vec<_> = out.clone().chain((0..19).rev().map(|i| Point3::new(f64::from(i), 0.0, 0.0))).collect();
     let fit = fitted(&exact, &ArcFitOptions::new(0.1));
     assert_eq!(fit.certificate().lines, 2);
-    assert!(matches!(fit.warnings(), [Warning::CornerKept { vertex: 19, .. }]));
+    assert!(matches!(fit.warnings(), [Warning::Fit(FitWarning::CornerKept { vertex: 19, .. })]));
     let beside: Vec<_> = out.chain((0..20).rev().map(|i| Point3::new(f64::from(i), 0.5, 0.0))).collect();
     let fit = fitted(&beside, &ArcFitOptions::new(0.1));
     assert!(fit.path().length() > 38.0);
@@ -145,11 +146,11 @@ fn corners_are_kept_by_angle_and_by_index() {
         let fit = fitted(&points, &base);
         assert!(fit.path().closest_point(Point3::new(4.0, 4.0, 0.0)).distance == 0.0);
         assert!(
-            matches!(fit.warnings(), [Warning::CornerKept { vertex: 90, count: 1, most, .. }] if (most - FRAC_PI_2).abs() < 1e-9)
+            matches!(fit.warnings(), [Warning::Fit(FitWarning::CornerKept { vertex: 90, count: 1, most, .. })] if (most - FRAC_PI_2).abs() < 1e-9)
         );
         assert!(fit.certificate().max_kink < 1e-13);
         let fit = fitted(&points, &ArcFitOptions { corners: vec![15], ..base });
-        assert!(matches!(fit.warnings(), [Warning::CornerKept { vertex: 15, count: 2, .. }]));
+        assert!(matches!(fit.warnings(), [Warning::Fit(FitWarning::CornerKept { vertex: 15, count: 2, .. })]));
         assert!(fit.path().arcs().iter().any(|a| a.end() == points[15]));
     }
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|p| Point3::new(p[0], p[1], 0.0));
@@ -286,12 +287,15 @@ fn equal_neighbours_are_merged_and_indices_stay_the_users() {
     let fit = fitted(&points, &ArcFitOptions::new(1e-3));
     assert!(matches!(
         fit.warnings(),
-        [Warning::PointsMerged { first: 1, count: 2, .. }, Warning::CornerKept { vertex: 92, .. }]
+        [
+            Warning::Point(PointWarning::PointsMerged { first: 1, count: 2, .. }),
+            Warning::Fit(FitWarning::CornerKept { vertex: 92, .. })
+        ]
     ));
     let mut ring = circle(40, TAU, 1.0, Point3::ORIGIN);
     ring.push(ring[0]);
     let fit = ArcFit::new(&ring, &closed(1e-3)).unwrap();
-    assert!(matches!(fit.warnings(), [Warning::PointsMerged { first: 40, count: 1, .. }]));
+    assert!(matches!(fit.warnings(), [Warning::Point(PointWarning::PointsMerged { first: 40, count: 1, .. })]));
 }
 
 #[test]

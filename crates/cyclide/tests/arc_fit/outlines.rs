@@ -2,6 +2,7 @@
 //! measured here, both ways, and counts come from how the outlines were made.
 
 use super::*;
+use cyclide::FitWarning;
 
 const TOLERANCE: f64 = 0.02;
 
@@ -323,7 +324,7 @@ fn an_angle_that_is_typed_is_obeyed() {
     let coarse = circle(24, TAU, 10.0, Point3::ORIGIN);
     let fit = fitted(&coarse, &ArcFitOptions { corner_angle: Some(0.2), ..closed(TOLERANCE) });
     assert_eq!((fit.certificate().lines, fit.certificate().arcs), (24, 0));
-    assert!(matches!(fit.warnings(), [Warning::CornerKept { vertex: 0, count: 24, .. }]));
+    assert!(matches!(fit.warnings(), [Warning::Fit(FitWarning::CornerKept { vertex: 0, count: 24, .. })]));
 }
 
 /// Line, quarter, three quarters back, quarter, line, as the end of a street with room to turn, rounded to centimetres.

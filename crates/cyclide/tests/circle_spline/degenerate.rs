@@ -2,8 +2,8 @@
 
 use crate::data::p;
 use cyclide::{
-    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, ErrorItem, Mobius, NumberError,
-    ParamCurve, Point3, PointError, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
+    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, CurveWarning, Error, ErrorItem, Mobius,
+    NumberError, ParamCurve, Point3, PointError, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
 };
 use proptest::prelude::*;
 
@@ -71,7 +71,7 @@ proptest! {
 fn cusps_are_reported_and_keep_one_sided_tangents() {
     let points = [p(0.0, 0.0, 0.0), p(2.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 1.0, 0.0)];
     let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
-    assert_eq!(s.warnings()[0], Warning::Cusp { node: 1 });
+    assert_eq!(s.warnings()[0], Warning::Curve(CurveWarning::Cusp { node: 1 }));
     assert_eq!(s.kinks(), [1]);
     assert!((s.segments()[0].end_tangent() - Vec3::X).length() < 1e-15);
     assert!((s.segments()[1].start_tangent() + Vec3::X).length() < 1e-15);
@@ -219,7 +219,8 @@ fn points_far_out_do_not_oppose_each_other_by_chance() {
             CircleSpline::from_points(&points, &CircleSplineOptions { order, ..Default::default() }).unwrap()
         }));
         for s in made {
-            let opposed = s.warnings().iter().any(|w| matches!(w, Warning::OppositeCircles { .. }));
+            let opposed =
+                s.warnings().iter().any(|w| matches!(w, Warning::Curve(CurveWarning::OppositeCircles { .. })));
             assert!(!opposed, "{place:e} {step:e}: {:?}", s.warnings());
             // A rounding of 2.3e-10 and 2.4e-7 over the step.
             let rounded = s.warnings().iter().any(|w| w.reason() == "rounded-directions");

@@ -1,7 +1,7 @@
 //! Data that nobody wants: named errors, no panic, no runaway.
 
 use crate::data::*;
-use cyclide::{Error, FairFit, FairFitOptions, FitError, Point3};
+use cyclide::{Error, FairFit, FairFitOptions, FitError, FitWarning, Point3};
 
 fn reason(points: &[[f64; 3]], options: &FairFitOptions) -> &'static str {
     let points: Vec<Point3> = points.iter().map(|p| Point3::from(*p)).collect();
@@ -233,7 +233,7 @@ fn a_star_does_not_swing_out_in_silence() {
         let fit = fitted(&points, &FairFitOptions { closed: true, centre: 1.0, ..FairFitOptions::new(tolerance) });
         let within = fit.certificate().polyline_deviation <= tolerance + 0.5 * longest;
         let warned = fit.warnings().iter().find_map(|w| match w {
-            cyclide::Warning::SwingsOut { held, .. } => Some(*held),
+            cyclide::Warning::Fit(FitWarning::SwingsOut { held, .. }) => Some(*held),
             _ => None,
         });
         assert!(within || warned == Some(false), "{seed}: {:?}", fit.certificate());

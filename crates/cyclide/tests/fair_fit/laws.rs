@@ -1,7 +1,7 @@
 //! What holds of every fit (`docs/math/fair-fits.md#data-and-figures`, properties).
 
 use crate::data::*;
-use cyclide::{FairFit, FairFitOptions, ParamCurve, Point3, Warning};
+use cyclide::{CurveWarning, FairFit, FairFitOptions, FitWarning, NoiseWarning, ParamCurve, Point3, Warning};
 use std::f64::consts::TAU;
 
 /// Nodes and variation of a fit.
@@ -109,7 +109,7 @@ fn what_has_no_effect_or_is_not_reached_is_said() {
     let said = |options: &FairFitOptions| fitted(&points, options).warnings().to_vec();
     let nodes = |options: &FairFitOptions| {
         said(options).into_iter().find_map(|w| match w {
-            Warning::NodesNotReached { asked, reached, why } => Some((asked, reached, why)),
+            Warning::Fit(FitWarning::NodesNotReached { asked, reached, why }) => Some((asked, reached, why)),
             _ => None,
         })
     };
@@ -121,11 +121,17 @@ fn what_has_no_effect_or_is_not_reached_is_said() {
     assert_eq!(nodes(&FairFitOptions { nodes: Some(5), max_fits: 0, ..plain.clone() }).unwrap().2, "max-fits");
     assert_eq!(nodes(&FairFitOptions { nodes: Some(300), ..plain.clone() }).unwrap().2, "first-fit");
     let ring = FairFit::new(&circle(), &FairFitOptions { nodes: Some(2), ..closed(0.05) }).unwrap();
-    assert!(ring.warnings().iter().any(|w| matches!(w, Warning::NodesNotReached { reached: 4, why: "fewest", .. })));
+    assert!(
+        ring.warnings()
+            .iter()
+            .any(|w| matches!(w, Warning::Fit(FitWarning::NodesNotReached { reached: 4, why: "fewest", .. })))
+    );
 
     let fixed = FairFitOptions { fix_ends: true, ..plain };
-    assert!(said(&fixed).contains(&Warning::EndsWithoutEffect));
-    assert!(!said(&FairFitOptions { closed: false, ..fixed }).contains(&Warning::EndsWithoutEffect));
+    assert!(said(&fixed).contains(&Warning::Curve(CurveWarning::EndsWithoutEffect)));
+    assert!(
+        !said(&FairFitOptions { closed: false, ..fixed }).contains(&Warning::Curve(CurveWarning::EndsWithoutEffect))
+    );
 }
 
 #[test]
@@ -134,8 +140,10 @@ fn doubts_tell_noise_from_exact_points() {
         fitted(points, &FairFitOptions { closed, ..FairFitOptions::new(tolerance) }).warnings().to_vec()
     };
     let scatter = |warnings: Vec<Warning>| {
-        let found = warnings.into_iter().find(|w| matches!(w, Warning::LeansOnWalls { .. }));
-        let Some(Warning::LeansOnWalls { scatter, .. }) = found else { panic!("the fairest curve leans") };
+        let found = warnings.into_iter().find(|w| matches!(w, Warning::Noise(NoiseWarning::LeansOnWalls { .. })));
+        let Some(Warning::Noise(NoiseWarning::LeansOnWalls { scatter, .. })) = found else {
+            panic!("the fairest curve leans")
+        };
         (scatter, found.unwrap().to_string())
     };
     // Noise of 0.1 in both coordinates moves a point by 0.1 across the curve; fourth differences of 400 of them know that

@@ -3,8 +3,8 @@
 
 use crate::data::*;
 use cyclide::{
-    CircleSpline, FairFit, FairFitOptions, FairSplineOptions, Heights, Noise, Outliers, ParamCurve, Point3, Warning,
-    closest_point, extreme_curvature,
+    CircleSpline, FairFit, FairFitOptions, FairSplineOptions, FitWarning, Heights, Noise, NoiseWarning, Outliers,
+    ParamCurve, Point3, Warning, closest_point, extreme_curvature,
 };
 use std::f64::consts::TAU;
 
@@ -67,7 +67,11 @@ fn noise_that_is_given_is_reached_or_contradicted() {
         let fit =
             FairFit::new(&points, &FairFitOptions { noise: Some(Noise::Known(noise)), ..by_noise(true) }).unwrap();
         fit.warnings().iter().find_map(|w| {
-            if let Warning::NoiseContradicted { given, found } = w { Some((*given, *found)) } else { None }
+            if let Warning::Noise(NoiseWarning::Contradicted { given, found }) = w {
+                Some((*given, *found))
+            } else {
+                None
+            }
         })
     };
     assert_eq!(said(1.0), None);
@@ -118,7 +122,7 @@ fn a_corner_that_noise_hides_is_kept() {
         let kept = fit
             .warnings()
             .iter()
-            .find_map(|w| if let Warning::CornerKept { count, .. } = w { Some(*count) } else { None });
+            .find_map(|w| if let Warning::Fit(FitWarning::CornerKept { count, .. }) = w { Some(*count) } else { None });
         // One that is cut by less than the limit need not be kept; nothing else is one.
         assert!(kept.is_none_or(|kept| kept <= shape.len()), "{k}: {:?}", fit.warnings());
     }
@@ -160,7 +164,9 @@ fn a_wrong_height_is_named_and_left_out() {
         let named: Vec<usize> = fit
             .warnings()
             .iter()
-            .filter_map(|w| if let Warning::Outlier { point, .. } = w { Some(*point) } else { None })
+            .filter_map(
+                |w| if let Warning::Noise(NoiseWarning::Outlier { point, .. }) = w { Some(*point) } else { None },
+            )
             .collect();
         assert_eq!(named, [33]);
         let noise = fit.certificate().noise_z.unwrap();
@@ -188,7 +194,7 @@ fn outliers_of_straight_runs_are_left_out_within_a_tolerance_too() {
     points[12].y += 0.4;
     let options = FairFitOptions { outliers: Outliers::Drop, ..FairFitOptions::new(0.05) };
     let fit = FairFit::new(&points, &options).unwrap();
-    let is_named = |w: &Warning| matches!(w, Warning::Outlier { point: 12, dropped: true, .. });
+    let is_named = |w: &Warning| matches!(w, Warning::Noise(NoiseWarning::Outlier { point: 12, dropped: true, .. }));
     assert!(fit.warnings().iter().any(is_named), "{:?}", fit.warnings());
     assert!(closest_point(fit.spline(), at(12)).distance < 0.06);
 }

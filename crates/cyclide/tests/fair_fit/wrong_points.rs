@@ -2,7 +2,7 @@
 //! (`docs/math/fair-fits.md#outliers`).
 
 use crate::data::*;
-use cyclide::{FairFit, FairFitOptions, Heights, Noise, Outliers, Point3, Vec3, Warning, closest_point};
+use cyclide::{FairFit, FairFitOptions, Heights, Noise, NoiseWarning, Outliers, Point3, Vec3, Warning, closest_point};
 use std::f64::consts::TAU;
 
 fn by_noise(closed: bool) -> FairFitOptions {
@@ -15,7 +15,8 @@ fn of(points: &[Point3], options: &FairFitOptions) -> FairFit {
 
 /// Numbers of the points that are named as outliers.
 fn named(fit: &FairFit) -> Vec<usize> {
-    let number = |w: &Warning| if let Warning::Outlier { point, .. } = w { Some(*point) } else { None };
+    let number =
+        |w: &Warning| if let Warning::Noise(NoiseWarning::Outlier { point, .. }) = w { Some(*point) } else { None };
     fit.warnings().iter().filter_map(number).collect()
 }
 

@@ -1,7 +1,9 @@
 //! Turns back, corners, cuts, wild figures, and what is refused.
 
 use crate::data::{closed, p, samples};
-use cyclide::{CircleSpline, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, Warning, blends_by_turn};
+use cyclide::{
+    CircleSpline, CurveWarning, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, Warning, blends_by_turn,
+};
 
 fn has(s: &CircleSpline, reason: &str) -> bool {
     s.warnings().iter().any(|w| w.reason() == reason)
@@ -68,7 +70,9 @@ fn sharp_turns_are_cut_where_the_curve_would_swing_out() {
     assert!((cyclide::length(&s) - points.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>()).abs() < 1e-12);
     let kept = CircleSpline::fair(&points, &FairSplineOptions { cut_sharp_turns: false, ..arcs }).unwrap();
     assert!(kept.kinks().is_empty() && has(&kept, "relaxed") && has(&kept, "sharp-turn"));
-    let Some(Warning::Relaxed { segments }) = kept.warnings().iter().find(|w| w.reason() == "relaxed") else {
+    let Some(Warning::Curve(CurveWarning::Relaxed { segments })) =
+        kept.warnings().iter().find(|w| w.reason() == "relaxed")
+    else {
         panic!()
     };
     assert!(segments.iter().all(|(_, e)| *e == 0.0));

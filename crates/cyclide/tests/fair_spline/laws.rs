@@ -2,8 +2,8 @@
 
 use crate::data::{self, closed, p, reach, samples, spline, with_ends};
 use cyclide::{
-    BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, Exactness, FairEnd, FairSplineOptions,
-    Lower, Mobius, ParamCurve, Point3, Quat, RationalBezier, Vec3, Warning,
+    BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveWarning, Exactness, FairEnd,
+    FairSplineOptions, Lower, Mobius, ParamCurve, Point3, Quat, RationalBezier, Vec3, Warning,
 };
 use proptest::prelude::*;
 
@@ -63,7 +63,7 @@ proptest! {
         }
         // What is relaxed is said, segment by segment.
         for warning in s.warnings() {
-            if let Warning::Relaxed { segments } = warning {
+            if let Warning::Curve(CurveWarning::Relaxed { segments }) = warning {
                 prop_assert!(segments.windows(2).all(|w| w[0].0 < w[1].0));
                 prop_assert!(options.tight.is_some() || segments.iter().all(|(i, e)| blend(&s.segments()[*i]) == *e));
             }
@@ -261,9 +261,9 @@ fn cuts_and_reversal_keep_what_is_known_of_the_segments() {
     let options = FairSplineOptions { ends: [FairEnd::Arc; 2], ..Default::default() };
     let s = CircleSpline::fair(&points, &options).unwrap();
     let relaxed = |s: &CircleSpline| {
-        s.warnings()
-            .iter()
-            .find_map(|w| if let Warning::Relaxed { segments } = w { Some(segments.clone()) } else { None })
+        s.warnings().iter().find_map(|w| {
+            if let Warning::Curve(CurveWarning::Relaxed { segments }) = w { Some(segments.clone()) } else { None }
+        })
     };
     let all = relaxed(&s).unwrap();
     let back: Vec<(usize, f64)> = all.iter().rev().map(|(i, e)| (7 - i, *e)).collect();

@@ -2,8 +2,8 @@
 
 use crate::data::{apart, pose, timed};
 use cyclide::{
-    CircleSpline, DecoupledMotion, FairSplineOptions, Motion, MotionTolerance, Point3, Pose, Quat, RationalMotion,
-    TimedPose, Vec3, Warning,
+    CircleSpline, DecoupledMotion, FairSplineOptions, Motion, MotionTolerance, MotionWarning, Point3, Pose,
+    PoseFitWarning, Quat, RationalMotion, TimedPose, Vec3, Warning,
 };
 use proptest::prelude::*;
 
@@ -186,7 +186,8 @@ fn blends_are_parabolas_within_the_radius() {
     }
     // What does not fit takes half of the way, and is said.
     let wide = DecoupledMotion::linear(&poses, None, 80.0).unwrap();
-    let [Warning::BlendsShortened { pose: 1, count: 1, radius, asked }] = wide.warnings()[..] else {
+    let [Warning::Motion(MotionWarning::BlendsShortened { pose: 1, count: 1, radius, asked })] = wide.warnings()[..]
+    else {
         panic!("{wide:?}")
     };
     assert!((radius - 50.0).abs() < 1e-12 && (asked - 80.0).abs() <= 0.0);
@@ -261,7 +262,10 @@ fn noise_is_smoothed_within_tolerances() {
         DecoupledMotion::smoothed(&poses, MotionTolerance { place: Some(9.0), ..tolerance }).unwrap().warnings(),
         []
     );
-    let [Warning::PosesNoisier { turning: false, sigma, needed, .. }] = motion.warnings()[..] else { panic!("7 of 8") };
+    let [Warning::PoseFit(PoseFitWarning::PosesNoisier { turning: false, sigma, needed, .. })] = motion.warnings()[..]
+    else {
+        panic!("7 of 8")
+    };
     assert!((sigma - 2.0).abs() < 0.2 && (4.2..4.5).contains(&(needed / sigma)), "{sigma} {needed}");
     for wrong in [0.0, -1.0, f64::NAN] {
         let tolerance = MotionTolerance { place: Some(wrong), angle: None };
@@ -281,7 +285,8 @@ fn poses_turned_wrong_are_named_in_angle() {
     let tolerance = MotionTolerance { place: Some(2.0), angle: Some(0.05) };
     for drop in [false, true] {
         let motion = DecoupledMotion::smoothed_with(&poses, None, tolerance, drop).unwrap();
-        let [Warning::PoseOutlier { pose: 77, turning: true, distance, dropped, count: 1, .. }] = motion.warnings()[..]
+        let [Warning::PoseFit(PoseFitWarning::Outlier { pose: 77, turning: true, distance, dropped, count: 1, .. })] =
+            motion.warnings()[..]
         else {
             panic!("{:?}", motion.warnings())
         };

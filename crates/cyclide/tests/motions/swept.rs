@@ -2,7 +2,8 @@
 
 use crate::data::timed;
 use cyclide::{
-    Arc, EdgeCurve, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3, Warning,
+    Arc, EdgeCurve, NetWarning, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3,
+    Warning,
 };
 use proptest::prelude::*;
 
@@ -104,7 +105,8 @@ fn what_turns_back_at_a_pose_is_said() {
     };
     let up = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 0.0, [0.0, 0.0, 5.0]), turned(2.0, 0.0, [0.0; 3])];
     // There and back: the tube is closed and has no volume.
-    let Some(Warning::SweptSurfaceFolds { count, face, borders }) = warned(&up, &square(), true).first().cloned()
+    let Some(Warning::Net(NetWarning::SweptSurfaceFolds { count, face, borders })) =
+        warned(&up, &square(), true).first().cloned()
     else {
         panic!()
     };

@@ -1,8 +1,8 @@
 //! What is refused or told of motions that would harm a machine: turns on the spot, rests, reversals, half turns.
 
 use cyclide::{
-    Error, Motion, MotionError, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind, SwingPart,
-    TimeLaw, TimedPose, Timing, Vec3, Warning,
+    Error, Motion, MotionError, MotionWarning, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind,
+    SwingPart, TimeLaw, TimedPose, Timing, Vec3, Warning,
 };
 
 const BY_WAY: [TimeLaw; 2] = [TimeLaw::ConstantSpeed, TimeLaw::Eased];
@@ -62,7 +62,7 @@ fn rests_are_told() {
         assert!(reasons(&body).is_empty());
         for law in BY_WAY {
             let body = body.clone().with_law(law, 2.0).unwrap();
-            assert_eq!(body.warnings(), [Warning::RestsPassedOver { span: 1, count: 1 }]);
+            assert_eq!(body.warnings(), [Warning::Motion(MotionWarning::RestsPassedOver { span: 1, count: 1 })]);
             let joints = body.schedule().unwrap().timing().joints();
             assert!(joints[1] > 0.5 && joints[1].to_bits() == joints[2].to_bits(), "{joints:?}");
             assert!((body.schedule().unwrap().way() - 4.0).abs() < 1e-13);
@@ -80,7 +80,9 @@ fn turns_nearly_in_place_are_told() {
             let body = MovingBody::new(motion.clone()).with_law(law, 3.0).unwrap();
             let warnings = body.warnings();
             let of_turn = warnings.iter().find_map(|warning| match *warning {
-                Warning::TurnsNearlyInPlace { span, turn, seconds, ratio, .. } => Some((span, turn, seconds, ratio)),
+                Warning::Motion(MotionWarning::TurnsNearlyInPlace { span, turn, seconds, ratio, .. }) => {
+                    Some((span, turn, seconds, ratio))
+                }
                 _ => None,
             });
             let (span, turn, seconds, ratio) = of_turn.unwrap_or_else(|| panic!("{warnings:?}"));
@@ -124,7 +126,7 @@ fn reversals_within_a_span_are_told() {
         assert!(extremes.acceleration.is_infinite() && extremes.jerk.is_infinite());
         assert!((extremes.acceleration_at.time - found[0].time).abs() < 1e-12);
         let told = body.warnings().into_iter().find(|warning| warning.reason() == "motion-reverses").unwrap();
-        assert!(matches!(told, Warning::MotionReverses { span: 0, count: 2, .. }), "{told:?}");
+        assert!(matches!(told, Warning::Motion(MotionWarning::Reverses { span: 0, count: 2, .. })), "{told:?}");
     }
     // One way on, with a stand of higher order in between, is none; nor is a turn that is only tight.
     let cube = |t: f64| at(t, (t - 2.0).powi(3), 0.0);
@@ -160,9 +162,9 @@ fn half_turns_are_told() {
     let half = std::f64::consts::PI;
     let first = |motion: &Motion| {
         motion.warnings().into_iter().find_map(|warning| match warning {
-            Warning::HalfTurn { pose, count, off, .. } => Some((pose, count, off)),
+            Warning::Motion(MotionWarning::HalfTurn { pose, count, off, .. }) => Some((pose, count, off)),
             // A spline runs on a half circle then.
-            Warning::LeavesChords { .. } => None,
+            Warning::Motion(MotionWarning::LeavesChords { .. }) => None,
             other => panic!("{other:?}"),
         })
     };
@@ -201,7 +203,7 @@ fn half_turns_are_told() {
 fn turns_and_places_that_swing_are_told_apart() {
     let told = |poses: &[TimedPose]| match RationalMotion::spline(poses).unwrap().warnings()[..] {
         [] => None,
-        [Warning::MotionSwings { span, count, ratio, part, limit, .. }] => {
+        [Warning::Motion(MotionWarning::Swings { span, count, ratio, part, limit, .. })] => {
             assert!(ratio > limit);
             Some((span, count, ratio, part))
         }
@@ -306,7 +308,9 @@ fn swings_are_told_wherever_the_origin_is() {
             RationalMotion::spline(&poses.collect::<Vec<_>>()).unwrap().warnings()
         };
         for far in [Vec3::ZERO, Vec3::new(1e3, 0.0, 0.0), Vec3::new(0.0, 1e5, 1e5), Vec3::new(5e6, 4e5, 0.0)] {
-            let [Warning::MotionSwings { span: 1, count: 1, .. }] = told(far)[..] else { panic!("{step} {far:?}") };
+            let [Warning::Motion(MotionWarning::Swings { span: 1, count: 1, .. })] = told(far)[..] else {
+                panic!("{step} {far:?}")
+            };
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Laws of curves through points.
 
 use crate::data::{PARAMETERS, forward, odd_points, outside_inversion, spread, tame};
-use cyclide::{Conformal, NodeParameters, Point3, QbCurve, QbInterpolation, QbNode, Vec3, Warning};
+use cyclide::{Conformal, CurveWarning, NodeParameters, Point3, QbCurve, QbInterpolation, QbNode, Vec3, Warning};
 use proptest::prelude::*;
 
 /// Points in the cube at curves that run at most 3 radii away and leave 1e-2 of its weight to every point: four digits of sixteen
@@ -196,7 +196,8 @@ fn what_turns_right_back_is_said() {
     ];
     let points: Vec<Point3> = on_circle.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect();
     let found = QbInterpolation::through_points(&points, &NodeParameters::default()).unwrap();
-    let Some(Warning::TurnsBack { t, count, within, limit }) = found.warnings().first().cloned() else {
+    let Some(Warning::Curve(CurveWarning::TurnsBack { t, count, within, limit })) = found.warnings().first().cloned()
+    else {
         panic!("{:?}", found.warnings())
     };
     assert!(count >= 2 && within <= limit, "{count} {within}");

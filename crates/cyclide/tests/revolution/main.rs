@@ -5,8 +5,8 @@
 mod ends;
 
 use cyclide::{
-    Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3, ProfileError,
-    RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
+    Arc, Body, BodyWarning, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
+    ProfileError, RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -311,7 +311,7 @@ fn ends_next_to_the_axis_are_moved_onto_it_and_it_is_said() {
         assert!(solid && (volume / (PI * 900.0 * 40.0) - 1.0).abs() < 1e-11, "{gap}: {volume}");
         match warnings[..] {
             [] => assert!(gap < 1e-11),
-            [Warning::MovedToAxis { distance, limit }] => {
+            [Warning::Body(BodyWarning::MovedToAxis { distance, limit })] => {
                 // The end on the other side makes the profile longer.
                 assert!((distance - gap).abs() <= 1e-15 && (limit / (1e-6 * 50.0) - 1.0).abs() < 1e-5);
             }
@@ -320,10 +320,10 @@ fn ends_next_to_the_axis_are_moved_onto_it_and_it_is_said() {
     }
     let bowl = chain(&[[1e-3, 0.0], [30.0, 0.0], [30.0, 40.0]], false);
     assert!(!whole().body(&bowl, false).unwrap().is_solid());
-    assert_eq!(warned(&whole(), &bowl, false), [Warning::OpenProfile { start: 1e-3, end: 30.0 }]);
+    assert_eq!(warned(&whole(), &bowl, false), [Warning::Body(BodyWarning::OpenProfile { start: 1e-3, end: 30.0 })]);
     // Of a closed profile a side along the axis; a bore is kept.
     let washer = |bore: f64| chain(&[[bore, 0.0], [1.0, 0.0], [1.0, 1.0], [bore, 1.0]], true);
-    assert!(matches!(warned(&whole(), &washer(1e-7), true)[..], [Warning::MovedToAxis { .. }]));
+    assert!(matches!(warned(&whole(), &washer(1e-7), true)[..], [Warning::Body(BodyWarning::MovedToAxis { .. })]));
     assert_eq!(whole().body(&washer(1e-7), true).unwrap().outer.faces().len(), 12);
     assert_eq!(warned(&whole(), &washer(1e-3), true), []);
     assert_eq!(whole().body(&washer(1e-3), true).unwrap().outer.faces().len(), 16);
@@ -367,20 +367,23 @@ fn what_stays_open_is_said() {
     assert_eq!(warned(&half, &square, true), []);
     // No end faces: a profile that meets itself, and one in no plane with the axis.
     let eight = chain(&[[1.0, 0.0], [3.0, 3.0], [3.0, 0.0], [1.0, 3.0]], true);
-    assert_eq!(warned(&half, &eight, true), [Warning::OpenPart { angle: PI }]);
+    assert_eq!(warned(&half, &eight, true), [Warning::Body(BodyWarning::OpenPart { angle: PI })]);
     let mut tilted = square.clone();
     let off = Point3::new(2.0, 0.5, 1.0);
     tilted.splice(1..3, [segment(p(2.0, 0.0), off), segment(off, p(1.0, 1.0))]);
-    assert_eq!(warned(&half, &tilted, true), [Warning::OpenPart { angle: PI }]);
+    assert_eq!(warned(&half, &tilted, true), [Warning::Body(BodyWarning::OpenPart { angle: PI })]);
     // A sheet is what it is.
     assert_eq!(warned(&half, &square[..2], false), []);
-    assert_eq!(warned(&whole(), &square[..2], false), [Warning::OpenProfile { start: 1.0, end: 2.0 }]);
+    assert_eq!(
+        warned(&whole(), &square[..2], false),
+        [Warning::Body(BodyWarning::OpenProfile { start: 1.0, end: 2.0 })]
+    );
     // Pinched in a point of the axis, wherever the profile begins.
     for start in 0..5 {
         let mut points = [[1.0, -1.0], [2.0, -1.0], [2.0, 1.0], [1.0, 1.0], [0.0, 0.0]];
         points.rotate_left(start);
         let profile = chain(&points, true);
-        assert_eq!(warned(&whole(), &profile, true), [Warning::Pinched { height: 0.0 }], "{start}");
+        assert_eq!(warned(&whole(), &profile, true), [Warning::Body(BodyWarning::Pinched { height: 0.0 })], "{start}");
         assert!(whole().body(&profile, true).unwrap().is_solid());
     }
     let twice = chain(&[[1.0, -2.0], [2.0, 0.0], [0.0, 1.0], [1.0, 0.0], [0.0, -1.0]], true);
@@ -388,7 +391,7 @@ fn what_stays_open_is_said() {
     // A part of a turn is a wedge all the same.
     assert!(half.body(&twice, true).unwrap().is_solid());
     // A ring of a plane.
-    assert_eq!(warned(&whole(), &square[..1], false), [Warning::FlatRevolution]);
+    assert_eq!(warned(&whole(), &square[..1], false), [Warning::Body(BodyWarning::FlatRevolution)]);
     // Past the axis, or round it, a profile in a plane across it has places without a normal.
     let across = |points: &[[f64; 2]]| -> Vec<EdgeCurve> {
         let at = |k: usize| Point3::new(points[k][0], points[k][1], 5.0);
@@ -400,7 +403,7 @@ fn what_stays_open_is_said() {
         assert_eq!(whole().body(&across(folded), false).unwrap_err().reason(), "folded-profile", "{folded:?}");
     }
     let vase = across(&[[30.0, 0.0], [42.0, 25.0], [40.0, 55.0], [22.0, 90.0]]);
-    assert_eq!(warned(&whole(), &vase, false), [Warning::FlatRevolution]);
+    assert_eq!(warned(&whole(), &vase, false), [Warning::Body(BodyWarning::FlatRevolution)]);
     let round = CurveObject::Circle(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 10.0).unwrap());
     assert_eq!(round.revolved(&whole()).unwrap_err().reason(), "folded-profile");
 }

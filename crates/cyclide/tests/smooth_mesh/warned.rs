@@ -1,7 +1,7 @@
 //! What surfaces are warned of: folds, edges smoothed away, borders that lie on each other.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{NormalWeights, Point3, SmoothMesh, VertexNormals, Warning};
+use cyclide::{MeshWarning, NormalWeights, Point3, SmoothMesh, VertexNormals, Warning};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn warnings(mesh: &Mesh, normals: VertexNormals) -> Vec<Warning> {
@@ -41,7 +41,7 @@ fn sharp_edges_that_are_smoothed_away_are_counted() {
     let mesh = boxed([40.0, 30.0, 20.0]);
     let found = warnings(&mesh, VertexNormals::AngleWeighted);
     let sharp = found.iter().find(|warning| warning.reason() == "sharp-edges-smoothed").unwrap();
-    let Warning::SharpEdgesSmoothed { angle, count, limit, .. } = sharp else { panic!("{sharp}") };
+    let Warning::Mesh(MeshWarning::SharpEdgesSmoothed { angle, count, limit, .. }) = sharp else { panic!("{sharp}") };
     assert!(*count == 12 && (angle - FRAC_PI_2).abs() < 1e-12 && *limit < *angle, "{sharp}");
     assert!(sharp.to_string().contains("12 edge(s)") && sharp.to_string().contains("`crease_angle`"), "{sharp}");
     // Normals that are given are meant so.
@@ -57,7 +57,9 @@ fn folds_are_found_with_their_edge() {
         let surface = SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::AngleWeighted).unwrap();
         let found = surface.warnings();
         let fold = found.iter().find(|warning| warning.reason() == "folds-back").unwrap_or_else(|| panic!("{sizes:?}"));
-        let &Warning::FoldsBack { vertices: [from, to], triangle, angle, count } = fold else { panic!("{fold}") };
+        let &Warning::Mesh(MeshWarning::FoldsBack { vertices: [from, to], triangle, angle, count }) = fold else {
+            panic!("{fold}")
+        };
         assert!(angle > 0.9 * PI && count > 0 && from < to, "{fold}");
         assert!(mesh.1[triangle].contains(&from) && mesh.1[triangle].contains(&to), "{fold}");
         // What the comparison finds at its places.
@@ -78,7 +80,7 @@ fn borders_that_lie_on_each_other_are_not_joined() {
         .collect();
     let own: Vec<[usize; 3]> = (0..triangles.len()).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     let found = warnings(&(loose, own), VertexNormals::AngleWeighted);
-    let [Warning::LooseBorders { count, borders, gap, .. }] = found[..] else { panic!("{found:?}") };
+    let [Warning::Mesh(MeshWarning::LooseBorders { count, borders, gap, .. })] = found[..] else { panic!("{found:?}") };
     assert!(count == 240 && borders == 240 && gap > 1e-8 && gap < 4e-6, "{found:?}");
     // A vertex inside an edge: the triangle on one side is cut there, the other is not.
     let (mut points, mut triangles) = shapes::icosphere();
@@ -87,7 +89,9 @@ fn borders_that_lie_on_each_other_are_not_joined() {
     triangles[0] = [a, points.len() - 1, c];
     triangles.push([points.len() - 1, b, c]);
     let found = warnings(&(points, triangles), VertexNormals::AngleWeighted);
-    let [Warning::LooseBorders { vertices, count: 3, borders: 3, gap }] = found[..] else { panic!("{found:?}") };
+    let [Warning::Mesh(MeshWarning::LooseBorders { vertices, count: 3, borders: 3, gap })] = found[..] else {
+        panic!("{found:?}")
+    };
     assert!(gap < 1e-15 && vertices.iter().any(|v| [a, b].contains(v)), "{found:?}");
     assert_eq!(found[0].reason(), "open-seam");
     // A hole is one.

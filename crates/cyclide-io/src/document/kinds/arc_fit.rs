@@ -1,8 +1,8 @@
 //! The fewest arcs near points, tangent-continuous.
 
 use cyclide::{
-    Arc, ArcFit, ArcFitOptions, CurveObject, CurvePlace, Effort, FitCertificate, FitError, FitTarget, NumberError,
-    ParamCurve, Point3, ShortNumber, Warning, WaverRemedy, flatten_within,
+    Arc, ArcFit, ArcFitOptions, CurveObject, CurvePlace, Effort, FitCertificate, FitError, FitTarget, FitWarning,
+    NumberError, ParamCurve, Point3, ShortNumber, Warning, WaverRemedy, flatten_within,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -163,9 +163,12 @@ impl Builder<'_> {
             })?;
             let of_contour = several.then_some(contour);
             // Numbers of vertices are of a polyline that nobody has seen.
-            let (corners, others): (Vec<_>, Vec<_>) =
-                warnings.into_iter().partition(|warning| matches!(warning, Warning::CornerKept { .. }));
-            let count = |warning: &Warning| if let Warning::CornerKept { count, .. } = warning { *count } else { 0 };
+            let (corners, others): (Vec<_>, Vec<_>) = warnings
+                .into_iter()
+                .partition(|warning| matches!(warning, Warning::Fit(FitWarning::CornerKept { .. })));
+            let count = |warning: &Warning| {
+                if let Warning::Fit(FitWarning::CornerKept { count, .. }) = warning { *count } else { 0 }
+            };
             if let Some(first) = corners.first() {
                 let message = match corners.iter().map(count).sum() {
                     1_usize => "a corner of the curve is kept".to_owned(),
@@ -175,7 +178,9 @@ impl Builder<'_> {
                 self.remark(first.reason(), of_contour, None, place, message);
             }
             // Its long edges are where the curve is straight.
-            let others = others.into_iter().filter(|warning| !matches!(warning, Warning::SamplesTooCoarse { .. }));
+            let others = others
+                .into_iter()
+                .filter(|warning| !matches!(warning, Warning::Fit(FitWarning::SamplesTooCoarse { .. })));
             for warning in others {
                 self.warn_at("of", of_contour, warning);
             }

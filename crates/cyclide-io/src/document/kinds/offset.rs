@@ -1,8 +1,8 @@
 //! A parallel surface, or the solid between.
 
 use cyclide::{
-    Body, CurveObject, CyclidePatch, NumberError, PartError, PatchError, Shell, ShellError, ShellFace, SurfaceObject,
-    Torus, Warning,
+    Body, CurveObject, CyclidePatch, NetWarning, NumberError, PartError, PatchError, Shell, ShellError, ShellFace,
+    SurfaceObject, Torus, Warning,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -126,7 +126,11 @@ impl Builder<'_> {
         let Some(&(first, _)) = beyond.first() else { return };
         let sharpest = beyond.iter().map(|(_, bend)| *bend).fold(1.0, f64::max);
         let (distance, radius) = (spec.distance, spec.distance.abs() / sharpest);
-        self.warn_at("distance", None, Warning::BeyondFocalSet { distance, radius, first, count: beyond.len() });
+        self.warn_at(
+            "distance",
+            None,
+            Warning::Net(NetWarning::BeyondFocalSet { distance, radius, first, count: beyond.len() }),
+        );
     }
 
     /// The curves at a distance along the normal of the torus of the source.

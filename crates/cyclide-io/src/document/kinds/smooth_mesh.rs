@@ -1,8 +1,8 @@
 //! A smooth surface through the vertices of a triangle mesh.
 
 use cyclide::{
-    Error as KernelError, ErrorItem, MeshError, NormalWeights, NumberError, PartError, ShortNumber, SmoothMesh,
-    SurfaceObject, VertexNormals, Warning,
+    Error as KernelError, ErrorItem, MeshError, MeshWarning, NormalWeights, NumberError, PartError, ShortNumber,
+    SmoothMesh, SurfaceObject, VertexNormals, Warning,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -405,17 +405,26 @@ fn in_given_numbers(mesh: &TriangleMesh, error: KernelError) -> (KernelError, Op
 fn in_given_numbers_warning(mesh: &TriangleMesh, warning: Warning) -> Warning {
     let given = |vertex: usize| mesh.vertices.get(vertex).copied().unwrap_or(vertex);
     match warning {
-        Warning::NormalFacesBackward { triangle, vertex, count } => {
-            Warning::NormalFacesBackward { triangle: mesh.polygons[triangle], vertex: mesh.vertices[vertex], count }
+        Warning::Mesh(MeshWarning::NormalFacesBackward { triangle, vertex, count }) => {
+            Warning::Mesh(MeshWarning::NormalFacesBackward {
+                triangle: mesh.polygons[triangle],
+                vertex: mesh.vertices[vertex],
+                count,
+            })
         }
-        Warning::FoldsBack { vertices, triangle, angle, count } => {
-            Warning::FoldsBack { vertices: vertices.map(given), triangle: mesh.polygons[triangle], angle, count }
+        Warning::Mesh(MeshWarning::FoldsBack { vertices, triangle, angle, count }) => {
+            Warning::Mesh(MeshWarning::FoldsBack {
+                vertices: vertices.map(given),
+                triangle: mesh.polygons[triangle],
+                angle,
+                count,
+            })
         }
-        Warning::SharpEdgesSmoothed { vertices, angle, count, limit } => {
-            Warning::SharpEdgesSmoothed { vertices: vertices.map(given), angle, count, limit }
+        Warning::Mesh(MeshWarning::SharpEdgesSmoothed { vertices, angle, count, limit }) => {
+            Warning::Mesh(MeshWarning::SharpEdgesSmoothed { vertices: vertices.map(given), angle, count, limit })
         }
-        Warning::LooseBorders { vertices, count, borders, gap } => {
-            Warning::LooseBorders { vertices: vertices.map(given), count, borders, gap }
+        Warning::Mesh(MeshWarning::LooseBorders { vertices, count, borders, gap }) => {
+            Warning::Mesh(MeshWarning::LooseBorders { vertices: vertices.map(given), count, borders, gap })
         }
         other => other,
     }

@@ -1,6 +1,6 @@
 //! Curves that come to a stand by their data.
 
-use cyclide::{CurveCusp, CurveObject, ParamCurve, Warning, cusps};
+use cyclide::{CurveCusp, CurveObject, CurveWarning, ParamCurve, Warning, cusps};
 
 use crate::document::objects::Builder;
 use crate::document::objects::contours::ContourFacts;
@@ -17,7 +17,7 @@ impl Builder<'_> {
     pub(in crate::document) fn warn_of_cusps(&mut self, field: &str, contour: Option<usize>, curve: &dyn ParamCurve) {
         let found = cusps(curve);
         if let Some(&CurveCusp { t, point, angle, .. }) = found.first() {
-            let cusp = Warning::CuspInside { count: found.len(), t, at: point.to_array(), angle };
+            let cusp = Warning::Curve(CurveWarning::CuspInside { count: found.len(), t, at: point.to_array(), angle });
             self.warn_at(field, contour, cusp);
         }
     }

@@ -1,6 +1,6 @@
 //! The points of an object: read, merged, and handed to its construction contour by contour.
 
-use cyclide::{CurveObject, Units, Warning};
+use cyclide::{CurveObject, CurveWarning, Units, Warning};
 
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
@@ -116,7 +116,7 @@ impl Builder<'_> {
                 self.remark(NO_EFFECT, Some(contour), given, place, message);
             }
             // Said once, with the place of the field.
-            warnings.retain(|warning| *warning != Warning::EndsWithoutEffect);
+            warnings.retain(|warning| *warning != Warning::Curve(CurveWarning::EndsWithoutEffect));
             for warning in warnings {
                 let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
                 let place = index.map(|i| self.place(&points, contour, i));

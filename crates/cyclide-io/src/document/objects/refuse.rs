@@ -2,7 +2,7 @@
 
 use cyclide::{
     ArcError, CurveError, ErrorItem, GridError, InterpolationError, NumberError, PatchError, PipeError, Point3,
-    PointError, ShortNumber, Warning,
+    PointError, PointWarning, ShortNumber, Warning,
 };
 
 use super::kind::Blame;
@@ -19,7 +19,9 @@ impl Builder<'_> {
     /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
     fn words(&self, error: &cyclide::Error, contour: usize) -> String {
         let merged = |remark: &Remark| {
-            let merges = |w: &Warning| matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. });
+            let merges = |w: &Warning| {
+                matches!(w, Warning::Point(PointWarning::PointsMerged { .. } | PointWarning::ClosingPointMerged { .. }))
+            };
             remark.contour == Some(contour) && remark.warning.as_ref().is_some_and(merges)
         };
         match error {

@@ -1,6 +1,8 @@
 //! Curves that bend to and fro more often than their data: one rule for every kind.
 
-use cyclide::{CurveObject, Point3, RoundedTurns, Warning, WaverRemedy, Wavering, wavering, wavering_against};
+use cyclide::{
+    CurveObject, CurveWarning, Point3, RoundedTurns, Warning, WaverRemedy, Wavering, wavering, wavering_against,
+};
 
 use crate::document::objects::Builder;
 use crate::document::objects::contours::ContourFacts;
@@ -44,13 +46,18 @@ impl WaverRule {
             _ => wavering_against(shape, points),
         };
         let Wavering { curve, data, explained, nodes, .. } = found;
-        let wavers = found.curve_wavers.then_some(Warning::Wavers { curve, data, explained, remedy: self.remedy });
-        let data_waver = || (self.through && found.data_waver).then_some(Warning::DataWaver { changes: data, nodes });
-        let corner = |RoundedTurns { first, count, angle, distance, .. }| Warning::CornerNotMarked {
-            node: first,
-            count,
-            angle,
-            distance,
+        let wavers = found.curve_wavers.then_some(Warning::Curve(CurveWarning::Wavers {
+            curve,
+            data,
+            explained,
+            remedy: self.remedy,
+        }));
+        let data_waver = || {
+            (self.through && found.data_waver)
+                .then_some(Warning::Curve(CurveWarning::DataWaver { changes: data, nodes }))
+        };
+        let corner = |RoundedTurns { first, count, angle, distance, .. }| {
+            Warning::Curve(CurveWarning::CornerNotMarked { node: first, count, angle, distance })
         };
         let rounded = found.rounded.filter(|_| self.rounds_corners);
         wavers.or_else(data_waver).into_iter().chain(rounded.map(corner)).collect()

@@ -1,7 +1,7 @@
 //! Repeated points: neighbours that coincide, and a closed contour's last point that repeats its first.
 
 use super::PointList;
-use cyclide::{Aabb, Warning};
+use cyclide::{Aabb, PointWarning, Warning};
 
 /// Neighbours closer than this part of the contour's size are one point: the rounding of coordinates that were
 /// computed (`cos` and `sin` of a full turn differ from the start by about this), far below any intended feature.
@@ -78,15 +78,16 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
     list.offsets = kept.iter().filter_map(|&i| list.offsets.get(i).copied()).collect();
     list.labels = kept.iter().filter_map(|&i| list.labels.get(i).cloned()).collect();
     list.corners = kept.iter().enumerate().filter(|&(_, &i)| marked[i]).map(|(k, _)| k).collect();
-    let merged = runs.into_iter().map(|(first, count)| Warning::PointsMerged { first, count, limit });
-    let closing = (closing > 0).then_some(Warning::ClosingPointMerged { index: closing });
+    let merged =
+        runs.into_iter().map(|(first, count)| Warning::Point(PointWarning::PointsMerged { first, count, limit }));
+    let closing = (closing > 0).then_some(Warning::Point(PointWarning::ClosingPointMerged { index: closing }));
     Merged { kept, warnings: merged.chain(closing).collect() }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::Point3;
+    use cyclide::{Point3, PointWarning};
 
     fn list(xy: &[[f64; 2]], corners: &[usize]) -> PointList {
         PointList {
@@ -102,7 +103,10 @@ mod tests {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
         let mut closed = list(&square, &[4]);
         assert!(closed.ends_meet());
-        assert_eq!(merge_repeated(&mut closed, true).warnings, [Warning::ClosingPointMerged { index: 4 }]);
+        assert_eq!(
+            merge_repeated(&mut closed, true).warnings,
+            [Warning::Point(PointWarning::ClosingPointMerged { index: 4 })]
+        );
         assert_eq!((closed.points.len(), &closed.corners[..]), (4, &[0][..]));
         let mut open = list(&square, &[4]);
         assert!(merge_repeated(&mut open, false).warnings.is_empty());
@@ -115,7 +119,10 @@ mod tests {
         let limit = 3e-12;
         assert_eq!(
             merge_repeated(&mut l, false).warnings,
-            [Warning::PointsMerged { first: 1, count: 2, limit }, Warning::PointsMerged { first: 5, count: 1, limit }]
+            [
+                Warning::Point(PointWarning::PointsMerged { first: 1, count: 2, limit }),
+                Warning::Point(PointWarning::PointsMerged { first: 5, count: 1, limit })
+            ]
         );
         assert_eq!((&l.offsets[..], &l.corners[..]), (&[0, 3, 4][..], &[0, 1][..]));
     }

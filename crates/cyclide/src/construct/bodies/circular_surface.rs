@@ -35,7 +35,7 @@ use crate::curve::Arc;
 use crate::error::{ArcError, BridgeError, Error, ErrorItem, NumberError, NurbsError, PointError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
-use crate::warning::Warning;
+use crate::warning::{BodyWarning, Warning};
 
 /// Largest degree made: that of the surfaces of OpenCASCADE.
 const LARGEST_DEGREE: usize = 25;
@@ -289,7 +289,11 @@ fn places() -> impl Iterator<Item = f64> {
 fn nearly_full(pieces: &[ArcPiece]) -> Option<Warning> {
     let angles = pieces.iter().flat_map(|piece| places().map(|s| (piece.rails.piece, piece.opening(s))));
     let (piece, angle) = angles.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    (angle < NEARLY_OPPOSED).then_some(Warning::NearlyFullArcs { piece, angle, limit: NEARLY_OPPOSED })
+    (angle < NEARLY_OPPOSED).then_some(Warning::Body(BodyWarning::NearlyFullArcs {
+        piece,
+        angle,
+        limit: NEARLY_OPPOSED,
+    }))
 }
 
 /// The factor of all tangents for which the arcs run about as fast at both ends; refuses rails that meet and arcs

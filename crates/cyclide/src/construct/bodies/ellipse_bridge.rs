@@ -20,7 +20,7 @@ use crate::curve::Arc;
 use crate::error::{BridgeError, ErrorItem, NumberError, PointError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
-use crate::warning::Warning;
+use crate::warning::{BodyWarning, Warning};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Ellipses whose semi-axes differ by less than this part of them meet.
@@ -106,7 +106,8 @@ impl EllipseBridge {
     /// What should be known of it (`ellipses-cross`): between ellipses that cross the surface runs through itself. A solid of them is refused.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let cross = self.crossing().map(|[along_x, along_y]| Warning::EllipsesCross { along_x, along_y });
+        let cross =
+            self.crossing().map(|[along_x, along_y]| Warning::Body(BodyWarning::EllipsesCross { along_x, along_y }));
         cross.into_iter().collect()
     }
 

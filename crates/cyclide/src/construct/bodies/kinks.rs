@@ -6,7 +6,7 @@
 
 use crate::curve::ParamCurve as _;
 use crate::topology::{Body, EdgeCurve, surface_joints};
-use crate::warning::Warning;
+use crate::warning::{BodyWarning, Warning};
 
 /// Rails run smoothly through a joint if their tangents turn there by less than this, radians.
 const SMOOTH: f64 = 1e-6;
@@ -34,7 +34,7 @@ pub(super) fn kinks(rails: [&[EdgeCurve]; 2], closed: bool, body: &Body, starts:
     }
     let count = angles.iter().filter(|angle| **angle > KINK).count();
     let (joint, &angle) = angles.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
-    (count > 0).then_some(Warning::KinksAtJoints { count, joint, angle, limit: KINK })
+    (count > 0).then_some(Warning::Body(BodyWarning::KinksAtJoints { count, joint, angle, limit: KINK }))
 }
 
 /// Whether both rails keep their tangents at a joint.

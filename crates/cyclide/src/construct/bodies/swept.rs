@@ -16,7 +16,7 @@ use crate::error::{ErrorItem, MotionError, NurbsError, Result, ShellError};
 use crate::motion::{Pose, RationalMotion};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
-use crate::warning::Warning;
+use crate::warning::{NetWarning, Warning};
 
 /// Largest degree made: that of the surfaces of OpenCASCADE.
 const LARGEST_DEGREE: usize = 25;
@@ -253,7 +253,7 @@ fn folds(faces: &[Vec<RationalBezierSurface>], closed: bool, comes_back: bool) -
             FaceShape::Regular => {}
         }
     }
-    Ok(first.map(|face| Warning::SweptSurfaceFolds { count, face, borders }))
+    Ok(first.map(|face| Warning::Net(NetWarning::SweptSurfaceFolds { count, face, borders })))
 }
 
 /// Whether the surface turns back where its end meets its beginning.

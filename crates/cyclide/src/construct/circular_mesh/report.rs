@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
 use crate::shape_change::{ACROSS, ShapeChange};
 use crate::surface::{GridClosing, QuadGrid};
-use crate::warning::Warning;
+use crate::warning::{CircularWarning, Warning};
 
 /// A move above this many median edges is warned of.
 const FAR_MOVE: f64 = 2.0;
@@ -240,22 +240,22 @@ pub(super) fn warnings(
     let mut warnings = Vec::new();
     if let Some(shape) = shape {
         if let Some(angle) = shape.runs_across() {
-            warnings.push(Warning::AcrossCurvatureLines { angle, limit: ACROSS });
+            warnings.push(Warning::Circular(CircularWarning::AcrossCurvatureLines { angle, limit: ACROSS }));
         }
         if shape.is_doubtful() {
-            warnings.push(Warning::ShapeChanged { change: *shape });
+            warnings.push(Warning::Circular(CircularWarning::ShapeChanged { change: *shape }));
         }
     }
     if moves.max > FAR_MOVE * edge {
         let (vertex, distance) = (moves.farthest_vertex, moves.max);
-        warnings.push(Warning::MovedFar { vertex, distance, limit: FAR_MOVE * edge });
+        warnings.push(Warning::Circular(CircularWarning::MovedFar { vertex, distance, limit: FAR_MOVE * edge }));
     }
     if moves.max_off_surface > FAR_OFF * edge {
         let (vertex, distance) = (moves.farthest_off_vertex, moves.max_off_surface);
-        warnings.push(Warning::LeftSurface { vertex, distance, limit: FAR_OFF * edge });
+        warnings.push(Warning::Circular(CircularWarning::LeftSurface { vertex, distance, limit: FAR_OFF * edge }));
     }
     if let Some((agreement, turn)) = zigzag(after, triples) {
-        warnings.push(Warning::Zigzag { agreement, turn });
+        warnings.push(Warning::Circular(CircularWarning::Zigzag { agreement, turn }));
     }
     warnings
 }

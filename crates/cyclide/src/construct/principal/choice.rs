@@ -4,7 +4,7 @@ use super::{PrincipalGridOptions, PrincipalGrids, PrincipalStage, principal_grid
 use crate::base::vector::Point3;
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
 use crate::error::Result;
-use crate::warning::Warning;
+use crate::warning::{PrincipalGridWarning, Warning};
 
 /// The part of a surface below which a grid is said to miss some of it, and other layouts are tried.
 const MOST: f64 = 0.9;
@@ -71,7 +71,12 @@ pub fn covering_principal_grids(
     let coverage = best.report.coverage;
     if coverage < MOST {
         let (rectangles, umbilics) = (best.report.border == GridBorder::Inside, best.report.umbilics.len());
-        best.warnings.push(Warning::PartlyCovered { coverage, limit: MOST, rectangles, umbilics });
+        best.warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::PartlyCovered {
+            coverage,
+            limit: MOST,
+            rectangles,
+            umbilics,
+        }));
     }
     Ok(best)
 }

@@ -38,7 +38,7 @@ use crate::base::vector::Point3;
 use crate::construct::principal_rules::{GridBorder, UmbilicRule};
 use crate::error::{Error, GridError, PrincipalGridError, Result, SurfaceFault};
 use crate::surface::{QuadGrid, QuadLayout};
-use crate::warning::Warning;
+use crate::warning::{PrincipalGridWarning, Warning};
 use arc_length::by_arc_length;
 use coordinates::coordinates;
 use cross_field::CrossField;
@@ -142,7 +142,11 @@ impl PrincipalGrids {
         let ratio = |piece: &GridPiece| piece.edges[1] / piece.edges[0];
         let worst = self.report.pieces.iter().enumerate().max_by(|a, b| ratio(a.1).total_cmp(&ratio(b.1)));
         if let Some((piece, &GridPiece { edges, .. })) = worst.filter(|(_, piece)| ratio(piece) > UNEVEN) {
-            self.warnings.push(Warning::UnevenEdges { piece, edges, limit: UNEVEN });
+            self.warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::UnevenEdges {
+                piece,
+                edges,
+                limit: UNEVEN,
+            }));
         }
         self
     }
@@ -238,7 +242,7 @@ pub fn principal_grids(
     let mut warnings = Vec::new();
     if report.umbilics_found > report.umbilics.len() {
         let count = report.umbilics_found - report.umbilics.len();
-        warnings.push(Warning::UmbilicsSmoothed { count, turn: report.turn });
+        warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::UmbilicsSmoothed { count, turn: report.turn }));
     }
 
     let layout = Layout::new(&table, &smoothed.field, &smoothed.singular, options.closed != Some(false));
@@ -260,11 +264,15 @@ pub fn principal_grids(
         })?;
         warnings.extend(found.left_out.first().map(|first| {
             let (count, at) = (found.left_out.len(), place(*first));
-            Warning::UmbilicsLeftOut { count, at }
+            Warning::PrincipalGrid(PrincipalGridWarning::UmbilicsLeftOut { count, at })
         }));
         if found.off_lines > OFF_LINES {
             let (part, angle) = (found.off_lines, joined::OFF);
-            warnings.push(Warning::OffCurvatureLines { part, angle, limit: OFF_LINES });
+            warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::OffCurvatureLines {
+                part,
+                angle,
+                limit: OFF_LINES,
+            }));
         }
         report.border = GridBorder::Staircase;
         let mesh = found.layout;
@@ -303,7 +311,10 @@ pub fn principal_grids(
                 return Err(PrincipalGridError::SpiralLines { shift: world, edge: edge_length }.into());
             }
             if shift > SPIRAL * edge {
-                warnings.push(Warning::SpiralLines { shift: world, edge: edge_length });
+                warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::SpiralLines {
+                    shift: world,
+                    edge: edge_length,
+                }));
             }
             coordinates(&sheet, &weights, Some((left, [true, false]))).ok_or_else(no_solution)?
         }
@@ -344,7 +355,7 @@ pub fn principal_grids(
     report.pieces = grids.iter().map(|grid| pieces::measured(grid, given.areas.iter().sum())).collect();
     if grids.len() > 1 || cut {
         let coverage = report.pieces.iter().map(|piece| piece.coverage).sum();
-        warnings.push(Warning::GridPieces { count: grids.len(), coverage });
+        warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::Pieces { count: grids.len(), coverage }));
     }
     let field = PrincipalField::new(&given, &fits, &smoothed.field);
     Ok(PrincipalGrids { grids, joined: None, report, field, warnings }.measured())

@@ -7,7 +7,7 @@ use crate::curve::blend::{
 };
 use crate::curve::node_tangent::Chord;
 use crate::error::{ErrorItem, NumberError, PointError, Result};
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, PointWarning, Warning};
 
 /// Turns above this make very large circles (`docs/math/circle-blends.md#node-tangent`).
 pub(crate) const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
@@ -47,7 +47,7 @@ impl CircleSpline {
 
         let mut warnings = Vec::from_iter(rounded_directions(points, &chords));
         if closed && options.ends != SplineEnds::default() {
-            warnings.push(Warning::EndsWithoutEffect);
+            warnings.push(Warning::Curve(CurveWarning::EndsWithoutEffect));
         }
         let node = |i: usize, warnings: &mut Vec<Warning>| {
             if !closed && i == 0 {
@@ -82,9 +82,9 @@ impl CircleSpline {
             let ends = [points[i], points[next]];
             let segment = BlendSegment::from_tangents(ends, chord, &tangents, law, i)?;
             if segment.opposite_circles() {
-                warnings.push(Warning::OppositeCircles { segment: i });
+                warnings.push(Warning::Curve(CurveWarning::OppositeCircles { segment: i }));
             } else if segment.long_way() {
-                warnings.push(Warning::LongWay { segment: i });
+                warnings.push(Warning::Curve(CurveWarning::LongWay { segment: i }));
             }
             segments.push(segment);
             from = to;
@@ -225,7 +225,12 @@ pub(crate) fn rounded_directions(points: &[Point3], chords: &[Chord]) -> Option<
     let turned = || chords.iter().enumerate().map(turn).filter(|(_, angle)| *angle > ROUNDED_DIRECTION);
     let (segment, _) = turned().next()?;
     let angle = turned().map(|(_, angle)| angle).fold(0.0, f64::max).min(std::f64::consts::PI);
-    Some(Warning::RoundedDirections { segment, count: turned().count(), angle, limit: ROUNDED_DIRECTION })
+    Some(Warning::Point(PointWarning::RoundedDirections {
+        segment,
+        count: turned().count(),
+        angle,
+        limit: ROUNDED_DIRECTION,
+    }))
 }
 
 /// Notes what is unusual at a node between two chords.
@@ -234,13 +239,13 @@ pub(crate) fn inspect_node(node: usize, before: &Chord, after: &Chord, warnings:
     if before.unit.dot(after.unit) < -0.9 {
         let angle = before.turn(after);
         if before.tangent_to(after).is_none() {
-            warnings.push(Warning::Cusp { node });
+            warnings.push(Warning::Curve(CurveWarning::Cusp { node }));
         } else if angle > SHARP_TURN {
-            warnings.push(Warning::SharpTurn { node, angle, limit: SHARP_TURN });
+            warnings.push(Warning::Curve(CurveWarning::SharpTurn { node, angle, limit: SHARP_TURN }));
         }
     }
     let ratio = before.length.max(after.length) / before.length.min(after.length);
     if ratio > UNEVEN_SPACING {
-        warnings.push(Warning::UnevenSpacing { node, ratio, limit: UNEVEN_SPACING });
+        warnings.push(Warning::Point(PointWarning::UnevenSpacing { node, ratio, limit: UNEVEN_SPACING }));
     }
 }

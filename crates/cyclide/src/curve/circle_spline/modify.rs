@@ -4,7 +4,7 @@ use super::CircleSpline;
 use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::conformal::mobius::Mobius;
 use crate::error::{ErrorItem, NumberError, Result};
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, PointWarning, Warning};
 
 impl CircleSpline {
     /// The same points run backwards; a closed curve still starts at the same node.
@@ -98,12 +98,16 @@ pub(crate) fn renumbered(
 ) -> Option<Warning> {
     let mut warning = warning.clone();
     match &mut warning {
-        Warning::Cusp { node }
-        | Warning::SharpTurn { node, .. }
-        | Warning::SharpTurnCut { node, .. }
-        | Warning::UnevenSpacing { node, .. } => *node = node_of(*node)?,
-        Warning::LongWay { segment } | Warning::OppositeCircles { segment } => *segment = segment_of(*segment)?,
-        Warning::Relaxed { segments } => {
+        Warning::Curve(
+            CurveWarning::Cusp { node }
+            | CurveWarning::SharpTurn { node, .. }
+            | CurveWarning::SharpTurnCut { node, .. },
+        )
+        | Warning::Point(PointWarning::UnevenSpacing { node, .. }) => *node = node_of(*node)?,
+        Warning::Curve(CurveWarning::LongWay { segment } | CurveWarning::OppositeCircles { segment }) => {
+            *segment = segment_of(*segment)?
+        }
+        Warning::Curve(CurveWarning::Relaxed { segments }) => {
             segments.retain_mut(|(segment, _)| segment_of(*segment).map(|new| *segment = new).is_some());
             segments.sort_unstable_by_key(|(segment, _)| *segment);
             if segments.is_empty() {

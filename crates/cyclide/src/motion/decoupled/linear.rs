@@ -12,7 +12,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{ErrorItem, NumberError, Result};
 use crate::motion::timed_pose::TimedPose;
-use crate::warning::Warning;
+use crate::warning::{MotionWarning, Warning};
 
 /// Parts of a span up to this are none: two blends meet.
 const NO_PART: f64 = 1e-9;
@@ -30,7 +30,7 @@ pub(super) struct ShortBlends {
 impl ShortBlends {
     pub(super) fn warning(self) -> Warning {
         let Self { pose, count, radius, asked } = self;
-        Warning::BlendsShortened { pose, count, radius, asked }
+        Warning::Motion(MotionWarning::BlendsShortened { pose, count, radius, asked })
     }
 }
 

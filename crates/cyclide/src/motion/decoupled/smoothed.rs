@@ -11,7 +11,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, NumberError, Result};
 use crate::motion::timed_pose::TimedPose;
-use crate::warning::Warning;
+use crate::warning::{PoseFitWarning, Warning};
 
 /// Decimal powers of the strengths that are tried, with times whose average step is 1: from none to waves of a thousand steps.
 const STRENGTHS: [f64; 2] = [-4.0, 12.0];
@@ -189,13 +189,15 @@ impl Reading {
         let (turning, count) = (self.turning, self.strays.len());
         let noise = self.noise.map_or(0.0, |noise| noise.sigma);
         let named = self.strays.iter().take(NAMED);
-        let named = named.map(|Stray { pose, distance }| Warning::PoseOutlier {
-            pose: *pose,
-            turning,
-            distance: *distance,
-            noise,
-            dropped,
-            count,
+        let named = named.map(|Stray { pose, distance }| {
+            Warning::PoseFit(PoseFitWarning::Outlier {
+                pose: *pose,
+                turning,
+                distance: *distance,
+                noise,
+                dropped,
+                count,
+            })
         });
         named.collect()
     }
@@ -205,7 +207,12 @@ impl Reading {
         let (turning, tolerance, noise) = (self.turning, self.tolerance?, self.noise?);
         let needed = ROOM * noise.farthest(self.count);
         if tolerance < needed {
-            return Some(Warning::PosesNoisier { turning, sigma: noise.sigma, tolerance, needed });
+            return Some(Warning::PoseFit(PoseFitWarning::PosesNoisier {
+                turning,
+                sigma: noise.sigma,
+                tolerance,
+                needed,
+            }));
         }
         // The poses without their noise; those that are off by more have no part in it.
         let denoised = if needed > 0.0 { values.within(Some(needed)) } else { values.values.clone() };
@@ -218,11 +225,11 @@ impl Reading {
         let length = |path: &[[f64; D]]| path.windows(2).map(|w| (values.apart)(&w[0], &w[1])).sum::<f64>();
         let [poses, path] = [length(&denoised), length(smooth)];
         if path < LENGTH_KEPT * poses && poses - path > BY_NOISE * needed {
-            return Some(Warning::MotionSmoothedAway { turning, path, poses });
+            return Some(Warning::PoseFit(PoseFitWarning::SmoothedAway { turning, path, poses }));
         }
         let extent = denoised.iter().map(|value| (values.apart)(&denoised[0], value)).fold(0.0, f64::max);
         let is_wide = tolerance > WIDE * extent && tolerance > BY_NOISE * needed && extent > BY_NOISE * needed;
-        is_wide.then_some(Warning::WideForMotion { turning, tolerance, extent })
+        is_wide.then_some(Warning::PoseFit(PoseFitWarning::WideTolerance { turning, tolerance, extent }))
     }
 }
 

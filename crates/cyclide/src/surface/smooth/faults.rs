@@ -3,7 +3,7 @@
 
 use super::{SmoothEdge, SmoothMesh, SmoothTriangle};
 use crate::surface::barycentric::Barycentric;
-use crate::warning::Warning;
+use crate::warning::{MeshWarning, Warning};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// Places of an edge at which it is looked for folds.
@@ -39,7 +39,7 @@ impl SmoothMesh {
             }
         }
         let (edge, triangle, angle) = worst?;
-        Some(Warning::FoldsBack { vertices: edge.vertices, triangle, angle, count })
+        Some(Warning::Mesh(MeshWarning::FoldsBack { vertices: edge.vertices, triangle, angle, count }))
     }
 
     /// Sharp edges that means of normals made smooth.
@@ -65,7 +65,7 @@ impl SmoothMesh {
             }
         }
         let (vertices, angle) = worst?;
-        Some(Warning::SharpEdgesSmoothed { vertices, angle, count, limit: SHARP })
+        Some(Warning::Mesh(MeshWarning::SharpEdgesSmoothed { vertices, angle, count, limit: SHARP }))
     }
 }
 

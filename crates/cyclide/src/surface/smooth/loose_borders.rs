@@ -4,7 +4,7 @@
 use super::SmoothMesh;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::warning::Warning;
+use crate::warning::{MeshWarning, Warning};
 use std::collections::HashMap;
 
 /// A border edge whose middle is nearer to another one than this part of its length lies on it.
@@ -38,7 +38,7 @@ impl SmoothMesh {
                 first.get_or_insert(border.vertices);
             }
         }
-        Some(Warning::LooseBorders { vertices: first?, count, borders: borders.len(), gap })
+        Some(Warning::Mesh(MeshWarning::LooseBorders { vertices: first?, count, borders: borders.len(), gap }))
     }
 }
 

@@ -5,7 +5,7 @@ use super::triangle::unit_normal;
 use super::{NormalWeights, VertexNormals};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, MeshError, NumberError, Result};
-use crate::warning::Warning;
+use crate::warning::{MeshWarning, Warning};
 
 /// Face normals around a vertex whose mean is shorter lie back to back.
 const BACK_TO_BACK: f64 = 1e-9;
@@ -90,5 +90,9 @@ pub(super) fn backward(triangles: &[[usize; 3]], connections: &Connections, norm
     let corners = (0..triangles.len()).flat_map(|t| (0..3).map(move |k| (t, k)));
     let mut found = corners.filter(|&(t, k)| backward(t, k));
     let (triangle, k) = found.next()?;
-    Some(Warning::NormalFacesBackward { triangle, vertex: triangles[triangle][k], count: 1 + found.count() })
+    Some(Warning::Mesh(MeshWarning::NormalFacesBackward {
+        triangle,
+        vertex: triangles[triangle][k],
+        count: 1 + found.count(),
+    }))
 }

@@ -4,7 +4,7 @@ use super::super::fold::{FoldVerdict, Sign, sign};
 use super::{CyclideVolume, corners_at_start, others};
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
-use crate::warning::Warning;
+use crate::warning::{VolumeWarning, Warning};
 
 /// Faces whose lines in one direction all start and end as points are lines themselves where these are shorter than that, relative to the
 /// rounding of the speeds: corners are on their circles to 1e-9.
@@ -43,8 +43,8 @@ impl CyclideVolume {
     pub fn warnings(&self) -> Vec<Warning> {
         match self.folds() {
             FoldVerdict::Regular => Vec::new(),
-            FoldVerdict::Folded { at } => vec![Warning::VolumeFolds { at }],
-            FoldVerdict::Undecided { at, depth } => vec![Warning::VolumeFoldUndecided { at, depth }],
+            FoldVerdict::Folded { at } => vec![Warning::Volume(VolumeWarning::Folds { at })],
+            FoldVerdict::Undecided { at, depth } => vec![Warning::Volume(VolumeWarning::FoldUndecided { at, depth })],
         }
     }
 

@@ -6,7 +6,7 @@ use super::super::param_volume::ParamVolume as _;
 use super::{GridQuality, StructuredGrid};
 use crate::base::range;
 use crate::error::{ErrorItem, Result};
-use crate::warning::{InvertedCause, Warning};
+use crate::warning::{InvertedCause, VolumeWarning, Warning};
 
 /// Roundings of the largest coordinate that a cell is long at least: its ends are off by a few of them, and its directions by a tenth then.
 const SHORTEST: f64 = 64.0 * f64::EPSILON;
@@ -68,7 +68,13 @@ impl StructuredGrid {
         } else {
             InvertedCause::TooCoarse
         };
-        vec![Warning::CellsInverted { count: quality.inverted, cells: self.cell_count(), block, at, cause }]
+        vec![Warning::Volume(VolumeWarning::CellsInverted {
+            count: quality.inverted,
+            cells: self.cell_count(),
+            block,
+            at,
+            cause,
+        })]
     }
 
     /// Whether a side of a cell that is no point is as short as the rounding of its ends.

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use cyclide::{
     Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, GridError, NetFrame, NetLayout,
-    NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber, SurfaceObject, Warning,
+    NetWarning, NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber,
+    SurfaceObject, Warning,
 };
 
 use crate::document::coordinates::Coordinates;
@@ -225,8 +226,12 @@ impl<'a> Builder<'a> {
             [SurfaceObject::Net(net), ..] => singular.first().map(|[i, j]| j * net.size()[0] + i),
             _ => None,
         };
-        let warning =
-            Warning::FoldedNet { singular: singular.len(), first, creases: joints.creases, angle: joints.crease_angle };
+        let warning = Warning::Net(NetWarning::Folded {
+            singular: singular.len(),
+            first,
+            creases: joints.creases,
+            angle: joints.crease_angle,
+        });
         let hint = match spec.frame {
             FrameSpec::Auto if matches!(surfaces, [SurfaceObject::Layout(_), ..]) => "smooth the mesh",
             FrameSpec::Auto => "smooth the grid, or give a frame",
@@ -241,7 +246,7 @@ impl<'a> Builder<'a> {
             for (seam, measure) in measured_seams(net, self.facts.net().map_or(&[], |facts| &facts.seams)) {
                 let border = ["column", "row"][seam.direction];
                 let Some(message) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
-                let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };
+                let warning = Warning::Net(NetWarning::OpenSeam { border, gap: measure.gap, angle: measure.angle });
                 self.remarks.push(Remark { message, ..warning.into() });
             }
         }

@@ -33,7 +33,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::error::{ErrorItem, NumberError, PipeError, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
-use crate::warning::Warning;
+use crate::warning::{BodyWarning, Warning};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
 /// Largest angle between the axis of the pipe and the normal of the plate: beyond, the contact on the plate is more than 500 times as
@@ -189,7 +189,8 @@ impl NeckBlend {
     /// such circles lie one in the other.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let folds = self.folds_beyond().map(|limit| Warning::NeckFolds { radius: self.ball_radius, limit });
+        let folds =
+            self.folds_beyond().map(|limit| Warning::Body(BodyWarning::NeckFolds { radius: self.ball_radius, limit }));
         folds.into_iter().collect()
     }
 

@@ -18,7 +18,7 @@ use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, NumberError, PointError, PolyhedronError, Result};
-use crate::warning::Warning;
+use crate::warning::{PolyhedronWarning, Warning};
 use deviation::Surface;
 use faces::{FaceSide, Faces};
 use plane::area_vector;
@@ -171,7 +171,13 @@ impl ConvexPolyhedron {
         let shallow: Vec<PolyhedronEdge> = self.edges().filter(|edge| edge.angle < SHALLOW).collect();
         let least = shallow.iter().min_by(|a, b| a.angle.total_cmp(&b.angle))?;
         let off = shallow.iter().map(|edge| self.off_neighbour(edge)).fold(0.0, f64::max);
-        Some(Warning::ShallowEdges { ends: least.ends, count: shallow.len(), angle: least.angle, limit: SHALLOW, off })
+        Some(Warning::Polyhedron(PolyhedronWarning::ShallowEdges {
+            ends: least.ends,
+            count: shallow.len(),
+            angle: least.angle,
+            limit: SHALLOW,
+            off,
+        }))
     }
 
     /// Edges so short that they are one point of a hull.
@@ -179,7 +185,12 @@ impl ConvexPolyhedron {
         let limit = (TOGETHER * self.flatness).max(plane::rounding(&self.vertices));
         let short: Vec<PolyhedronEdge> = self.edges().filter(|edge| edge.length <= limit).collect();
         let least = short.iter().min_by(|a, b| a.length.total_cmp(&b.length))?;
-        Some(Warning::ShortEdges { ends: least.ends, count: short.len(), length: least.length, limit })
+        Some(Warning::Polyhedron(PolyhedronWarning::ShortEdges {
+            ends: least.ends,
+            count: short.len(),
+            length: least.length,
+            limit,
+        }))
     }
 
     /// How far the corners of the smaller face of an edge are below the plane of the other one: the less of both ways.

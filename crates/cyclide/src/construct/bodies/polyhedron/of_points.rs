@@ -5,7 +5,7 @@ use super::{ConvexPolyhedron, PLANAR, TOGETHER, check_points, plane};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::error::{Error, NumberError, PolyhedronError, Result};
-use crate::warning::Warning;
+use crate::warning::{PolyhedronWarning, Warning};
 
 /// Of points whose hull has no planes within the flatness, it is raised so often by a factor: up to 6.6e-5 of the diameter.
 const RAISES: i32 = 8;
@@ -71,7 +71,10 @@ impl ConvexPolyhedron {
     fn raised(made: impl Fn(f64) -> Result<Self>, asked: f64, raises: i32) -> Option<Self> {
         let flatness = (1..=raises).map(|k| asked * RAISE.powi(k));
         let mut made = flatness.filter_map(|used| {
-            Some(Self { remarked: Some(Warning::FlatnessRaised { asked, used }), ..made(used).ok()? })
+            Some(Self {
+                remarked: Some(Warning::Polyhedron(PolyhedronWarning::FlatnessRaised { asked, used })),
+                ..made(used).ok()?
+            })
         });
         let first = made.next()?;
         if first.shallow_edges().is_none() {
@@ -87,7 +90,10 @@ impl ConvexPolyhedron {
         flatness.find_map(|used| {
             let distinct = Distinct::new(points, TOGETHER * used);
             let made = Self::of_hull(points, &distinct.hull(points).ok()?, used, &distinct.dropped).ok()?;
-            Some(Self { remarked: Some(Warning::FlatnessLowered { asked, used }), ..made })
+            Some(Self {
+                remarked: Some(Warning::Polyhedron(PolyhedronWarning::FlatnessLowered { asked, used })),
+                ..made
+            })
         })
     }
 

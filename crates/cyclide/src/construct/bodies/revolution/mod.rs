@@ -28,7 +28,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, NumberError, ProfileError, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, Shell};
-use crate::warning::Warning;
+use crate::warning::{BodyWarning, Warning};
 use ends::Ends;
 use profile::{Piece, Profile};
 use std::f64::consts::TAU;
@@ -202,17 +202,18 @@ impl Revolution {
 
     /// Warnings of a profile that has end faces, or needs none.
     fn warnings_of(&self, profile: &Profile, ended: bool) -> impl Iterator<Item = Warning> + use<> {
-        let moved = profile.moved.map(|[distance, limit]| Warning::MovedToAxis { distance, limit });
+        let moved = profile.moved.map(|[distance, limit]| Warning::Body(BodyWarning::MovedToAxis { distance, limit }));
         let pinch = profile.pinches().first().copied();
-        let pinched =
-            pinch.filter(|_| self.is_whole() && !profile.flat).map(|p| Warning::Pinched { height: self.height(p) });
+        let pinched = pinch
+            .filter(|_| self.is_whole() && !profile.flat)
+            .map(|p| Warning::Body(BodyWarning::Pinched { height: self.height(p) }));
         let open = if profile.flat {
-            Some(Warning::FlatRevolution)
+            Some(Warning::Body(BodyWarning::FlatRevolution))
         } else if profile.encloses() {
-            (!ended).then_some(Warning::OpenPart { angle: self.angle })
+            (!ended).then_some(Warning::Body(BodyWarning::OpenPart { angle: self.angle }))
         } else {
             let [start, end] = profile.ends_off_axis(self);
-            self.is_whole().then_some(Warning::OpenProfile { start, end })
+            self.is_whole().then_some(Warning::Body(BodyWarning::OpenProfile { start, end }))
         };
         moved.into_iter().chain(pinched).chain(open)
     }

@@ -8,7 +8,7 @@ use super::trace::Trace;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::construct::curves::outline::SAMPLE_SAGITTA;
-use crate::warning::Warning;
+use crate::warning::{FitWarning, NoiseWarning, Warning};
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
 const SAGITTA_LIMIT: f64 = 2.0;
@@ -31,7 +31,7 @@ pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Opti
     }
     let sagitta = sagitta_quantile(points, options.closed, 0.5);
     let limit = SAGITTA_LIMIT * options.tolerance;
-    (sagitta > limit).then_some(Warning::SamplesTooCoarse { sagitta, limit })
+    (sagitta > limit).then_some(Warning::Fit(FitWarning::SamplesTooCoarse { sagitta, limit }))
 }
 
 /// Points are meant, and between them the curve is farther from their polyline than their turns explain.
@@ -47,7 +47,7 @@ pub(super) fn swing(
     let is_corner = |i: usize| corners.binary_search_by_key(&i, |corner| corner.0).is_ok();
     let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
     let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
-    (distance > limit).then_some(Warning::SwingsOut { distance, limit, held: false, has_target: true })
+    (distance > limit).then_some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true }))
 }
 
 /// The same edge by edge: no smooth curve leaves an edge by more than a part of its length.
@@ -62,13 +62,13 @@ pub(super) fn swing_over_edge(
     }
     let allowed = |edge: f64| options.tolerance + SAMPLE_SAGITTA * edge;
     let (distance, limit) = farthest_over_edge(pieces, trace, planar, allowed)?;
-    Some(Warning::SwingsOut { distance, limit, held: false, has_target: true })
+    Some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true }))
 }
 
 /// A tolerance of the size of the figure's own bends keeps no shape.
 pub(super) fn wide(points: &[Point3], tolerance: f64) -> Option<Warning> {
     let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-    (tolerance > WIDE * size).then_some(Warning::WideTolerance { tolerance, used: tolerance })
+    (tolerance > WIDE * size).then_some(Warning::Fit(FitWarning::WideTolerance { tolerance, used: tolerance }))
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.
@@ -84,12 +84,13 @@ pub(super) fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Optio
         edges(this) <= SHORT_SPAN && this.arc.bulge_vector().dot(next.arc.bulge_vector()) < 0.0
     };
     let fraction = (0..pieces.len()).filter(follows).count() as f64 / pieces.len() as f64;
-    (fraction > NOISE_FRACTION).then_some(Warning::ToleranceBelowNoise { fraction })
+    (fraction > NOISE_FRACTION).then_some(Warning::Noise(NoiseWarning::ToleranceBelowNoise { fraction }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::warning::FitWarning;
 
     #[test]
     fn a_curve_far_from_edges_that_hardly_turn_swings_out() {
@@ -102,7 +103,8 @@ mod tests {
         let options = ArcFitOptions::new(0.001);
         let said = |distance: f64| swing(&points, &[(10, 1.6)], &options, distance);
         assert_eq!(said(0.026), None);
-        let Some(Warning::SwingsOut { distance, limit, held: false, has_target: true }) = said(0.03) else {
+        let Some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true })) = said(0.03)
+        else {
             panic!("nothing said")
         };
         assert!((distance - 0.03).abs() < 1e-15 && (limit - 2.0 * (0.001 + 0.0125)).abs() < 1e-9, "{limit}");

@@ -5,7 +5,7 @@ use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{ErrorItem, NumberError, PointError, Result};
-use crate::warning::Warning;
+use crate::warning::{PointWarning, Warning};
 
 /// Neighbours closer than this times the diameter are one point,
 const MERGE_LIMIT: f64 = 1e-9;
@@ -99,7 +99,9 @@ impl Distinct {
         if count > 0 && first_dropped.is_none() {
             first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
         }
-        let warning = first_dropped.filter(|_| count > 0).map(|first| Warning::PointsMerged { first, count, limit });
+        let warning = first_dropped
+            .filter(|_| count > 0)
+            .map(|first| Warning::Point(PointWarning::PointsMerged { first, count, limit }));
         let kept = source.iter().map(|i| points[*i]).collect();
         let mut distinct = Self { points: kept, source, tail, warning, moved: 0.0 };
         if count > 0 {

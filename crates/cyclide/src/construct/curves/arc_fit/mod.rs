@@ -40,7 +40,7 @@ use crate::base::vector::Point3;
 use crate::construct::curves::outline::{Outline, Scattered, kept_corners};
 use crate::curve::{Arc, ArcPath};
 use crate::error::{Error, ErrorItem, FitError, PointError, Result};
-use crate::warning::Warning;
+use crate::warning::{FitWarning, Warning};
 use beam::ChainJoint;
 use certificate::certify;
 use input::Distinct;
@@ -174,7 +174,7 @@ impl ArcFit {
             return Err(died.unwrap_or(Error::Point(PointError::TooFewPoints { given: 0, needed: 2 })));
         };
         let FitCertificate { turning, turning_limit: limit, .. } = fit.certificate;
-        fit.warnings.push(Warning::TurnsMoreThanData { turning, limit });
+        fit.warnings.push(Warning::Fit(FitWarning::TurnsMoreThanData { turning, limit }));
         Ok(fit)
     }
 
@@ -304,7 +304,7 @@ impl ArcFit {
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
         warnings.extend(doubts::wide(data, tolerance));
         let mut tight = judged.tight_arcs(&pieces, &trace, &distinct.source);
-        if let Some(Warning::TightArc { piece, .. }) = &mut tight {
+        if let Some(Warning::Fit(FitWarning::TightArc { piece, .. })) = &mut tight {
             *piece = place_in_path(*piece);
         }
         warnings.extend(tight);

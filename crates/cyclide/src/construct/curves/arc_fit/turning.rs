@@ -19,7 +19,7 @@ use super::piece::{Piece, Span};
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::outline::Outline;
-use crate::warning::Warning;
+use crate::warning::{FitWarning, Warning};
 use std::ops::Range;
 
 /// How much the smooth curve through coarse samples is in doubt.
@@ -132,7 +132,14 @@ impl<'a> Data<'a> {
         let &(radius, piece) = all.iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let vertex = source[trace.vertex_before(pieces[piece].span.from.index % trace.points.len())];
         // Straight data have no circle: any arc is tighter.
-        data.is_finite().then_some(Warning::TightArc { piece, vertex, radius, data, limit, count: all.len() })
+        data.is_finite().then_some(Warning::Fit(FitWarning::TightArc {
+            piece,
+            vertex,
+            radius,
+            data,
+            limit,
+            count: all.len(),
+        }))
     }
 }
 
@@ -153,6 +160,7 @@ mod tests {
     use crate::construct::curves::arc_fit::piece::Place;
     use crate::construct::curves::outline::Scattered;
     use crate::curve::Arc;
+    use crate::warning::FitWarning;
 
     /// Without corners.
     fn read(points: &[Point3]) -> Outline {
@@ -183,7 +191,7 @@ mod tests {
         // The chord of 0.05 radians is 0.49984 long: half the circle of that diameter.
         let half = piece(Arc::from_bulge(at(12), at(13), Vec3::Z, 1.0).unwrap(), 12, 13);
         let hidden = [piece(circle(0, 12), 0, 12), half, piece(circle(13, 29), 13, 29)];
-        let Some(Warning::TightArc { piece, vertex, radius, data: tightest, count, .. }) =
+        let Some(Warning::Fit(FitWarning::TightArc { piece, vertex, radius, data: tightest, count, .. })) =
             data.tight_arcs(&hidden, &trace, &source)
         else {
             panic!("no warning")

@@ -10,7 +10,7 @@ use crate::construct::curves::arc_fit::corners::sagitta_quantile;
 use crate::construct::curves::outline::SAMPLE_SAGITTA;
 use crate::curve::{CircleSpline, length};
 use crate::rational::RationalBezier;
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, FitWarning, NoiseWarning, Warning};
 
 /// Above this part of the tolerance the root mean square of the distances says that the curve leans on its bounds.
 const LEANING: f64 = 0.55;
@@ -57,13 +57,13 @@ impl Doubts<'_> {
     }
 
     fn ends_without_effect(&self) -> Option<Warning> {
-        (self.options.closed && self.options.fix_ends).then_some(Warning::EndsWithoutEffect)
+        (self.options.closed && self.options.fix_ends).then_some(Warning::Curve(CurveWarning::EndsWithoutEffect))
     }
 
     fn shape_smoothed_away(&self) -> Option<Warning> {
         let data = self.pieces.iter().map(|piece| piece.length).sum::<f64>();
         let curve = length(self.spline);
-        (curve < LENGTH_KEPT * data).then_some(Warning::ShapeSmoothedAway { curve, data })
+        (curve < LENGTH_KEPT * data).then_some(Warning::Fit(FitWarning::ShapeSmoothedAway { curve, data }))
     }
 
     fn feet_not_monotone(&self) -> Option<Warning> {
@@ -74,7 +74,10 @@ impl Doubts<'_> {
         let back = |piece: &PieceFit| piece.sheet.back.map(|(point, count)| (self.source[piece.numbers[point]], count));
         let mut backs = self.pieces.iter().filter_map(back);
         let (point, first) = backs.next()?;
-        Some(Warning::FeetNotMonotone { point, count: first + backs.map(|(_, count)| count).sum::<usize>() })
+        Some(Warning::Noise(NoiseWarning::FeetNotMonotone {
+            point,
+            count: first + backs.map(|(_, count)| count).sum::<usize>(),
+        }))
     }
 
     fn samples_too_coarse(&self) -> Option<Warning> {
@@ -82,7 +85,7 @@ impl Doubts<'_> {
             return None;
         }
         let (sagitta, limit) = (sagitta_quantile(self.data, self.options.closed, 0.5), self.options.tolerance);
-        (sagitta > limit).then_some(Warning::SamplesTooCoarse { sagitta, limit })
+        (sagitta > limit).then_some(Warning::Fit(FitWarning::SamplesTooCoarse { sagitta, limit }))
     }
 
     /// The piece that is farthest from the number of nodes asked for, and why.
@@ -99,14 +102,14 @@ impl Doubts<'_> {
             Stop::Budget => "budget",
             Stop::Fits => "max-fits",
         };
-        Some(Warning::NodesNotReached { asked, reached, why })
+        Some(Warning::Fit(FitWarning::NodesNotReached { asked, reached, why }))
     }
 
     fn many_nodes(&self) -> Option<Warning> {
         let (nodes, points) = (self.sheet.nodes, self.data.len());
         let many = !self.measured && points >= FEW_POINTS && nodes as f64 > MANY * points as f64;
         let changes = || changes(self.data, self.options.closed, self.kept_to);
-        many.then(|| Warning::ManyNodes { nodes, points, changes: changes() })
+        many.then(|| FitWarning::of_many_nodes(nodes, points, changes()))
     }
 
     fn leans_on_walls(&self) -> Option<Warning> {
@@ -122,7 +125,7 @@ impl Doubts<'_> {
         // node, what is left is as rough without any noise.
         let told = count >= POINTS_TO_A_NODE * self.sheet.nodes;
         let scatter = told.then(|| (sum / (70 * count.max(1)) as f64).sqrt());
-        Some(Warning::LeansOnWalls { rms, limit, scatter })
+        Some(Warning::Noise(NoiseWarning::LeansOnWalls { rms, limit, scatter }))
     }
 }
 

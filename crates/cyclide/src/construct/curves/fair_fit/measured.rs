@@ -8,7 +8,7 @@ use super::{FairFit, FairFitOptions, corners, whittaker};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::error::{Error, ErrorItem, FitError, NumberError, PointError, Result};
-use crate::warning::Warning;
+use crate::warning::{FitWarning, NoiseWarning, PointWarning, Warning};
 
 /// The curve keeps this near to the points without their noise, in deviations of these from what was measured,
 const NEARNESS: f64 = 0.4;
@@ -59,13 +59,13 @@ pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Pr
         next = last + 1;
         let range = [merged.source[first], merged.source[last]];
         let count = range[1] + 1 - range[0];
-        warnings.push(Warning::StopMerged {
+        warnings.push(Warning::Point(PointWarning::StopMerged {
             first: range[0],
             last: range[1],
             count,
             at: middle.to_vec().to_array(),
             radius,
-        });
+        }));
     }
     kept.extend_from_slice(&merged.points[next..]);
     source.extend_from_slice(&merged.source[next..]);
@@ -100,12 +100,8 @@ pub(super) fn without_outliers(distinct: &Distinct, found: &Denoised) -> Distinc
 /// The warnings about outliers.
 pub(super) fn outliers_named(found: &Denoised, source: &[usize], dropped: bool) -> Vec<Warning> {
     let (noise, count) = (found.deviation, found.outliers.len());
-    let outlier = |(i, distance): &(usize, f64)| Warning::Outlier {
-        point: source[*i],
-        distance: *distance,
-        noise,
-        dropped,
-        count,
+    let outlier = |(i, distance): &(usize, f64)| {
+        Warning::Noise(NoiseWarning::Outlier { point: source[*i], distance: *distance, noise, dropped, count })
     };
     found.outliers.iter().take(NAMED).map(outlier).collect()
 }
@@ -152,7 +148,7 @@ impl FairFit {
         let of = |held: bool| {
             let mut all = (0..gaps.len()).filter(|k| gaps[*k] && straight[*k] == held);
             let point = distinct.source[kept[all.next()?]];
-            Some(Warning::LongEdges { point, count: 1 + all.count(), held })
+            Some(Warning::Fit(FitWarning::LongEdges { point, count: 1 + all.count(), held }))
         };
         [true, false].into_iter().filter_map(of).collect()
     }
@@ -185,7 +181,7 @@ impl FairFit {
         };
         warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
-            warnings.push(Warning::NoiseContradicted { given, found });
+            warnings.push(Warning::Noise(NoiseWarning::Contradicted { given, found }));
         }
         let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
@@ -230,7 +226,11 @@ impl FairFit {
         }
         let apart = noise::usual_length(&distinct.points);
         if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {
-            warnings.push(Warning::FewForNoise { points: places.points.len(), noise: found.deviation, apart });
+            warnings.push(Warning::Noise(NoiseWarning::FewPoints {
+                points: places.points.len(),
+                noise: found.deviation,
+                apart,
+            }));
         }
         fit.certificate.noise = Some(found.deviation);
         fit.certificate.noise_z = found.heights;

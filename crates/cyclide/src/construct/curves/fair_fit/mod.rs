@@ -48,7 +48,7 @@ use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::construct::curves::canonical_start::runs_backwards;
 use crate::curve::CircleSpline;
 use crate::error::{Error, FitError, Result};
-use crate::warning::Warning;
+use crate::warning::{FitWarning, NoiseWarning, Warning};
 use edged::Edged;
 use measured::{Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
@@ -234,7 +234,7 @@ impl FairFit {
                 return Ok(fit);
             }
         }
-        fit.warnings.push(Warning::BeyondNoise { rms: fit.certificate.rms, noise });
+        fit.warnings.push(Warning::Noise(NoiseWarning::BeyondNoise { rms: fit.certificate.rms, noise }));
         Ok(fit)
     }
 
@@ -263,7 +263,7 @@ impl FairFit {
         let full = options.tolerance - distinct.moved;
         let (mut fit, kept_to) = Self::best_within(distinct, options, full, measured)?;
         if kept_to < full {
-            fit.warnings.push(Warning::WideTolerance { tolerance: options.tolerance, used: kept_to });
+            fit.warnings.push(Warning::Fit(FitWarning::WideTolerance { tolerance: options.tolerance, used: kept_to }));
         }
         let Some((distance, limit)) = fit.swing else {
             return Ok(fit);
@@ -275,7 +275,7 @@ impl FairFit {
             Some(held) if held.swing.is_none() => (held, true),
             _ => (fit, false),
         };
-        fit.warnings.push(Warning::SwingsOut { distance, limit, held, has_target: false });
+        fit.warnings.push(Warning::Fit(FitWarning::SwingsOut { distance, limit, held, has_target: false }));
         Ok(fit)
     }
 
@@ -315,7 +315,8 @@ impl FairFit {
 
     /// It swings out between the points, or bends of theirs are gone.
     fn loses_shape(&self) -> bool {
-        self.swing.is_some() || self.warnings.iter().any(|w| matches!(w, Warning::ShapeSmoothedAway { .. }))
+        self.swing.is_some()
+            || self.warnings.iter().any(|w| matches!(w, Warning::Fit(FitWarning::ShapeSmoothedAway { .. })))
     }
 
     /// The fit with these very options, within a tolerance.

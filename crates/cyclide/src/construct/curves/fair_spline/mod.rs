@@ -38,7 +38,7 @@ use crate::base::vector::Point3;
 use crate::curve::{BlendLaw, BlendSegment, BlendTangents, Chord, CircleSpline, SHARP_TURN};
 use crate::curve::{chords_between, corner_nodes, inspect_node, rounded_directions, unit_tangent};
 use crate::error::Result;
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, Warning};
 use pieces::Pieces;
 use straight::with_tight_corners;
 
@@ -71,7 +71,7 @@ impl CircleSpline {
         let ends = if closed { [FairEnd::Circle; 2] } else { unit_ends(options.ends)? };
         let mut warnings = Vec::from_iter(rounded_directions(points, &chords));
         if closed && options.ends != [FairEnd::default(); 2] {
-            warnings.push(Warning::EndsWithoutEffect);
+            warnings.push(Warning::Curve(CurveWarning::EndsWithoutEffect));
         }
         let cuts = cuts(&chords, closed, corners, &mut warnings);
         let tight = options.tight.and_then(|rho| with_tight_corners(points, &chords, closed, &cuts, rho));
@@ -160,9 +160,9 @@ fn assembled(
         let next = if i + 1 == n { 0 } else { i + 1 };
         let segment = BlendSegment::from_tangents([points[i], points[next]], chord, &tangents, law, source(i))?;
         if segment.opposite_circles() {
-            warnings.push(Warning::OppositeCircles { segment: source(i) });
+            warnings.push(Warning::Curve(CurveWarning::OppositeCircles { segment: source(i) }));
         } else if segment.long_way() {
-            warnings.push(Warning::LongWay { segment: source(i) });
+            warnings.push(Warning::Curve(CurveWarning::LongWay { segment: source(i) }));
         }
         segments.push(segment);
     }
@@ -174,15 +174,15 @@ fn assembled(
 /// Notes the nodes cut and the segments relaxed.
 fn note_cuts(pieces: &Pieces, source: &dyn Fn(usize) -> usize, warnings: &mut Vec<Warning>) {
     for warning in warnings.iter_mut() {
-        if let Warning::SharpTurn { node, angle, .. } = *warning
+        if let Warning::Curve(CurveWarning::SharpTurn { node, angle, .. }) = *warning
             && pieces.cut.iter().any(|cut| source(*cut) == node)
         {
-            *warning = Warning::SharpTurnCut { node, angle, limit: SHARP_TURN };
+            *warning = Warning::Curve(CurveWarning::SharpTurnCut { node, angle, limit: SHARP_TURN });
         }
     }
     if !pieces.relaxed.is_empty() {
         let mut segments: Vec<(usize, f64)> = pieces.relaxed.iter().map(|i| (source(*i), pieces.blends[*i])).collect();
         segments.dedup_by_key(|(segment, _)| *segment);
-        warnings.push(Warning::Relaxed { segments });
+        warnings.push(Warning::Curve(CurveWarning::Relaxed { segments }));
     }
 }

@@ -7,7 +7,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::curve::QbCurve;
 use crate::error::Result;
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, Warning};
 
 /// Nodes of whose weight less is left than this are not attained.
 pub(super) const ATTAINED: f64 = 1e-10;
@@ -93,20 +93,20 @@ impl QbInterpolation {
         let mut warnings = Vec::new();
         let mut needle = |(point, width): (usize, &f64)| {
             if *width < SPIKE {
-                warnings.push(Warning::SpikeNearPoint { point, width: *width, limit: SPIKE });
+                warnings.push(Warning::Curve(CurveWarning::SpikeNearPoint { point, width: *width, limit: SPIKE }));
             }
         };
         attainability.iter().enumerate().for_each(&mut needle);
         let (distance, t) = curve.reach(frame.center).farthest.unwrap_or((0.0, 0.0));
         let reach = if frame.radius > 0.0 { distance / frame.radius } else { 0.0 };
         if reach > FAR && !curve.excursions(frame.center, FAR * frame.radius).is_empty() {
-            warnings.push(Warning::LargeExcursion { reach, t, limit: FAR });
+            warnings.push(Warning::Curve(CurveWarning::LargeExcursion { reach, t, limit: FAR }));
         }
         // A needle turns back at its point, and a far run has been named.
         if warnings.is_empty()
             && let Some(TurnBack { t, within, spacing, count }) = turn_back(&curve, &parameters)
         {
-            warnings.push(Warning::TurnsBack { t, count, within: within / spacing, limit: SHARP });
+            warnings.push(Warning::Curve(CurveWarning::TurnsBack { t, count, within: within / spacing, limit: SHARP }));
         }
         Ok(Self { curve, parameters, attainability, reach, warnings })
     }

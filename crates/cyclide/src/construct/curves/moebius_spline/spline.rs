@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::interpolation::{NodeParameters, node_steps};
 use crate::curve::{BlendLaw, BlendSegment, BlendTangents, Chord, QbCurve, QbSpline, inspect_node, rounded_directions};
 use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
-use crate::warning::Warning;
+use crate::warning::{CurveWarning, Warning};
 
 /// How [`QbSpline::through_points`] makes its curve.
 ///
@@ -126,9 +126,9 @@ fn span_between(nodes: &Nodes, i: usize, [v0, v1]: [Vec3; 2], warnings: &mut Vec
     let ends = [nodes.points[i], nodes.points[next]];
     let segment = BlendSegment::from_tangents(ends, chord, &tangents, BlendLaw::Rational { order: 1 }, i)?;
     if segment.opposite_circles() {
-        warnings.push(Warning::OppositeCircles { segment: i });
+        warnings.push(Warning::Curve(CurveWarning::OppositeCircles { segment: i }));
     } else if segment.long_way() {
-        warnings.push(Warning::LongWay { segment: i });
+        warnings.push(Warning::Curve(CurveWarning::LongWay { segment: i }));
     }
     segment.check_finite(i)?;
     let speeds = [v0, v1].map(|v| v.length() * (nodes.steps[i] / chord.length));

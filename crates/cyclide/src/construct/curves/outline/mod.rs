@@ -12,7 +12,7 @@ mod predicted;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
-use crate::warning::Warning;
+use crate::warning::{FitWarning, Warning};
 use predicted::unpredicted;
 use std::collections::HashSet;
 use std::f64::consts::PI;
@@ -176,7 +176,7 @@ impl Outline {
             .map(turn)
             .filter(|turn| *turn > least)
             .fold((0, 0.0_f64), |most, turn| (most.0 + 1, most.1.max(turn)));
-        (count > 0).then_some(Warning::ReadAsCurve { count, turn, distance, has_target })
+        (count > 0).then_some(Warning::Fit(FitWarning::ReadAsCurve { count, turn, distance, has_target }))
     }
 }
 
@@ -212,7 +212,7 @@ pub(in crate::construct) fn kept_corners(corners: &[(usize, f64)], source: &[usi
     let angles = corners.iter().map(|corner| corner.1);
     let (least, most) = angles.fold((angle, angle), |(least, most), a| (least.min(a), most.max(a)));
     let vertex = corners.iter().map(|corner| source[corner.0]).min()?;
-    Some(Warning::CornerKept { vertex, count: corners.len(), least, most })
+    Some(Warning::Fit(FitWarning::CornerKept { vertex, count: corners.len(), least, most }))
 }
 
 struct Reader<'a> {

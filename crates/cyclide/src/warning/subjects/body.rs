@@ -1,0 +1,120 @@
+//! What should be known of a body that was turned, or laid between two curves.
+
+use crate::shape_change::degrees;
+use crate::table::table;
+
+table! {
+    /// What should be known of a body that was turned, or laid between two curves.
+    ///
+    /// ```
+    /// use cyclide::{BodyWarning, Warning};
+    /// let warning: Warning = BodyWarning::OpenPart { angle: 0.5 }.into();
+    /// assert_eq!(warning.reason(), "open-body");
+    /// ```
+    pub enum BodyWarning {
+        /// The neck of a ball that is larger than the bends of its way: it runs through itself.
+        NeckFolds {
+            /// Radius of the ball.
+            radius: f64,
+            /// Smallest radius of curvature of the way of its centre.
+            limit: f64,
+        }
+        reason "neck-folds";
+        says "the neck runs through itself on the side to which the pipe leans: a ball of radius {radius} rolls \
+            through bends of radius {limit}; take a smaller ball";
+
+        /// A bridge between ellipses that cross: it runs through itself beside the places where they do.
+        EllipsesCross {
+            /// By how much the second ellipse is wider along x.
+            along_x: f64,
+            /// The same along y.
+            along_y: f64,
+        }
+        reason "ellipses-cross";
+        says "the ellipses cross: the second is wider by {along_x} along x and by {along_y} along y, and the bridge \
+            runs through itself beside the places where they do; take one inside the other";
+
+        /// The ends of a profile were near the axis that it turns about, and were moved onto it.
+        MovedToAxis {
+            /// The farthest of them.
+            distance: f64,
+            /// Ends up to this far are moved.
+            limit: f64,
+        }
+        reason "moved-to-axis";
+        says "the profile ends up to {distance} off the axis (up to {limit} counts as meant to be on it): its ends \
+            were moved onto the axis; write more digits, or start farther out for a bore";
+
+        /// A part of a turn of a profile that goes round an area, but has no end faces.
+        OpenPart {
+            /// The angle of the turn, radians.
+            angle: f64,
+        }
+        reason "open-body";
+        says "the body is open at both ends of its turn by {} degrees: end faces are made of contours in one plane \
+            with the axis that meet neither themselves nor each other; a whole turn is a solid", degrees(*angle);
+
+        /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
+        OpenProfile {
+            /// Distance of its start from the axis.
+            start: f64,
+            /// Distance of its end.
+            end: f64,
+        }
+        reason "open-body";
+        when *start > 0.0 && *end > 0.0, says "the surface is open: its profile starts {start} and ends {end} off \
+            the axis; a solid needs a closed profile, or both ends on the axis";
+        when *start > 0.0, says "the surface is open: its profile starts {start} off the axis; a solid needs a \
+            closed profile, or both ends on the axis";
+        says "the surface is open: its profile ends {end} off the axis; a solid needs a closed profile, or both \
+            ends on the axis";
+
+        /// A closed profile touches the axis in one point: the solid is pinched there, its inside on both sides of one vertex.
+        Pinched {
+            /// The height of the point along the axis.
+            height: f64,
+        }
+        reason "pinched";
+        says "the closed profile touches the axis at the height {height}, and the solid is pinched there: all \
+            around it meets itself in one point, which many programs take for no solid; keep the profile off the \
+            axis, or run it along the axis";
+
+        /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
+        FlatRevolution
+        reason "flat-revolution";
+        says "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights \
+            along the axis (points [r, 0, z] for the axis z), or take an axis in its plane";
+
+        /// A surface between two curves bends sharply where pieces of the curves join smoothly.
+        KinksAtJoints {
+            /// Joints at which its normals differ by more than the limit.
+            count: usize,
+            /// The joint of the curves with the largest angle, from 0.
+            joint: usize,
+            /// That angle, radians.
+            angle: f64,
+            /// Angles above this are reported, radians.
+            limit: f64,
+        }
+        reason "kinks-at-joints";
+        at *joint;
+        says "the surface has kinks at {count} joint(s) where both curves run smoothly, the largest of {} degrees \
+            at joint {joint} (above {}): speeds jump there from piece to piece by different factors; take curves \
+            with pieces of like lengths on both sides, or of one piece", degrees(*angle), degrees(*limit);
+
+        /// Arcs between two curves that start nearly against their chords, so that they are nearly full circles of many chords' radius.
+        NearlyFullArcs {
+            /// The piece of the curves where that is so most, from 0.
+            piece: usize,
+            /// The angle between tangent and the way back along the chord there, radians.
+            angle: f64,
+            /// Angles below this are reported, radians.
+            limit: f64,
+        }
+        reason "nearly-full-arcs";
+        at *piece;
+        says "the arcs of piece {piece} start {angle} radians from the way back along their chords (reported below \
+            {limit}): nearly full circles, ten chords and more in radius, off whose faces readers of files may \
+            find their edges; lean the tangent farther to a side";
+    }
+}

@@ -1,0 +1,72 @@
+//! What should be known of a grid that was made circular.
+
+use crate::shape_change::{ShapeChange, degrees};
+use crate::table::table;
+
+table! {
+    /// What should be known of a grid that was made circular.
+    ///
+    /// ```
+    /// use cyclide::{CircularWarning, Warning};
+    /// let warning: Warning = CircularWarning::AcrossCurvatureLines { angle: 0.5, limit: 1e-9 }.into();
+    /// assert_eq!(warning.reason(), "across-curvature-lines");
+    /// ```
+    pub enum CircularWarning {
+        /// The lines of a grid to be made circular run across the curvature lines of its surface.
+        AcrossCurvatureLines {
+            /// Mean angle to the curvature lines, weighted by the difference of the principal curvatures, radians.
+            angle: f64,
+            /// Angles above this are reported, radians.
+            limit: f64,
+        }
+        reason "across-curvature-lines";
+        says "the grid lines run {} degrees off the curvature lines of the surface on average (more than {} is \
+            across them): quads with circles follow curvature lines", degrees(*angle), degrees(*limit);
+
+        /// The shape of a grid changed when it was made circular.
+        ShapeChanged {
+            /// What was measured.
+            change: ShapeChange,
+        }
+        reason "shape-changed";
+        says "the shape changed: {}", change.changed();
+
+        /// A vertex moved far when its grid was made circular: the grid does not follow the curvature lines of its surface.
+        MovedFar {
+            /// The vertex, s fastest.
+            vertex: usize,
+            /// Length of its move.
+            distance: f64,
+            /// Moves above this are reported: two median edges.
+            limit: f64,
+        }
+        reason "moved-far";
+        at *vertex;
+        says "vertex {vertex} moved by {distance} (more than {limit} is far): align the grid with the curvature \
+            lines first";
+
+        /// A vertex left the surface of its grid when it was made circular.
+        LeftSurface {
+            /// The vertex, s fastest.
+            vertex: usize,
+            /// Its distance from the input surface.
+            distance: f64,
+            /// Distances above this are reported: the median edge.
+            limit: f64,
+        }
+        reason "left-surface";
+        at *vertex;
+        says "vertex {vertex} is {distance} off the input surface (more than {limit} is far)";
+
+        /// Grid lines turn to and fro from vertex to vertex: a noisy or too coarse grid, better smoothed first.
+        Zigzag {
+            /// How neighbouring turns agree: 1 for smooth lines, -2/3 for independent errors of the vertices.
+            agreement: f64,
+            /// Mean turn at a vertex, radians.
+            turn: f64,
+        }
+        reason "zigzag";
+        says "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {:.2}; smooth or refine \
+            the grid first", turn.to_degrees(), *agreement;
+    }
+}

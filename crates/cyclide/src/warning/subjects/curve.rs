@@ -1,0 +1,219 @@
+//! What should be known of a curve through points.
+
+use crate::shape_change::degrees;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+use crate::warning::WaverRemedy;
+
+table! {
+    /// What should be known of a curve through points.
+    ///
+    /// ```
+    /// use cyclide::{CurveWarning, Warning};
+    /// let warning: Warning = CurveWarning::Cusp { node: 2 }.into();
+    /// assert_eq!(warning.reason(), "cusp");
+    /// ```
+    pub enum CurveWarning {
+        /// The curve turns back on itself at a node: one-sided tangents, the joint is only connected (G0).
+        Cusp {
+            /// Index of the point.
+            node: usize,
+        }
+        reason "cusp";
+        at *node;
+        says "point {node}: the curve turns back on itself (cusp), joint only connected";
+
+        /// The velocity of a curve vanishes within a piece or at a joint, and its direction jumps there.
+        CuspInside {
+            /// How many such places there are.
+            count: usize,
+            /// The parameter of the first, from 0 to 1.
+            t: f64,
+            /// The point there.
+            at: [f64; 3],
+            /// The turn there, radians: half a turn within a piece.
+            angle: f64,
+        }
+        reason "cusp";
+        says "the curve comes to a stand and turns by {} degrees in {count} place(s), the first is t = {t}, point \
+            {at} (cusp)", degrees(*angle);
+
+        /// A turn close to half a turn: the circle through the node is very large.
+        SharpTurn {
+            /// Index of the point.
+            node: usize,
+            /// Turn at the point, radians.
+            angle: f64,
+            /// Turns above this are reported, radians.
+            limit: f64,
+        }
+        reason "sharp-turn";
+        at *node;
+        says "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): the circle through it \
+            and its neighbours is very large, and the curve swings out; if a corner is meant, mark it",
+            angle.to_degrees(),
+            limit.to_degrees();
+
+        /// A turn close to half a turn, where a smooth curve would swing out: cut, both sides end there (G0).
+        SharpTurnCut {
+            /// Index of the point.
+            node: usize,
+            /// Turn at the point, radians.
+            angle: f64,
+            /// Turns above this are cut, radians.
+            limit: f64,
+        }
+        reason "sharp-turn-cut";
+        at *node;
+        says "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): a smooth curve would \
+            swing out, so the point is made a corner", angle.to_degrees(), limit.to_degrees();
+
+        /// Segments of a fair spline that are less fair than asked for, because the fairest curve does not exist or swings out
+        /// far there; its curvature is continuous all the same.
+        Relaxed {
+            /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbours alone.
+            segments: Vec<(usize, f64)>,
+        }
+        reason "relaxed";
+        at segments.first().map(|(segment, _)| *segment);
+        says "{}", relaxed(&segments);
+
+        /// The blend takes the long way round between its two circles.
+        LongWay {
+            /// Segment, from 0; it starts at the point of the same index.
+            segment: usize,
+        }
+        reason "long-way";
+        at *segment;
+        says "segment {segment}: the blend takes the long way between its circles";
+
+        /// The two circles of a segment run in opposite directions: a small change of the data moves the curve a lot.
+        OppositeCircles {
+            /// Segment, from 0.
+            segment: usize,
+        }
+        reason "opposite-circles";
+        at *segment;
+        says "segment {segment}: its circles run in opposite directions, small changes move the curve a lot";
+
+        /// A curve through a point hardly reaches it: it runs there and back in a needle of the parameter.
+        SpikeNearPoint {
+            /// Index of the point.
+            point: usize,
+            /// Width of the needle in parts of the parameter's range.
+            width: f64,
+            /// Widths below this are reported.
+            limit: f64,
+        }
+        reason "spike-near-point";
+        at *point;
+        says "the curve reaches point {point} in a needle only, over {width} of its parameter: the other points \
+            hardly leave it the way; change the parameters or take a Moebius spline";
+
+        /// A curve through points runs far away from them in between.
+        LargeExcursion {
+            /// Its largest distance from the middle of the points, in sizes of theirs.
+            reach: f64,
+            /// The parameter there.
+            t: f64,
+            /// Values above this are reported.
+            limit: f64,
+        }
+        reason "large-excursion";
+        says "near the parameter {t} the curve is {reach} times as far from the middle of its points as these are \
+            (above {limit} is said); change the parameters or take a Moebius spline";
+
+        /// A curve through points turns right back between two of them: they are nearly on a curve of lower degree, along which it
+        /// runs to and fro.
+        TurnsBack {
+            /// The parameter of the first place, from 0 to 1.
+            t: f64,
+            /// How many such places there are.
+            count: usize,
+            /// How long the curve is on which it turns, at most, in spacings of the points.
+            within: f64,
+            /// Lengths up to this are reported.
+            limit: f64,
+        }
+        reason "turns-back";
+        says "in {count} place(s), the first near the parameter {t}, the curve turns right back, on less than \
+            {limit} of the spacing of the points: they are nearly on a curve of lower degree, and it runs to and \
+            fro along that; change the parameters or take a Moebius spline";
+
+        /// A curve changes between left and right far more often than its data.
+        Wavers {
+            /// Changes of the curve.
+            curve: usize,
+            /// Changes of the polygon through its nodes.
+            data: usize,
+            /// Those and three for each end of a straight run: what the data account for.
+            explained: usize,
+            /// What helps.
+            remedy: WaverRemedy,
+        }
+        reason "wavers";
+        when *explained > *data, says "the curve changes {} between left and right, its points {} ({explained} with \
+            the ends of their straight runs): it wavers between them (the comb of a picture shows where); {}",
+            times(*curve),
+            times(*data),
+            remedy.advice();
+        says "the curve changes {} between left and right, its points {}: it wavers between them (the comb of a \
+            picture shows where); {}", times(*curve), times(*data), remedy.advice();
+
+        /// The data themselves change between left and right as noise does, and a curve through all of them must.
+        DataWaver {
+            /// Changes of the polygon through the nodes.
+            changes: usize,
+            /// Nodes, corners and ends excepted.
+            nodes: usize,
+        }
+        reason "data-waver";
+        says "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the \
+            curve passes through all of them: a fit within a tolerance is smoother";
+
+        /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
+        CornerNotMarked {
+            /// Index of the first of these points.
+            node: usize,
+            /// How many there are.
+            count: usize,
+            /// The largest turn, radians.
+            angle: f64,
+            /// How far the curve leaves the edges beside them.
+            distance: f64,
+        }
+        reason "corner-not-marked";
+        at *node;
+        says "{count} point(s) turn between straight runs, by up to {:.1} degrees, the first is point {node}: the \
+            curve goes round and leaves the runs by up to {distance}; if corners are meant, mark them (a corner \
+            angle)", angle.to_degrees();
+
+        /// Ends were asked for, but a closed curve has none.
+        EndsWithoutEffect
+        reason "no-effect";
+        says "a closed curve has no ends: what was asked for them has no effect";
+    }
+}
+
+/// A number of changes in words.
+fn times(count: usize) -> String {
+    if count == 1 { "once".to_owned() } else { format!("{count} times") }
+}
+
+/// The relaxed segments by the points they join, with the range of their blends.
+fn relaxed(segments: &[(usize, f64)]) -> String {
+    let place = match segments {
+        [] => return "no segment is relaxed".to_owned(),
+        [(one, _)] => format!("behind point {one}"),
+        [(first, _), .., (last, _)] => {
+            format!("on {} segments, behind the points {first} to {last},", segments.len())
+        }
+    };
+    let least = ShortNumber(segments.iter().map(|(_, e)| *e).fold(1.0, f64::min));
+    let largest = ShortNumber(segments.iter().map(|(_, e)| *e).fold(0.0, f64::max));
+    let blends = if least == largest { least.to_string() } else { format!("{least} to {largest}") };
+    format!(
+        "{place} the fairest curve would swing out, so it is less fair there (blend {blends} where 1 is the fairest); \
+         if the points turn sharply on purpose, mark them as corners"
+    )
+}

@@ -1,0 +1,205 @@
+//! What should be known of a curve that was fitted to points.
+
+use crate::table::table;
+use crate::warning::{NoiseWarning, Warning};
+
+table! {
+    /// What should be known of a curve that was fitted to points.
+    ///
+    /// ```
+    /// use cyclide::{FitWarning, Warning};
+    /// let warning: Warning = FitWarning::SamplesTooCoarse { sagitta: 0.5, limit: 1e-9 }.into();
+    /// assert_eq!(warning.reason(), "samples-too-coarse");
+    /// ```
+    pub enum FitWarning {
+        /// Corners of the input were kept as corners.
+        CornerKept {
+            /// Index of the first of the points.
+            vertex: usize,
+            /// How many there are.
+            count: usize,
+            /// Least turn at one of them, radians.
+            least: f64,
+            /// Largest turn at one of them, radians.
+            most: f64,
+        }
+        reason "corner-kept";
+        at *vertex;
+        when *count == 1, says "point {vertex}: corner of {:.1} degrees kept", most.to_degrees();
+        says "{count} corners of {} degrees kept, the first at point {vertex}", turns_from(*least, *most);
+
+        /// The samples are too far apart for the tolerance if the edges themselves are meant.
+        SamplesTooCoarse {
+            /// Median sagitta of the edges.
+            sagitta: f64,
+            /// Largest sagitta an arc over two vertices can have.
+            limit: f64,
+        }
+        reason "samples-too-coarse";
+        says "median sagitta of the edges is {sagitta}, an arc over two of them allows {limit}: if the points are \
+            samples of a smooth curve, use the target `points`";
+
+        /// Arcs of a fit are much tighter than any circle of the data near them: a corner may be hidden in them.
+        TightArc {
+            /// The piece that is tightest against its data, from 0.
+            piece: usize,
+            /// Index of the point at its start.
+            vertex: usize,
+            /// Its radius.
+            radius: f64,
+            /// Radius of the tightest circle of the data near it.
+            data: f64,
+            /// Radii below this are reported.
+            limit: f64,
+            /// How many arcs are that tight.
+            count: usize,
+        }
+        reason "tight-arc";
+        at *vertex;
+        says "{count} arc(s) much tighter than the data, the tightest is piece {piece} at point {vertex}: radius \
+            {radius}, the tightest circle of the data there has {data} (below {limit} is tight)";
+
+        /// A fit turns more than its data do within the tolerance: it swings to and fro between the points.
+        TurnsMoreThanData {
+            /// Total turning of the fit, radians.
+            turning: f64,
+            /// What the data turn within the tolerance at most, radians.
+            limit: f64,
+        }
+        reason "turns-more-than-data";
+        says "the fit turns by {:.2} radians in all, its data by at most {:.2}: smooth the points or raise the \
+            tolerance", *turning, *limit;
+
+        /// A smooth curve within the tolerance needs nearly as many nodes as there are points.
+        ManyNodes {
+            /// Nodes of the curve.
+            nodes: usize,
+            /// Points it was fitted to; more than a third as many nodes are reported.
+            points: usize,
+        }
+        reason "many-nodes";
+        says "{nodes} nodes for {points} points, which are too few, or the tolerance too small, to be described by \
+            fewer; corners are followed with few nodes only if they are given (a corner angle)";
+
+        /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
+        WideTolerance {
+            /// The tolerance asked for.
+            tolerance: f64,
+            /// What the curve keeps to: the tolerance itself for an arc fit.
+            used: f64,
+        }
+        reason "wide-tolerance";
+        when *used >= *tolerance, says "the tolerance {tolerance} is wide against the figure: bends and corners \
+            smaller than it may be gone";
+        says "the tolerance {tolerance} is wide against the figure: the curve keeps within {used}, where it is \
+            fairer or swings out less";
+
+        /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
+        ShapeSmoothedAway {
+            /// Length of the curve.
+            curve: f64,
+            /// Length of the line through the points after their noise has been smoothed.
+            data: f64,
+        }
+        reason "shape-smoothed-away";
+        says "the curve is {curve} long, its points say {data}: bends or loops smaller than the tolerance are gone";
+
+        /// A fair fit has more nodes than were asked for, or fewer.
+        NodesNotReached {
+            /// Nodes of each smooth piece that were asked for.
+            asked: usize,
+            /// Nodes of the piece that is farthest from it.
+            reached: usize,
+            /// What decided: `tolerance`, `budget`, `max-fits`, `fewest` (no curve has fewer) or `first-fit` (the tolerance
+            /// was reached with fewer).
+            why: &'static str,
+        }
+        reason "nodes-not-reached";
+        says "{asked} nodes were asked for, {reached} it has: {}", what_decided(&why);
+
+        /// A fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+        SwingsOut {
+            /// How far the curve was from the polyline.
+            distance: f64,
+            /// The tolerance and 0.146 of the edge (of arcs twice the tolerance and the largest sagitta); larger distances
+            /// are reported.
+            limit: f64,
+            /// It was fitted again with places on the edges, and does not swing out any more.
+            held: bool,
+            /// It is an arc fit, which can take the edges as they are.
+            has_target: bool,
+        }
+        reason "swings-out";
+        says "between the points the curve {} up to {distance} from their polyline (more than {limit} is far){}; {}",
+            if *held { "would swing out" } else { "swings out" },
+            if *held { ": it is held to places on the edges too" } else { "" },
+            if *has_target {
+                    "if the edges are meant, the target `polyline` keeps to all of them; points that scatter are smoothed first"
+                } else {
+                    "if the points have corners, give a corner angle"
+                };
+
+        /// Edges between measured points are far longer than those round them: straight sides of an outline, or gaps in a curve.
+        LongEdges {
+            /// The point from which the first of them runs.
+            point: usize,
+            /// How many there are.
+            count: usize,
+            /// The curve is held to them as straight sides; else it is free there.
+            held: bool,
+        }
+        reason "long-edges";
+        at *point;
+        says "{count} {} far longer than those round {}: {}; if that is wrong, measure points there",
+            if *count == 1 { "edge from here is" } else { "edges, the first from here, are" },
+            if *count == 1 { "it" } else { "them" },
+            if *held { "taken for straight sides, which the curve keeps to" } else { "taken for gaps, over which nothing holds the curve" };
+
+        /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
+        ReadAsCurve {
+            /// How many there are.
+            count: usize,
+            /// Largest turn at one of them, radians.
+            turn: f64,
+            /// How far the curve is from their polyline.
+            distance: f64,
+            /// A fit that has the target `polyline`.
+            has_target: bool,
+        }
+        reason "read-as-curve";
+        when *has_target, says "{count} points that turn by up to {:.1} degrees are read as samples of a curve, \
+            which leaves their polyline by {distance}: if its edges are meant, the target `polyline` keeps to all \
+            of them, a smaller corner angle to those between larger turns", turn.to_degrees();
+        says "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their \
+            polyline by {distance}: if its edges are meant, a smaller corner angle keeps the larger turns as \
+            corners", turn.to_degrees();
+    }
+}
+
+/// A range of turns, in degrees.
+fn turns_from(least: f64, most: f64) -> String {
+    let (least, most) = (format!("{:.1}", least.to_degrees()), format!("{:.1}", most.to_degrees()));
+    if least == most { most } else { format!("{least} to {most}") }
+}
+
+/// What decided on the number of nodes.
+fn what_decided(why: &str) -> &'static str {
+    match why {
+        "tolerance" => "the points need them within the tolerance",
+        "budget" => "fewer would cost more fairness than the budget allows: raise it",
+        "max-fits" => "the fits for taking nodes out are spent: allow more",
+        "first-fit" => "the tolerance is reached with as few",
+        _ => "a curve cannot have fewer",
+    }
+}
+
+impl FitWarning {
+    /// Of a curve with nearly as many nodes as points. Points that change between left and right more than once in three do so as noise does.
+    pub(crate) fn of_many_nodes(nodes: usize, points: usize, changes: usize) -> Warning {
+        if 3 * changes > points {
+            NoiseWarning::NoisyNodes { nodes, points, changes }.into()
+        } else {
+            Self::ManyNodes { nodes, points }.into()
+        }
+    }
+}

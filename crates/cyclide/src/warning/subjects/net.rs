@@ -1,0 +1,93 @@
+//! What should be known of a net of patches, an offset of it, or a surface that was swept.
+
+use crate::shape_change::degrees;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of a net of patches, an offset of it, or a surface that was swept.
+    ///
+    /// ```
+    /// use cyclide::{NetWarning, Warning};
+    /// let warning: Warning = NetWarning::SweptSurfaceFolds { count: 2, face: 2, borders: 2 }.into();
+    /// assert_eq!(warning.reason(), "swept-surface-folds");
+    /// ```
+    pub enum NetWarning {
+        /// Opposite borders of an open net nearly coincide, as where a tube was cut open.
+        OpenSeam {
+            /// What the borders are: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
+            border: &'static str,
+            /// Largest distance of a point of one border from the other one.
+            gap: f64,
+            /// Largest angle between the normals there, radians.
+            angle: f64,
+        }
+        reason "open-seam";
+        says "the first and the last {border} of the grid are at most an edge apart and the net is open there: the \
+            surface has a gap of up to {gap} and an angle of up to {} degrees there", degrees(*angle);
+
+        /// An offset beyond centres of curvature of its surface: lines run backwards there.
+        BeyondFocalSet {
+            /// The distance of the offset.
+            distance: f64,
+            /// The smallest radius of curvature towards that side.
+            radius: f64,
+            /// The first patch with a smaller radius than the distance.
+            first: usize,
+            /// How many there are.
+            count: usize,
+        }
+        reason "beyond-focal-set";
+        at *first;
+        says "the offset by {distance} goes beyond the focal set on {count} patch(es), the first is patch {first}: \
+            the surface bends towards that side with radii down to {}, and beyond them its lines run backwards; \
+            offsets by less do not", ShortNumber(rounded_down(*radius));
+
+        /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
+        Folded {
+            /// Patches inside which a parameter line shrinks to a point.
+            singular: usize,
+            /// The first of them, s fastest.
+            first: Option<usize>,
+            /// Inner edges at which the normals differ by more than a thousandth of a radian.
+            creases: usize,
+            /// Largest angle there, radians.
+            angle: f64,
+        }
+        reason "folded-net";
+        at *first;
+        says "{}: the frame does not suit the grid", folds(*singular, *first, *creases, *angle);
+
+        /// A swept surface whose curve comes to move along itself: the surface turns back there, with an edge where it does.
+        SweptSurfaceFolds {
+            /// Faces in which it does, or at whose border to the one before.
+            count: usize,
+            /// The first of them.
+            face: usize,
+            /// How many of them do at their border only.
+            borders: usize,
+        }
+        reason "swept-surface-folds";
+        at *face;
+        when *borders == 0, says "the surface folds back in {count} face(s), the first is face {face}: there the \
+            curve comes to move along itself";
+        says "the surface folds back in {count} face(s), {borders} of them at the border to the face before, the \
+            first is face {face}: there the curve comes to move along itself or back, and the surface lies on \
+            itself";
+    }
+}
+
+/// Four digits of a positive value, not more than it is: a limit that is kept by what is said.
+fn rounded_down(value: f64) -> f64 {
+    let unit = 10.0_f64.powf(value.log10().floor() - 3.0);
+    let down = (value / unit).floor() * unit;
+    if down.is_finite() && down > 0.0 { down } else { value }
+}
+
+/// The singular patches and the creases of a net.
+fn folds(singular: usize, first: Option<usize>, creases: usize, angle: f64) -> String {
+    let patches = first.map(|first| format!("{singular} singular patch(es), the first is quad {first}"));
+    let joints =
+        (creases > 0).then(|| format!("{creases} joint(s) with a crease of up to {:.1} degrees", angle.to_degrees()));
+    [patches, joints].into_iter().flatten().collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,146 @@
+//! What should be known of the noise of points that a curve was fitted to.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of the noise of points that a curve was fitted to.
+    ///
+    /// ```
+    /// use cyclide::{NoiseWarning, Warning};
+    /// let warning: Warning = NoiseWarning::ToleranceBelowNoise { fraction: 0.5 }.into();
+    /// assert_eq!(warning.reason(), "tolerance-below-noise");
+    /// ```
+    pub enum NoiseWarning {
+        /// The tolerance is below the noise of the data, or exact data are too coarse for it: nearly every span has two edges
+        /// or fewer.
+        ToleranceBelowNoise {
+            /// Fraction of such spans.
+            fraction: f64,
+        }
+        reason "tolerance-below-noise";
+        says "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise of the points, or they \
+            are too far apart for it", *fraction * 100.0;
+
+        /// A smooth curve within the tolerance needs nearly as many nodes as there are points, which change between left and right
+        /// as noise does.
+        NoisyNodes {
+            /// Nodes of the curve.
+            nodes: usize,
+            /// Points it was fitted to; more than a third as many nodes are reported.
+            points: usize,
+            /// How often the points do, more than a third of them.
+            changes: usize,
+        }
+        reason "tolerance-below-noise";
+        says "{nodes} nodes for {points} points, which change between left and right {changes} times, as noise \
+            does: the tolerance is below their noise";
+
+        /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
+        /// measured from.
+        LeansOnWalls {
+            /// Root mean square of the distances of the points from the curve.
+            rms: f64,
+            /// Values above this are reported.
+            limit: f64,
+            /// How far the points scatter from one to the next about any smooth curve: the standard deviation of their noise.
+            /// `None` where there are too few points to a node to tell noise from shape.
+            scatter: Option<f64>,
+        }
+        reason "leans-on-walls";
+        says "the curve leans on the bounds of the tolerance, as the fairest one does: the root mean square of the \
+            distances is {rms} (more than {limit} is much); {}", nearer_to_points(*scatter, *limit);
+
+        /// A curve within a tolerance leaves out more of its points than their noise.
+        BeyondNoise {
+            /// Root mean square of the distances of the points from the curve.
+            rms: f64,
+            /// Standard deviation of the noise across the curve, estimated from the points.
+            noise: f64,
+        }
+        reason "beyond-noise";
+        says "the curve leaves out more than noise: the root mean square of the distances is {rms}, and the noise \
+            of the points has a standard deviation of about {noise}, so the curve may be farther from what was \
+            measured than the points are; `--smooth auto` (in a document `\"tolerance\": \"auto\"`) follows the \
+            noise";
+
+        /// The noise that was given is not that of the points.
+        Contradicted {
+            /// The standard deviation that was given.
+            given: f64,
+            /// That of the points.
+            found: f64,
+        }
+        reason "noise-contradicted";
+        when *given < *found, says "the noise is given as {given}, but the points scatter by {found}: the curve \
+            follows their noise; let them say it themselves, or give heights that are less certain a noise of \
+            their own";
+        says "the noise is given as {given}, but the points scatter by {found}: the curve may leave out bends that \
+            they show";
+
+        /// Few points were taken for noisy ones, though they may be corners as well.
+        FewPoints {
+            /// How many there are.
+            points: usize,
+            /// The standard deviation of the noise that was read.
+            noise: f64,
+            /// How far apart neighbours usually are.
+            apart: f64,
+        }
+        reason "few-for-noise";
+        says "{points} points, usually {apart} apart, are read as measured with a noise of {noise}; so few may as \
+            well be the corners of an outline: if they are, give a tolerance or a corner angle";
+
+        /// The feet of some points step back along the curve: distances are bounded one way only.
+        FeetNotMonotone {
+            /// The first point whose foot is before that of its predecessor.
+            point: usize,
+            /// How many there are.
+            count: usize,
+        }
+        reason "feet-not-monotone";
+        at *point;
+        says "point {point} lies behind the point before it, measured along the curve ({count} such points): the \
+            points are closer together than their noise, so only the distance from the curve to the polyline is \
+            bounded, not that from the polyline to the curve";
+
+        /// A point does not belong to the others: it is far from the curve of these.
+        Outlier {
+            /// The point.
+            point: usize,
+            /// How far it is from the curve of the others.
+            distance: f64,
+            /// Standard deviation of the noise of these.
+            noise: f64,
+            /// It was left out, as asked for; else it counts.
+            dropped: bool,
+            /// How many there are.
+            count: usize,
+        }
+        reason "outlier";
+        at *point;
+        when *dropped, says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the \
+            others, whose noise has a standard deviation of {noise}; left out";
+        says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the others, whose \
+            noise has a standard deviation of {noise}; kept; `--outliers drop` leaves it out (in a document \
+            `\"outliers\": \"drop\"`)";
+    }
+}
+
+/// Points that scatter by more than this part of what counts as leaning are called noisy.
+const SCATTER: f64 = 0.15;
+
+/// What comes nearer to points of which a curve leans on the bounds of the tolerance.
+fn nearer_to_points(scatter: Option<f64>, limit: f64) -> String {
+    match scatter {
+        Some(scatter) if scatter > SCATTER * limit => format!(
+            "the points scatter by {} from one to the next: if that is noise, `--smooth auto` (in a document `\"tolerance\": \"auto\"`) follows it and comes nearer to what was measured",
+            ShortNumber(scatter)
+        ),
+        Some(scatter) => format!(
+            "the points scatter by no more than {} from one to the next: a smaller tolerance, or a centre of 1, comes nearer to them",
+            ShortNumber(scatter)
+        ),
+        None => "a smaller tolerance, or a centre of 1, comes nearer to the points".to_owned(),
+    }
+}

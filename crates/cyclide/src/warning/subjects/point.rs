@@ -1,0 +1,94 @@
+//! What should be known of the points that a curve was made from.
+
+use crate::shape_change::degrees;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of the points that a curve was made from.
+    ///
+    /// ```
+    /// use cyclide::{PointWarning, Warning};
+    /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1 }.into();
+    /// assert_eq!(warning.reason(), "closing-point-merged");
+    /// ```
+    pub enum PointWarning {
+        /// Chords are so short against their coordinates that these, rounded to doubles, do not tell their directions.
+        RoundedDirections {
+            /// The first of the segments, from 0.
+            segment: usize,
+            /// How many there are.
+            count: usize,
+            /// How well the worst of their directions is known, radians.
+            angle: f64,
+            /// Values above this are reported, radians.
+            limit: f64,
+        }
+        reason "rounded-directions";
+        at *segment;
+        says "{count} chord(s), the first is segment {segment}, are so short for coordinates this large that \
+            rounding turns them by up to {} degrees (above {}): move the points to the origin before they are \
+            written, or merge them", degrees(*angle), degrees(*limit);
+
+        /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
+        UnevenSpacing {
+            /// Index of the point between the two chords.
+            node: usize,
+            /// Longer over shorter chord.
+            ratio: f64,
+            /// Ratios above this are reported.
+            limit: f64,
+        }
+        reason "uneven-spacing";
+        at *node;
+        when *ratio >= NEARLY_REPEATED, says "point {node}: neighbouring chords differ by a factor {:.0}: two \
+            points nearly repeat each other there, and the curve may loop; remove one of them", *ratio;
+        says "point {node}: neighbouring chords differ by a factor {:.1} (above {}), the curve may bulge",
+            *ratio,
+            *limit;
+
+        /// Points that were measured while nothing moved are one place, and count as one point.
+        StopMerged {
+            /// The first of them.
+            first: usize,
+            /// The last.
+            last: usize,
+            /// How many there are.
+            count: usize,
+            /// Their mean.
+            at: [f64; 3],
+            /// How far the farthest is from it.
+            radius: f64,
+        }
+        reason "stop";
+        at *first;
+        says "points {first} to {last} are a stop: {count} points within {radius} of {},{},{}, where nothing moved; \
+            they count as one point", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+
+        /// Points closer than the limit to their neighbour were merged.
+        PointsMerged {
+            /// Index of the first one dropped.
+            first: usize,
+            /// How many were dropped.
+            count: usize,
+            /// Distances up to this count as equal.
+            limit: f64,
+        }
+        reason "points-merged";
+        at *first;
+        when *count == 1, says "point {first} repeats the one before it (closer than {limit}): left out";
+        says "{count} points repeat those before them (closer than {limit}): left out, the first is point {first}";
+
+        /// The last points of a closed curve repeat its first one and were merged with it.
+        ClosingPointMerged {
+            /// Index of the first one dropped.
+            index: usize,
+        }
+        reason "closing-point-merged";
+        at *index;
+        says "point {index} repeats the first point of the closed curve: merged with it";
+    }
+}
+
+/// Neighbouring chords that differ by this factor are no uneven spacing: the shorter one joins a point to itself.
+const NEARLY_REPEATED: f64 = 1000.0;

@@ -1,0 +1,79 @@
+//! What should be known of a polyhedron.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of a polyhedron.
+    ///
+    /// ```
+    /// use cyclide::{PolyhedronWarning, Warning};
+    /// let warning: Warning = PolyhedronWarning::FlatnessRaised { asked: 0.5, used: 0.5 }.into();
+    /// assert_eq!(warning.reason(), "flatness-raised");
+    /// ```
+    pub enum PolyhedronWarning {
+        /// A hull of points of which no faces in planes are as near as the default flatness: it was raised until there are some.
+        FlatnessRaised {
+            /// The default, 1e-9 of the diameter.
+            asked: f64,
+            /// What was used.
+            used: f64,
+        }
+        reason "flatness-raised";
+        says "the points are not in planes within {asked}, 1e-9 of their diameter: {used} is taken, as of rounded \
+            points; give the rounding of the points as `flatness`";
+
+        /// Faces of a hull in planes within the distance asked for made no convex body, and a smaller one was taken: planes that
+        /// are nearly one meet far from the points.
+        FlatnessLowered {
+            /// The distance asked for.
+            asked: f64,
+            /// The distance taken.
+            used: f64,
+        }
+        reason "flatness-lowered";
+        says "faces in planes within {asked} make no convex body, which is hardly thicker there; within {used} they \
+            do, and that was taken";
+
+        /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
+        ShallowEdges {
+            /// Ends of the edge that bends least.
+            ends: [usize; 2],
+            /// How many there are.
+            count: usize,
+            /// The least angle between the normals of two faces, radians.
+            angle: f64,
+            /// Angles below this are reported, radians.
+            limit: f64,
+            /// How far the corners of one face are off the plane of the other one at most.
+            off: f64,
+        }
+        reason "shallow-edges";
+        says "{count} edge(s) bend by less than {limit} radians, least of all that between the points {} and {}, by \
+            {angle}: where their faces are meant to be in one plane, give the rounding of the points as \
+            `flatness`, about {}; corners are up to {off} off the plane beside them",
+            ends[0],
+            ends[1],
+            ShortNumber(IN_ONE_PLANE * *off);
+
+        /// Edges of a polyhedron so short that their directions are rounding: their ends are one point given twice.
+        ShortEdges {
+            /// Ends of the shortest one.
+            ends: [usize; 2],
+            /// How many there are.
+            count: usize,
+            /// Length of the shortest one.
+            length: f64,
+            /// Lengths up to this are reported: of a hull points that near are one.
+            limit: f64,
+        }
+        reason "short-edges";
+        says "{count} edge(s) are not longer than {limit}, where points are one but for rounding, the shortest that \
+            between the points {} and {}, of length {length}: make their ends one point, or take the hull, which \
+            does", ends[0], ends[1];
+    }
+}
+
+/// Times the distance of corners from the plane beside them, a flatness with which faces of rounded points are in one plane: of a box of
+/// points whose digits are cut, with 99 of 100.
+const IN_ONE_PLANE: f64 = 4.0;

@@ -1,0 +1,92 @@
+//! What should be known of a motion that smooths its poses.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of a motion that smooths its poses.
+    ///
+    /// ```
+    /// use cyclide::{PoseFitWarning, Warning};
+    /// let warning: Warning = PoseFitWarning::SmoothedAway { turning: true, path: 0.5, poses: 0.5 }.into();
+    /// assert_eq!(warning.reason(), "shape-smoothed-away");
+    /// ```
+    pub enum PoseFitWarning {
+        /// The tolerance of a smoothed motion is below the noise of its poses, so that single ones pull it to and fro.
+        PosesNoisier {
+            /// True of the turns, in radians; else of the places.
+            turning: bool,
+            /// Standard deviation of the noise in one direction.
+            sigma: f64,
+            /// The tolerance.
+            tolerance: f64,
+            /// Tolerances from this on are not reported.
+            needed: f64,
+        }
+        reason "tolerance-below-noise";
+        says "the tolerance in {0} of {tolerance}{1} is below what the noise of the poses makes of the farthest \
+            one: its standard deviation is about {sigma}{1} in one direction, and single poses pull the motion to \
+            and fro; give {2}{1} or more", of(*turning), unit(*turning), ShortNumber::no_less(*needed);
+
+        /// A pose of a smoothed motion does not belong to the others: it is far from where these go on.
+        Outlier {
+            /// The pose, from 0.
+            pose: usize,
+            /// True if it is so in its turn, in radians; else in its place.
+            turning: bool,
+            /// How far it is off.
+            distance: f64,
+            /// Standard deviation of the noise of the others in one direction.
+            noise: f64,
+            /// It was left out, as asked for; else it counts.
+            dropped: bool,
+            /// How many there are.
+            count: usize,
+        }
+        reason "outlier";
+        at *pose;
+        when *dropped, says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from where the \
+            poses around it go on, whose noise has a standard deviation of {noise}{1}; left out",
+            of(*turning),
+            unit(*turning);
+        says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from where the poses around it \
+            go on, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within the \
+            tolerance; `\"outliers\": \"drop\"` in the document leaves it out", of(*turning), unit(*turning);
+
+        /// A tolerance of a smoothed motion so large that its path is gone: it is less than 0.8 times as long as the poses say.
+        SmoothedAway {
+            /// True of the turns, in radians; else of the places.
+            turning: bool,
+            /// Length of the path.
+            path: f64,
+            /// Length of that through the poses without their noise.
+            poses: f64,
+        }
+        reason "shape-smoothed-away";
+        says "the path of the motion in {0} is {path}{1} long, its poses say {poses}{1}: what is smaller than the \
+            tolerance is gone; give a smaller one", of(*turning), unit(*turning);
+
+        /// A tolerance of a smoothed motion that is wide against the path, and not for its noise.
+        WideTolerance {
+            /// True of the turns, in radians; else of the places.
+            turning: bool,
+            /// The tolerance.
+            tolerance: f64,
+            /// How far poses without their noise are from the first.
+            extent: f64,
+        }
+        reason "wide-tolerance";
+        says "the tolerance in {0} of {tolerance}{1} is wide against the path, which gets {extent}{1} away from its \
+            start: bends smaller than it may be gone", of(*turning), unit(*turning);
+    }
+}
+
+/// What a tolerance of a motion is of.
+const fn of(turning: bool) -> &'static str {
+    if turning { "angle" } else { "place" }
+}
+
+/// The unit of an angle; lengths have none.
+const fn unit(turning: bool) -> &'static str {
+    if turning { " rad" } else { "" }
+}

@@ -1,0 +1,112 @@
+//! What should be known of grids along the lines of curvature of a surface.
+
+use crate::shape_change::degrees;
+use crate::short_number::ShortNumber;
+use crate::table::table;
+
+table! {
+    /// What should be known of grids along the lines of curvature of a surface.
+    ///
+    /// ```
+    /// use cyclide::{PrincipalGridWarning, Warning};
+    /// let warning: Warning = PrincipalGridWarning::UmbilicsSmoothed { count: 2, turn: 0.5 }.into();
+    /// assert_eq!(warning.reason(), "umbilics-smoothed");
+    /// ```
+    pub enum PrincipalGridWarning {
+        /// Directions of curvature were smoothed further than usual to be rid of umbilics.
+        UmbilicsSmoothed {
+            /// How many are gone.
+            count: usize,
+            /// By how much that turned the directions in the mean, radians.
+            turn: f64,
+        }
+        reason "umbilics-smoothed";
+        says "{count} umbilic(s) were smoothed away, which turned the directions by {} degrees in the mean: a net \
+            over the grid leaves the surface there", degrees(*turn);
+
+        /// A surface is covered by several grids, or not as far as it could be by one.
+        Pieces {
+            /// How many.
+            count: usize,
+            /// The part of the surface that they cover.
+            coverage: f64,
+        }
+        reason "pieces";
+        says "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
+            percent(*coverage);
+
+        /// Grids miss some of their surface.
+        PartlyCovered {
+            /// The part of the surface's area that they cover.
+            coverage: f64,
+            /// The part below which it is said.
+            limit: f64,
+            /// Whether each grid is a rectangle, and not all whole cells.
+            rectangles: bool,
+            /// How many umbilics the surface has.
+            umbilics: usize,
+        }
+        reason "partly-covered";
+        when *rectangles, says "{} % of the surface is covered, less than {} %: a border in steps (`staircase`) and \
+            shorter edges cover more", percent(*coverage), ShortNumber(100.0 * *limit);
+        when *umbilics == 0, says "{} % of the surface is covered, less than {} %: shorter edges cover more, and \
+            the border `cover` all of it", percent(*coverage), ShortNumber(100.0 * *limit);
+        says "{} % of the surface is covered, less than {} %: other lengths of edges may cover more; umbilics \
+            `smooth` cover more and leave the surface around them; or model the parts around the umbilics as \
+            patches of their own", percent(*coverage), ShortNumber(100.0 * *limit);
+
+        /// One mesh of quads round umbilics goes round some of them only.
+        UmbilicsLeftOut {
+            /// How many are left out.
+            count: usize,
+            /// Where the first is.
+            at: [f64; 3],
+        }
+        reason "umbilics-left-out";
+        says "{count} umbilic(s) are not in the mesh, the first at {at}: near the border, or where coordinates are \
+            folded, it ends before them";
+
+        /// A mesh of quads round umbilics runs across the lines of curvature on a part of its surface.
+        OffCurvatureLines {
+            /// That part of where the principal curvatures differ clearly.
+            part: f64,
+            /// Angles above this count, radians.
+            angle: f64,
+            /// Parts above this are reported.
+            limit: f64,
+        }
+        reason "off-curvature-lines";
+        says "on {} % of the surface (where its curvatures differ) the grid runs more than {} degrees off the lines \
+            of curvature: a net leaves the surface there", percent(*part), degrees(*angle);
+
+        /// The lines of curvature of a tube are spirals: a grid that is closed along them leaves them.
+        SpiralLines {
+            /// By how much they come back higher.
+            shift: f64,
+            /// Length of an edge of the grid.
+            edge: f64,
+        }
+        reason "spiral-lines";
+        says "the lines of curvature are spirals, which come back {shift} higher or lower (an edge is {edge}): a \
+            closed net leaves the surface by about half of that";
+
+        /// The edges of a grid along lines of curvature are of very different lengths.
+        UnevenEdges {
+            /// Which grid, from 0.
+            piece: usize,
+            /// The shortest and the longest.
+            edges: [f64; 2],
+            /// Largest ratio that is not reported.
+            limit: f64,
+        }
+        reason "uneven-edges";
+        at *piece;
+        says "edges of grid {piece} are {} to {} long, more than {limit} times apart: lines of curvature run \
+            together there", ShortNumber(edges[0]), ShortNumber(edges[1]);
+    }
+}
+
+/// A part of a whole, in percent with one decimal.
+fn percent(part: f64) -> ShortNumber {
+    ShortNumber((1000.0 * part).round() / 10.0)
+}

@@ -1,0 +1,59 @@
+//! What should be known of a block, or of the cells in it.
+
+use crate::short_number::ShortNumber;
+use crate::table::table;
+use crate::warning::InvertedCause;
+
+table! {
+    /// What should be known of a block, or of the cells in it.
+    ///
+    /// ```
+    /// use cyclide::{VolumeWarning, Warning};
+    /// let warning: Warning = VolumeWarning::Folds { at: [1.0, 2.0, 0.0] }.into();
+    /// assert_eq!(warning.reason(), "volume-folds");
+    /// ```
+    pub enum VolumeWarning {
+        /// A block folds: the parameter lines of one direction run backwards in a part of it.
+        Folds {
+            /// A place in that part: s, t, u.
+            at: [f64; 3],
+        }
+        reason "volume-folds";
+        says "the block folds near s = {}, t = {}, u = {}: its parameter lines run backwards there, and cells have \
+            a negative volume; take a frame nearer to its sides, or corners nearer to those of a box",
+            ShortNumber(at[0]),
+            ShortNumber(at[1]),
+            ShortNumber(at[2]);
+
+        /// Whether a block folds is not proved: parameter lines of one direction come to a stand near a place, or nearly so.
+        FoldUndecided {
+            /// The place: s, t, u.
+            at: [f64; 3],
+            /// How often squares of parameters about it were quartered.
+            depth: u32,
+        }
+        reason "volume-fold-undecided";
+        says "whether the block folds near s = {}, t = {}, u = {} is not decided after {depth} quarterings: cells \
+            are flat there at best", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+
+        /// Cells of a grid are inverted: the hexahedra with straight sides, or those of the block itself where it folds.
+        CellsInverted {
+            /// How many.
+            count: usize,
+            /// Of so many.
+            cells: usize,
+            /// The block of the first one, from 0.
+            block: usize,
+            /// Its place in the block along s, t and u, from 0.
+            at: [usize; 3],
+            /// Why.
+            cause: InvertedCause,
+        }
+        reason "cells-inverted";
+        says "{count} of {cells} cells are inverted, first cell {}, {}, {} of block {block}: {}",
+            at[0],
+            at[1],
+            at[2],
+            cause.words();
+    }
+}
