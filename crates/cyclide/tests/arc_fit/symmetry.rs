@@ -42,6 +42,7 @@ fn plate(seed: u64) -> Vec<Point3> {
 
 /// The farthest that the mirror image of the path is from it, about the axis through the centroid along which the point at
 /// half of `sum` is.
+#[expect(clippy::unwrap_used, reason = "a figure without an axis is a failed test")]
 fn asymmetry(points: &[Point3], fit: &ArcFit, sum: usize) -> f64 {
     let n = points.len();
     let center = points.iter().fold(Vec3::ZERO, |s, p| s + (*p - points[0])) / n as f64 + points[0].to_vec();
