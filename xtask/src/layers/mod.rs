@@ -23,6 +23,10 @@ const FORBIDDEN_MACROS: [&str; 5] = ["println", "print", "eprintln", "eprint", "
 /// Single words: no hand-written unsafe code, double precision only.
 const FORBIDDEN_WORDS: [&str; 2] = ["unsafe", "f32"];
 
+/// Folders of the kernel's sentences, and what these do not say: options of the command and JSON.
+const SENTENCES: [&str; 2] = ["error/subjects/", "warning/subjects/"];
+const FOREIGN_WORDS: [&str; 4] = ["`--", "\\\"", "JSON", "document"];
+
 /// The crates of the workspace and the crates of it that each may depend on; every crate may use the test kit in
 /// its tests.
 const CRATES: [(&str, &[&str]); 5] = [
@@ -138,6 +142,7 @@ fn violations_in_file(house: &House, name: &str, text: &str) -> Vec<String> {
     }
     if house.is_kernel {
         violations.extend(violations_of_kernel(name, &source));
+        violations.extend(foreign_words(name, text));
     }
     violations
 }
@@ -188,6 +193,18 @@ fn violations_in_manifest(text: &str) -> Vec<String> {
         ours && !test_kit && !allowed.contains(&dependency.name.as_str())
     });
     forbidden.map(|dependency| format!("crate {name} must not depend on {}", dependency.name)).collect()
+}
+
+/// Words of the command and of documents in the kernel's sentences.
+fn foreign_words(name: &str, text: &str) -> Vec<String> {
+    if !SENTENCES.iter().any(|folder| name.starts_with(folder)) {
+        return Vec::new();
+    }
+    let code = text.lines().enumerate().filter(|(_, line)| !line.trim_start().starts_with("//"));
+    let found = code.filter_map(|(i, line)| Some((i, FOREIGN_WORDS.iter().find(|word| line.contains(**word))?)));
+    found
+        .map(|(i, word)| format!("{name}:{}: the kernel knows no {word} of documents and the command", i + 1))
+        .collect()
 }
 
 #[cfg(test)]
@@ -287,6 +304,17 @@ mod tests {
         assert!(
             violations_in_file(&KERNEL, "base/quat.rs", "use std::fmt; fn print() { write!(f, \"\"); }").is_empty()
         );
+    }
+
+    #[test]
+    fn sentences_that_speak_of_options_are_found() {
+        for (text, count) in [
+            ("says \"take `--outliers drop`\";", 1),
+            ("says \"take \\\"umbilics\\\"\";", 1),
+            ("/// In a document.\nsays \"take pieces\";", 0),
+        ] {
+            assert_eq!(violations_in_file(&KERNEL, "error/subjects/fit.rs", text).len(), count, "{text}");
+        }
     }
 
     #[test]

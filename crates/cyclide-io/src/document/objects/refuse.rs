@@ -12,6 +12,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::Kind;
 use crate::document::objects::points::{Origin, Points};
 use crate::document::objects::remark::Remark;
+use crate::error::hints::words_of;
 use crate::error::{Error, of_contour};
 use crate::text::place::Source;
 
@@ -32,9 +33,9 @@ impl Builder<'_> {
                 name: ErrorItem::CornerAngle, value, ..
             }) => {
                 let written = self.kind.corner_angle();
-                written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
+                written.map_or_else(|| words_of(error), |angle| corner_angle_words(angle, *value))
             }
-            _ => self.kind.words(error).unwrap_or_else(|| error.to_string()),
+            _ => self.kind.words(error).unwrap_or_else(|| words_of(error)),
         }
     }
 
@@ -47,7 +48,7 @@ impl Builder<'_> {
         if self.document.text.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), contour: None, source: error.clone() };
         }
-        self.refused_in_words(steps, error.reason(), error.to_string())
+        self.refused_in_words(steps, error.reason(), words_of(error))
     }
 
     /// As [`refused_at`](Self::refused_at), in other words.

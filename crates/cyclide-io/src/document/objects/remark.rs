@@ -4,6 +4,7 @@ use cyclide::{ShortNumber, Units, Warning};
 
 use crate::document::locate::{Step, path_text};
 use crate::document::objects::Builder;
+use crate::error::hints::words_of_warning;
 
 /// A warning with its place in the input.
 ///
@@ -37,7 +38,7 @@ impl From<Warning> for Remark {
             contour: None,
             index: warning.index(),
             place: None,
-            message: warning.to_string(),
+            message: words_of_warning(&warning),
             warning: Some(warning),
         }
     }

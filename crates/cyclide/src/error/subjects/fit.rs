@@ -69,8 +69,7 @@ table! {
         reason "outliers";
         at points.first().map(|p| p.0);
         says "tolerance {tolerance} not reached because of {} outlier(s): {} from the curve of the other points, \
-            whose noise has a standard deviation of {noise}; leave them out with `--outliers drop` (in a document \
-            `\"outliers\": \"drop\"`), or use a larger tolerance", points.len(), outliers(&points);
+            whose noise has a standard deviation of {noise}; leave them out, or use a larger tolerance", points.len(), outliers(&points);
 
         /// No curve follows the points without their noise.
         NoiseNotSmoothed {

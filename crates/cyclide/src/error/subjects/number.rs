@@ -107,8 +107,7 @@ table! {
         reason "angle-out-of-range";
         when *angle == 0.0, says "the angle is 0, and must be another one of up to {max:#} radians ({} degrees)",
             ShortNumber(max.to_degrees());
-        says "the angle of {angle:#} radians ({} degrees) is outside {min:#} to {max:#} radians ({} to {} degrees); \
-            degrees are written {{\"degrees\": 90}}",
+        says "the angle of {angle:#} radians ({} degrees) is outside {min:#} to {max:#} radians ({} to {} degrees)",
             ShortNumber(angle.to_degrees()),
             ShortNumber(min.to_degrees()),
             ShortNumber(max.to_degrees());

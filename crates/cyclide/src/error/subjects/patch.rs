@@ -128,7 +128,7 @@ table! {
         when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would run \
             through itself: the surface itself is singular or folded there, limit 0";
         says "a solid between the surface and its offset at distance {distance} would run through itself: a centre \
-            of curvature lies between them, or on one of them, limit {} (`report` gives the radii)",
+            of curvature lies between them, or on one of them, limit {}",
             ShortNumber(nearer(*limit));
     }
 }

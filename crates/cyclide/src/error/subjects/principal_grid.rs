@@ -52,8 +52,8 @@ table! {
         }
         reason "umbilics-remain";
         says "{count} umbilic(s) are left after smoothing by {smoothing}, the first at ({at}) (index {}): one grid \
-            has no room for them: take \"umbilics\": \"pieces\" or \"joined\" with \"border\": \"inside\" or \
-            \"staircase\", or cut a hole round them", index_of_halves(*halves);
+            has no room for them: lay several grids beside them, join one mesh round them with a border inside the \
+            surface or in steps, or cut a hole round them", index_of_halves(*halves);
 
         /// One mesh of quads does not go through an umbilic.
         UmbilicsNotJoined {
@@ -63,8 +63,8 @@ table! {
             fault: JoinFault,
         }
         reason "umbilics-not-joined";
-        says "no mesh of quads goes on through the umbilic at ({at}): {}; \"umbilics\": \"pieces\" lays grids \
-            beside it", fault.words();
+        says "no mesh of quads goes on through the umbilic at ({at}): {}; separate grids can be laid beside \
+            it", fault.words();
 
         /// Lines of curvature come back turned over after a way round a hole: no coordinates follow them all round.
         FieldNotOrientable {
@@ -74,8 +74,8 @@ table! {
             halves: i32,
         }
         reason "field-not-orientable";
-        says "lines of curvature come back turned over after a way round the hole at ({at}) (index {}): take \
-            \"umbilics\": \"pieces\"", index_of_halves(*halves);
+        says "lines of curvature come back turned over after a way round the hole at ({at}) (index {}): lay \
+            separate grids beside it", index_of_halves(*halves);
 
         /// The lines of curvature of a tube come back so much higher that closing them would be a shape of its own.
         SpiralLines {
@@ -86,8 +86,7 @@ table! {
         }
         reason "spiral-lines";
         says "the lines of curvature are spirals, which come back {shift} higher or lower (an edge is {edge}): \
-            closing them gives the surface another shape; \"closed\": true closes them all the same, \"closed\": \
-            false leaves the grid open";
+            closing them gives the surface another shape; close them all the same, or leave the grid open";
 
         /// No grid finds room on a surface.
         NoGrid {

@@ -61,8 +61,7 @@ table! {
         reason "beyond-noise";
         says "the curve leaves out more than noise: the root mean square of the distances is {rms}, and the noise \
             of the points has a standard deviation of about {noise}, so the curve may be farther from what was \
-            measured than the points are; `--smooth auto` (in a document `\"tolerance\": \"auto\"`) follows the \
-            noise";
+            measured than the points are; a strength that follows the noise leaves out no more than that";
 
         /// The noise that was given is not that of the points.
         Contradicted {
@@ -122,19 +121,37 @@ table! {
         when *dropped, says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the \
             others, whose noise has a standard deviation of {noise}; left out";
         says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the others, whose \
-            noise has a standard deviation of {noise}; kept; `--outliers drop` leaves it out (in a document \
-            `\"outliers\": \"drop\"`)";
+            noise has a standard deviation of {noise}; kept";
     }
 }
 
 /// Points that scatter by more than this part of what counts as leaning are called noisy.
 const SCATTER: f64 = 0.15;
 
+fn is_noisy(scatter: f64, limit: f64) -> bool {
+    scatter > SCATTER * limit
+}
+
+impl NoiseWarning {
+    /// Whether a curve leans on the bounds of a tolerance about points that scatter like noisy ones: then a strength that follows their
+    /// noise comes nearer to what was measured.
+    ///
+    /// ```
+    /// use cyclide::NoiseWarning;
+    /// let leans = |scatter: Option<f64>| NoiseWarning::LeansOnWalls { rms: 0.6, limit: 0.55, scatter };
+    /// assert!(leans(Some(0.4)).is_of_noisy_points() && !leans(Some(0.01)).is_of_noisy_points());
+    /// ```
+    #[must_use]
+    pub fn is_of_noisy_points(&self) -> bool {
+        matches!(self, Self::LeansOnWalls { scatter: Some(scatter), limit, .. } if is_noisy(*scatter, *limit))
+    }
+}
+
 /// What comes nearer to points of which a curve leans on the bounds of the tolerance.
 fn nearer_to_points(scatter: Option<f64>, limit: f64) -> String {
     match scatter {
-        Some(scatter) if scatter > SCATTER * limit => format!(
-            "the points scatter by {} from one to the next: if that is noise, `--smooth auto` (in a document `\"tolerance\": \"auto\"`) follows it and comes nearer to what was measured",
+        Some(scatter) if is_noisy(scatter, limit) => format!(
+            "the points scatter by {} from one to the next: if that is noise, a strength that follows it comes nearer to what was measured",
             ShortNumber(scatter)
         ),
         Some(scatter) => format!(

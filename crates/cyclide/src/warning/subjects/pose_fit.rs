@@ -51,7 +51,7 @@ table! {
             unit(*turning);
         says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from where the poses around it \
             go on, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within the \
-            tolerance; `\"outliers\": \"drop\"` in the document leaves it out", of(*turning), unit(*turning);
+            tolerance", of(*turning), unit(*turning);
 
         /// A tolerance of a smoothed motion so large that its path is gone: it is less than 0.8 times as long as the poses say.
         SmoothedAway {

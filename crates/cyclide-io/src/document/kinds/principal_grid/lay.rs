@@ -14,6 +14,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::facts::{Facts, GridFacts};
 use crate::document::objects::idle::{Idle, found};
 use crate::document::objects::remark::Remark;
+use crate::error::hints::words_of;
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::input::exported_faces::Counted;
@@ -104,7 +105,7 @@ impl Builder<'_> {
         };
         match (&error, &given.file) {
             (_, Some(file)) if field == given.field && !self.document.text.is_empty() => {
-                self.refused_in_words([field.into()], error.reason(), format!("{error} (of {file})"))
+                self.refused_in_words([field.into()], error.reason(), format!("{} (of {file})", words_of(&error)))
             }
             (KernelError::PrincipalGrid(PrincipalGridError::NotASurface { index, .. }), None)
                 if spec.faces.is_some() =>

@@ -1,11 +1,14 @@
 //! The error type of reading models; it wraps the kernel's.
 
+pub(crate) mod hints;
+
 use std::path::{Path, PathBuf};
 
 use cyclide::ShortNumber;
 
 use crate::text::escape::escaped;
 use crate::text::place::Diagnostic;
+use hints::words_of;
 
 /// Result of a fallible call of this crate.
 ///
@@ -40,7 +43,7 @@ pub enum Error {
         place: Option<Box<Diagnostic>>,
     },
     /// The kernel refused an object that was not made from a text.
-    #[error("{}: {}{source} [{}]", escaped(object), of_contour(*contour), source.reason())]
+    #[error("{}: {}{} [{}]", escaped(object), of_contour(*contour), words_of(source), source.reason())]
     Geometry {
         /// Name of the object.
         object: String,
