@@ -46,19 +46,22 @@ impl Symmetric<'_> {
         let center = flat[0] + sum * (1.0 / flat.len() as f64);
         let data = Flat { points: &flat, center, symmetric: self };
         let off = |path: &[Piece]| certify(path, self.trace, self.options.target, true).deviation;
-        // What is as near as that is symmetric, but for its joints.
-        let more = if off(other) > NEAR * self.tolerance { other.len() / MORE + 1 } else { 0 };
-        let most = other.len() + more;
+        // What is as near as that is symmetric, but for its joints: its lines stay lines.
+        let is_near = off(other) <= NEAR * self.tolerance;
+        let most = other.len() + if is_near { 0 } else { other.len() / MORE + 1 };
         let limit = (FARTHER * off(other)).max(ENOUGH * self.tolerance);
-        let lines = |path: &[Piece]| path.iter().filter(|piece| piece.arc.is_straight()).count();
+        let lines_of = |path: &[Piece]| path.iter().filter(|piece| piece.arc.is_straight()).count();
         let order = |a: &(f64, Vec<Piece>), b: &(f64, Vec<Piece>)| {
-            let fewest = a.1.len().cmp(&b.1.len()).then(lines(&b.1).cmp(&lines(&a.1)));
+            let fewest = a.1.len().cmp(&b.1.len()).then(lines_of(&b.1).cmp(&lines_of(&a.1)));
             fewest.then(a.0.total_cmp(&b.0))
         };
+        let fewest_lines = if is_near { lines_of(other) } else { 0 };
         // Of sectors whose pieces are found in a way.
         let best = |sectors: &[Sector], pieces: &dyn Fn(&Sector) -> Option<Vec<Piece>>| {
             let paths = sectors.iter().filter_map(|sector| data.unfolded(sector, &pieces(sector)?));
-            let near = paths.filter(|path| path.len() <= most && passes(path)).map(|path| (off(&path), path));
+            let near = paths
+                .filter(|path| path.len() <= most && lines_of(path) >= fewest_lines && passes(path))
+                .map(|path| (off(&path), path));
             near.filter(|path| path.0 <= limit).min_by(order)
         };
         data.sectors().iter().find_map(|sectors| {

@@ -20,7 +20,7 @@ const STRAIGHT: f64 = 1e-6;
 impl Flat<'_> {
     /// The pieces over a sector, run by run between corners.
     pub(super) fn over(&self, sector: &Sector, effort: Effort) -> Option<Vec<Piece>> {
-        let Symmetric { trace, corners, frame, tolerance, options, .. } = self.symmetric;
+        let Symmetric { trace, corners, tolerance, options, .. } = self.symmetric;
         let (n, Range { start, end }) = (self.points.len(), sector.places.clone());
         let laps = (0..3).flat_map(|lap| corners.iter().map(move |c| 2 * (c + lap * n)));
         let mut stops = vec![start];
@@ -45,17 +45,18 @@ impl Flat<'_> {
             }
             let joints = search(&tube, &start, goal, effort.beam()).ok()?;
             let found = self.pieces(&joints, stop, axes)?;
-            let mut straight = found.clone();
-            let across = [0, 1].map(|k| axes[k].then(|| frame.vector_to_world(sector.normals[k])));
-            straighten_between(&mut straight, across, trace, frame.z(), *tolerance, options.target);
-            let pieces = if options.limits_kept(&straight) { straight } else { found };
-            all.extend(self.polished(pieces, axes));
+            all.extend(self.finished(found, axes, sector));
         }
         Some(all)
     }
 
-    fn polished(&self, pieces: Vec<Piece>, axes: [bool; 2]) -> Vec<Piece> {
+    /// Nearly straight pieces of a run are made lines, and all are moved to the least deviation.
+    fn finished(&self, found: Vec<Piece>, axes: [bool; 2], sector: &Sector) -> Vec<Piece> {
         let Symmetric { trace, frame, tolerance, options, .. } = self.symmetric;
+        let mut straight = found.clone();
+        let across = [0, 1].map(|k| axes[k].then(|| frame.vector_to_world(sector.normals[k])));
+        straighten_between(&mut straight, across, trace, frame.z(), *tolerance, options.target);
+        let pieces = if options.limits_kept(&straight) { straight } else { found };
         match axes {
             [false, false] => polished(pieces, trace, frame, *tolerance, options),
             axes => polished_between(pieces, axes, trace, frame, *tolerance, options),
@@ -90,7 +91,7 @@ impl Flat<'_> {
         let runs = starts.windows(2).map(|w| {
             let mut run = pieces[w[0]..w[1]].to_vec();
             run[0].smooth = false;
-            self.polished(run, [axes[0] && w[0] == 0, axes[1] && w[1] == count])
+            self.finished(run, [axes[0] && w[0] == 0, axes[1] && w[1] == count], sector)
         });
         Some(runs.flatten().collect())
     }
