@@ -2,11 +2,17 @@
 
 use super::Symmetric;
 use crate::base::planar::{Point2, Vec2};
+use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::curvature_interval::JointFrame;
+use crate::construct::curves::arc_fit::piece::Piece;
 use std::ops::Range;
 
 /// Mirror images are this part of the tolerance off the points at most.
 const ALIKE: f64 = 0.2;
+/// A path is this part of it off its mirror image at most, where it is symmetric.
+const SAME: f64 = 0.05;
+/// Longer paths are not looked at.
+const MOST: usize = 1000;
 
 /// The part of a trace between two axes; places count half steps.
 pub(super) struct Sector {
@@ -91,6 +97,16 @@ impl Flat<'_> {
 
     pub(super) fn mirrored(&self, p: Point2, normal: Vec2) -> Point2 {
         p + normal * (-2.0 * (p - self.center).dot(normal))
+    }
+
+    /// Whether the middles of all pieces are on the path again when they are mirrored at the axes of sectors.
+    pub(super) fn is_symmetric(&self, path: &[Piece], sectors: &[Sector]) -> bool {
+        let Symmetric { frame, tolerance, .. } = self.symmetric;
+        let is_on = |p: Point3| path.iter().any(|piece| piece.arc.closest_point(p).distance <= SAME * tolerance);
+        let image =
+            |piece: &Piece, normal: Vec2| frame.to_world(self.mirrored(frame.to_local(piece.arc.midpoint()).0, normal));
+        let mut normals = sectors.iter().flat_map(|sector| sector.normals);
+        path.len() <= MOST && normals.all(|normal| path.iter().all(|piece| is_on(image(piece, normal))))
     }
 
     /// The joint on an axis nearest to the trace there, and the tangent across it.

@@ -15,8 +15,6 @@ use axes::{Flat, Sector};
 
 /// A symmetric path may have one piece in so many more, and one: its count is even, or odd, whether or not that is the least.
 const MORE: usize = 10;
-/// But none more than one that is within this part of the tolerance.
-const NEAR: f64 = 0.05;
 /// It is at most so many times as far from the points as another, or this part of the tolerance.
 const FARTHER: f64 = 2.0;
 const ENOUGH: f64 = 0.5;
@@ -46,16 +44,17 @@ impl Symmetric<'_> {
         let center = flat[0] + sum * (1.0 / flat.len() as f64);
         let data = Flat { points: &flat, center, symmetric: self };
         let off = |path: &[Piece]| certify(path, self.trace, self.options.target, true).deviation;
-        // What is as near as that is symmetric, but for its joints: its lines stay lines.
-        let is_near = off(other) <= NEAR * self.tolerance;
-        let most = other.len() + if is_near { 0 } else { other.len() / MORE + 1 };
+        let all = data.sectors();
+        // What is symmetric but for its joints gets no more pieces, and its lines stay lines.
+        let is_symmetric = all.first().is_some_and(|sectors| data.is_symmetric(other, sectors));
+        let most = other.len() + if is_symmetric { 0 } else { other.len() / MORE + 1 };
         let limit = (FARTHER * off(other)).max(ENOUGH * self.tolerance);
         let lines_of = |path: &[Piece]| path.iter().filter(|piece| piece.arc.is_straight()).count();
         let order = |a: &(f64, Vec<Piece>), b: &(f64, Vec<Piece>)| {
             let fewest = a.1.len().cmp(&b.1.len()).then(lines_of(&b.1).cmp(&lines_of(&a.1)));
             fewest.then(a.0.total_cmp(&b.0))
         };
-        let fewest_lines = if is_near { lines_of(other) } else { 0 };
+        let fewest_lines = if is_symmetric { lines_of(other) } else { 0 };
         // Of sectors whose pieces are found in a way.
         let best = |sectors: &[Sector], pieces: &dyn Fn(&Sector) -> Option<Vec<Piece>>| {
             let paths = sectors.iter().filter_map(|sector| data.unfolded(sector, &pieces(sector)?));
@@ -64,7 +63,7 @@ impl Symmetric<'_> {
                 .map(|path| (off(&path), path));
             near.filter(|path| path.0 <= limit).min_by(order)
         };
-        data.sectors().iter().find_map(|sectors| {
+        all.iter().find_map(|sectors| {
             let mut found = best(sectors, &|sector| data.of_path(sector, other));
             for effort in [self.effort, Effort::Best] {
                 if found.as_ref().is_some_and(|path| path.1.len() <= other.len()) {
