@@ -32,7 +32,7 @@ import citations  # noqa: E402  (the one place that looks links up)
 README_BYTES = 6000
 LINE = 160
 # Pages that people read from top to bottom; the tables of the reference pages have longer rows.
-SHORT_LINES = ["README.md", "docs/README.md", "docs/SUMMARY.md", "docs/files.md", "docs/formats.md", "docs/schedule.md", "docs/guide/*.md"]
+SHORT_LINES = ["README.md", "docs/README.md", "docs/SUMMARY.md", "docs/files.md", "docs/formats.md", "docs/schedule.md", "docs/guide/*.md", "docs/kinds/*.md"]
 WITH_COMMANDS = SHORT_LINES
 # What pages may run beside the program itself.
 TOOLS = {"cyclide", "grep", "head", "sed"}

@@ -5,6 +5,7 @@ mod attack;
 mod faces;
 mod layers;
 mod lines;
+mod pages;
 mod reference;
 mod roof;
 mod scan;
@@ -22,6 +23,7 @@ tasks:
   layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
              unsafe code or f32 in the kernel
   lines      lines of code, of tests and of comments in each room
+  pages      write the page of each kind of object, docs/kinds, from the doc comments of the documents
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
   roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         Some("faces") => faces::main(&rest),
         Some("layers") => layers::main(),
         Some("lines") => lines::main(),
+        Some("pages") => pages::main(),
         Some("reference") => reference::main(&rest),
         Some("roof") => roof::main(),
         Some("scan") => scan::main(),

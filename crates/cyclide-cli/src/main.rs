@@ -13,7 +13,7 @@ use arguments::args::Args;
 use arguments::mistaken;
 use arguments::plan::Plan;
 use clap::Parser as _;
-use commands::{compare, gallery, inspect, make, manuals, sample, schedule, start};
+use commands::{compare, gallery, help, inspect, make, manuals, sample, schedule, start};
 use output::terminal;
 
 fn main() -> ExitCode {
@@ -28,6 +28,7 @@ fn main() -> ExitCode {
         Plan::Gallery(plan) => gallery::run(&plan),
         Plan::Schema => inspect::schema(),
         Plan::Completions(shell) => manuals::completions(shell),
+        Plan::Help(word) => help::run(word.as_deref()),
         Plan::Man(folder, write) => manuals::man(&folder, write),
     });
     match outcome {

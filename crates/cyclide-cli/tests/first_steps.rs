@@ -104,6 +104,30 @@ fn new_lists_the_kinds_and_keeps_what_exists() {
 }
 
 #[test]
+fn help_is_the_manual_of_commands_and_kinds() {
+    let folder = Folder::with(&[]);
+    assert_eq!(folder.ok("help"), folder.ok("--help"));
+    assert_eq!(folder.ok("help build"), folder.ok("build --help"));
+    assert!(ObjectSpec::TYPES.iter().all(|kind| folder.ok("help kinds").contains(&format!("\n  {kind} "))));
+    let page = folder.ok("help pipe-tee");
+    for line in [
+        "pipe-tee: A main pipe",
+        "\nFields\n  main (required): object\n",
+        "\n  ends (default \"flat\"): ",
+        "\"wall\": 3",
+    ] {
+        assert!(page.contains(line), "{line} in {page}");
+    }
+    assert!(
+        folder
+            .fails(2, "help pipe-te")
+            .contains("there is no command or kind of object `pipe-te`; did you mean `pipe-tee`?")
+    );
+    assert!(folder.fails(2, "help biuld").contains("did you mean `build`?"));
+    assert!(folder.fails(2, "help xyzzy").contains("'cyclide help kinds' lists the kinds"));
+}
+
+#[test]
 fn completions_know_every_command() {
     let folder = Folder::with(&[]);
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {

@@ -8,7 +8,7 @@
 //!
 //! | topic | where it is |
 //! |---|---|
-//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], where the fields of each stand |
+//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], where the fields of each stand; [`KindPage`], the manual of each |
 //! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]) |
 //! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`Facts`]: [`NetFacts`], [`GridFacts`], [`BlendFacts`], [`CellFacts`]; [`ContourFacts`], [`Fitted`], [`InterpolationFacts`], [`RoundedPolyhedron`], [`SmoothChoice`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
@@ -33,6 +33,7 @@ mod export;
 mod file;
 mod formats;
 mod input;
+mod manual;
 mod measure;
 mod report;
 mod schedule;
@@ -73,6 +74,7 @@ pub use input::confined::ReadFolder;
 #[cfg(feature = "files")]
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
+pub use manual::KindPage;
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellLawReport, CellPlace, CellsReport, CheckError, CircularReport, ClosingReport, ComparisonReport, ContourSamples,

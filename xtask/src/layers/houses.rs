@@ -99,6 +99,7 @@ pub const IO: House = House {
         ("formats", &["export", "drawing", "check", "input", "text"]),
         ("document", &["export", "formats", "input", "measure", "text", "error"]),
         ("report", &["document", "formats", "check", "export", "measure", "text"]),
+        ("manual", &["document", "formats"]),
         ("compare", &["document", "text"]),
         ("schedule", &["document", "formats", "text"]),
     ],

@@ -43,15 +43,16 @@ Examples:
   cyclide new pipe -o pipe.json && cyclide build pipe.json -o pipe.step
   cyclide report roof.json --json
 
-The documentation of the project explains the words: docs/document.md (what a document may hold), docs/report.md (every word
-of the report), docs/formats.md (what each format carries).";
+'cyclide help KIND' is the manual of a kind of object ('cyclide help kinds' lists them). The documentation of the project explains
+the rest: docs/document.md (what documents share), docs/report.md (every word of the report), docs/formats.md (what each format
+carries).";
 
 const NEW_EXAMPLES: &str = "\
 Examples:
   cyclide new arc-fit -o part.json
   cyclide build part.json -o part.dxf -o part.png
 
-Each document builds as printed. Its comments say what the fields mean; docs/document.md and 'cyclide schema' have them all.";
+Each document builds as printed. Its comments say what the fields mean; 'cyclide help TYPE' explains all of them.";
 
 const COMPLETIONS_EXAMPLES: &str = "\
 Examples:
@@ -116,10 +117,16 @@ const SCHEMA_EXAMPLES: &str = "\
 Example:
   cyclide schema > cyclide-1.schema.json";
 
+const HELP_EXAMPLES: &str = "\
+Examples:
+  cyclide help build       the options of a command
+  cyclide help pipe-tee    the fields of a kind of object, and a document to start from
+  cyclide help kinds       all kinds of object";
+
 /// Curves and surfaces made of circles: points or meshes in, exact and smooth geometry out, for CAD, cutting, drawing and
 /// rendering.
 #[derive(Debug, Parser)]
-#[command(name = "cyclide", version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+#[command(name = "cyclide", version, arg_required_else_help = true, disable_help_subcommand = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct Args {
     #[command(subcommand)]
     pub command: Command,
@@ -160,6 +167,9 @@ pub enum Command {
     /// Write manual pages to a folder, one per command.
     #[command(after_help = MAN_EXAMPLES)]
     Man(ManArgs),
+    /// Print the help of a command, or the manual of a kind of object.
+    #[command(after_help = HELP_EXAMPLES)]
+    Help(HelpArgs),
 }
 
 #[derive(Debug, ClapArgs)]
@@ -170,6 +180,13 @@ pub struct NewArgs {
     /// Write to a new file instead of standard output; an old one is never written over.
     #[arg(short, long, value_name = "FILE", requires = "kind")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct HelpArgs {
+    /// A command, a kind of object, or 'kinds' for a list of these; without it the help of the program.
+    #[arg(value_name = "COMMAND|KIND")]
+    pub word: Option<String>,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -15,7 +15,8 @@ use cyclide_io::{
 };
 
 use crate::arguments::args::{
-    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, Kind, ManArgs, NewArgs, OutputArgs, ReportArgs,
+    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, HelpArgs, Kind, ManArgs, NewArgs, OutputArgs,
+    ReportArgs,
 };
 use crate::arguments::compare::ComparePlan;
 use crate::arguments::effect;
@@ -38,6 +39,8 @@ pub enum Plan {
     Completions(Shell),
     /// The manual pages, into a folder.
     Man(PathBuf, WriteOptions),
+    /// The help of a command or kind of object, or of the program.
+    Help(Option<String>),
 }
 
 /// A document to start from.
@@ -110,7 +113,12 @@ impl Args {
             }
             Command::Curve(args) => refuse_suffix(&args.points, Wanted::Points)?,
             Command::Compare(args) => refuse_suffix(&args.points, Wanted::Points)?,
-            Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
+            Command::New(_)
+            | Command::Gallery(_)
+            | Command::Schema
+            | Command::Completions(_)
+            | Command::Man(_)
+            | Command::Help(_) => {}
         }
         match self.command {
             Command::Build(BuildArgs { model, read, output, tolerance }) => {
@@ -137,6 +145,7 @@ impl Args {
                 Ok(Plan::Gallery(GalleryPlan { folder: output, write: write.options() }))
             }
             Command::Schema => Ok(Plan::Schema),
+            Command::Help(HelpArgs { word }) => Ok(Plan::Help(word)),
             Command::Completions(CompletionsArgs { shell }) => Ok(Plan::Completions(shell)),
             Command::Man(ManArgs { output, write }) => {
                 refuse_file_name(&output)?;

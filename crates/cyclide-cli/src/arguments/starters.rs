@@ -15,7 +15,7 @@ pub fn text(kind: &str) -> &'static str {
 }
 
 /// The first line of the document's comment.
-pub fn title(document: &str) -> String {
+fn title(document: &str) -> String {
     let value: serde_json::Value = serde_json::from_str(document).unwrap_or_default();
     value.pointer("/comment/0").and_then(serde_json::Value::as_str).unwrap_or_default().to_owned()
 }

@@ -2,6 +2,7 @@
 
 pub mod compare;
 pub mod gallery;
+pub mod help;
 pub mod inspect;
 mod load;
 pub mod make;

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use cyclide_io::{ObjectSpec, WriteOptions};
+use cyclide_io::{KindPage, ObjectSpec, WriteOptions};
 
 use crate::arguments::plan::NewPlan;
-use crate::arguments::starters::{text, title};
+use crate::arguments::starters::text;
 use crate::output::failure::Failure;
 use crate::output::files;
 use crate::output::terminal;
@@ -25,9 +25,9 @@ pub fn run(plan: &NewPlan) -> Result<(), Failure> {
     files::write(&[(path, text)], WriteOptions::default(), &said)
 }
 
-/// Every type with the first sentence of its document.
+/// Every type by group, with its sentence.
 fn list() -> String {
-    let width = ObjectSpec::TYPES.iter().map(|kind| kind.len()).max().unwrap_or(0);
-    let lines = ObjectSpec::TYPES.iter().map(|kind| format!("  {kind:width$}  {}\n", title(text(kind))));
-    format!("Types of object, each with a document to start from ('cyclide new TYPE'):\n{}", lines.collect::<String>())
+    let head =
+        "Types of object, each with a document to start from ('cyclide new TYPE') and a manual ('cyclide help TYPE').";
+    format!("{head}\n\n{}", KindPage::list())
 }

@@ -285,6 +285,7 @@ impl JsonSchema for Coordinates {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
+            "title": "[x, y, z]",
             "description": "A point or vector: x, y and, if not 0, z.",
             "type": "array",
             "items": { "type": "number" },

@@ -77,7 +77,10 @@ fn tidy(value: &mut Value) {
                 if let [Value::Object(only)] = cases.as_slice() {
                     let only = only.clone();
                     object.shift_remove("anyOf");
-                    object.extend(only);
+                    // What a field says of itself is more than what its type says.
+                    for (key, value) in only {
+                        object.entry(key).or_insert(value);
+                    }
                 }
             }
             if object.get("format").is_some_and(Value::is_string) {

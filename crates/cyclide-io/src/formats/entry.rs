@@ -8,6 +8,7 @@ use crate::export::exported::Exported;
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
 use crate::export::options::ExportOptions;
+use cyclide::Geometry;
 
 /// What a model consists of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,6 +37,21 @@ pub(crate) struct Entry {
     pub(crate) write: fn(&Job<'_>) -> Result<Exported, ExportError>,
     /// The way back; `None` where the file holds no geometry.
     pub(crate) reading: Option<Reading>,
+}
+
+impl Entry {
+    /// What of a geometry the format has no place for; `None` if it holds all of it. Empty geometry is never lost.
+    pub(crate) fn loses(&self, geometry: &Geometry) -> Option<&'static str> {
+        match geometry {
+            Geometry::Curves(contours) if self.lacks == Some(Kind::Curves) && !contours.is_empty() => Some("curves"),
+            Geometry::Surfaces(surfaces) if self.lacks == Some(Kind::Surfaces) && !surfaces.is_empty() => {
+                Some("surfaces")
+            }
+            Geometry::Volumes(volumes) if self.lacks == Some(Kind::Surfaces) && !volumes.is_empty() => Some("volumes"),
+            Geometry::Motion(_) if !self.animates => Some("motions"),
+            _ => None,
+        }
+    }
 }
 
 /// The way back from the bytes of a file.

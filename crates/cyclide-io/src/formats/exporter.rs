@@ -10,7 +10,7 @@ use crate::export::parts::BodyOf;
 use crate::export::provenance::Provenance;
 use crate::export::ready::ReadyModel;
 use crate::formats::Format;
-use crate::formats::entry::{Entry, Kind};
+use crate::formats::entry::Entry;
 use crate::formats::read_back::deviations_of;
 use cyclide::{Geometry, Item, Model};
 
@@ -130,15 +130,7 @@ fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportE
 
 /// A note on the objects that a format has no place for; refused where nothing remains.
 fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError> {
-    let what = |item: &Item| match &item.geometry {
-        Geometry::Curves(contours) if format.lacks == Some(Kind::Curves) && !contours.is_empty() => Some("curves"),
-        Geometry::Surfaces(surfaces) if format.lacks == Some(Kind::Surfaces) && !surfaces.is_empty() => {
-            Some("surfaces")
-        }
-        Geometry::Volumes(volumes) if format.lacks == Some(Kind::Surfaces) && !volumes.is_empty() => Some("volumes"),
-        Geometry::Motion(_) if !format.animates => Some("motions"),
-        _ => None,
-    };
+    let what = |item: &Item| format.loses(&item.geometry);
     let lost: Vec<(&str, &str)> =
         model.items.iter().filter_map(|item| Some((what(item)?, item.name.as_str()))).collect();
     let Some((first_kind, first)) = lost.first().copied() else {

@@ -24,6 +24,16 @@ impl Format {
         self.entry().reading.is_some()
     }
 
+    /// The usual suffix of its files, without the dot.
+    pub(crate) const fn suffix(self) -> &'static str {
+        self.entry().suffixes[0]
+    }
+
+    /// True if files of the format hold a geometry, which has an exact form or not.
+    pub(crate) fn holds(self, geometry: &cyclide::Geometry, exact: bool) -> bool {
+        self.entry().loses(geometry).is_none() && (exact || !self.entry().holds_exact_only)
+    }
+
     /// The format that a suffix in lower case stands for.
     pub(crate) fn of_suffix(suffix: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|format| format.entry().suffixes.contains(&suffix))

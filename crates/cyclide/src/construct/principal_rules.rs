@@ -7,7 +7,7 @@
 /// assert_eq!(cyclide::UmbilicRule::default(), cyclide::UmbilicRule::Pieces);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
@@ -30,7 +30,7 @@ pub enum UmbilicRule {
 /// assert_eq!(cyclide::GridBorder::default(), cyclide::GridBorder::Inside);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),

@@ -18,7 +18,7 @@ use crate::volume::CyclideVolume;
 /// assert_eq!(Units::from_symbol("m"), Some(Units::Metre));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),

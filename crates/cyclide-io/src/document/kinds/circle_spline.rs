@@ -49,7 +49,7 @@ pub struct CircleSplineSpec {
     /// How the circles are blended.
     #[serde(default)]
     pub variant: BlendVariant,
-    /// What happens at the ends of an open curve.
+    /// What happens at the ends of an open curve. Default `natural`.
     #[serde(default)]
     pub ends: EndsSpec,
     /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of

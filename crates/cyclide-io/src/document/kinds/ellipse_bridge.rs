@@ -2,7 +2,7 @@
 
 use cyclide::{EllipseBridge, PointError, ShortNumber, SurfaceObject};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
@@ -59,7 +59,7 @@ pub struct EllipseBridgeSpec {
 /// assert!((built[0].bodies[0].outer.volume() - 8.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // a torus
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BridgeArcs {
     /// Half circles above the plane of the ellipses.

@@ -2,7 +2,7 @@
 
 use cyclide::{CurveObject, FairFit, FairFitOptions, Heights, Noise, Outliers, WaverRemedy};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
@@ -122,7 +122,7 @@ impl FairTolerance {
 /// ```
 /// assert_eq!(cyclide_io::kinds::FairTolerance::AUTO.within(), None);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AutoWord {
     /// As the noise of the points asks.

@@ -2,7 +2,7 @@
 
 use cyclide::{CircleSpline, CurveObject, FairEnd, FairSplineOptions, WaverRemedy};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointFile, PointSource};
@@ -49,7 +49,7 @@ pub struct FairSplineSpec {
     /// Round corners beside straight runs tightly: within this part of the shorter of their two legs, below 0.5.
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 0.5))]
     pub tight: Option<f64>,
-    /// What happens at the ends of an open curve.
+    /// What happens at the ends of an open curve. Default `circle` at both; a closed curve has none.
     #[serde(default)]
     pub ends: FairEndsSpec,
     /// Whether runs of points on a line beside a corner stay straight.
@@ -70,7 +70,7 @@ pub struct FairSplineSpec {
 /// assert_eq!(built[0].item.curves()[0].as_curve().piece_count(), 4);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Straight")]
 pub enum StraightWord {
@@ -156,7 +156,7 @@ pub enum FairEndSpec {
 /// assert!(start.curvature().is_some_and(|k| k < 1e-9));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "FairEndWord")]
 pub enum FairEndWord {

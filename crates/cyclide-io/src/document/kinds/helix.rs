@@ -2,7 +2,7 @@
 
 use cyclide::{CurveObject, Helix, Point3, Vec3};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
@@ -65,7 +65,7 @@ pub struct HelixSpec {
 /// use cyclide_io::kinds::Hand;
 /// assert_eq!(Hand::default(), Hand::Right);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum Hand {

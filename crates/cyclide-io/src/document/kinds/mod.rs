@@ -58,10 +58,12 @@ use crate::document::objects::kind::{Kind, OfPanels};
 
 pub use fields::*;
 
-/// The list: each kind with its module, its description, and the word of its type.
+/// The list, by group: each kind with its module, its description, and the word of its type.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $module:ident: $variant:ident($spec:ident) = $word:literal,)*) => {
-        $(pub use $module::*;)*
+    ($($group:literal {
+        $($(#[$doc:meta])* $module:ident: $variant:ident($spec:ident) = $word:literal,)*
+    })*) => {
+        $($(pub use $module::*;)*)*
 
         /// One object of a document.
         ///
@@ -77,18 +79,27 @@ macro_rules! kinds {
         #[schemars(untagged, rename = "Object")]
         #[non_exhaustive]
         pub enum ObjectSpec {
-            $($(#[$doc])* $variant($spec),)*
+            $($($(#[$doc])* $variant($spec),)*)*
         }
 
         impl ObjectSpec {
             /// The words of the types, in the order of the documentation.
-            pub const TYPES: &'static [&'static str] = &[$($word),*];
+            pub const TYPES: &'static [&'static str] = &[$($($word,)*)*];
+
+            /// The same by group, as manuals list them: the name of each group and the words of its types.
+            ///
+            /// ```
+            /// use cyclide_io::ObjectSpec;
+            /// let (name, words) = ObjectSpec::GROUPS[0];
+            /// assert_eq!((name, words[0]), ("Curves", "arc"));
+            /// ```
+            pub const GROUPS: &'static [(&'static str, &'static [&'static str])] = &[$(($group, &[$($word,)*]),)*];
 
             /// The word of the object's type.
             #[must_use]
             pub fn type_word(&self) -> &'static str {
                 match self {
-                    $(Self::$variant(_) => $word,)*
+                    $($(Self::$variant(_) => $word,)*)*
                 }
             }
 
@@ -96,14 +107,14 @@ macro_rules! kinds {
             #[must_use]
             pub fn is_construction(&self) -> bool {
                 match self {
-                    $(Self::$variant(spec) => spec.construction,)*
+                    $($(Self::$variant(spec) => spec.construction,)*)*
                 }
             }
 
             /// What it says of itself.
             pub(in crate::document) fn kind(&self) -> &dyn Kind {
                 match self {
-                    $(Self::$variant(spec) => spec,)*
+                    $($(Self::$variant(spec) => spec,)*)*
                 }
             }
 
@@ -111,7 +122,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn starter(word: &str) -> Option<&'static str> {
                 match word {
-                    $($word => Some(include_str!(concat!("../starters/", $word, ".json"))),)*
+                    $($($word => Some(include_str!(concat!("../starters/", $word, ".json"))),)*)*
                     _ => None,
                 }
             }
@@ -119,7 +130,7 @@ macro_rules! kinds {
             /// Reads an object of the type `word`; `None` if there is no such type.
             pub(in crate::document) fn parse(word: &str, text: &str) -> Option<serde_json::Result<Self>> {
                 match word {
-                    $($word => Some(serde_json::from_str(text).map(Self::$variant)),)*
+                    $($($word => Some(serde_json::from_str(text).map(Self::$variant)),)*)*
                     _ => None,
                 }
             }
@@ -128,106 +139,124 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// A circular arc or straight segment.
-    arc: Arc(ArcSpec) = "arc",
-    /// A full circle.
-    circle: Circle(CircleSpec) = "circle",
-    /// An ellipse or an arc of one.
-    ellipse: Ellipse(EllipseSpec) = "ellipse",
-    /// A helix.
-    helix: Helix(HelixSpec) = "helix",
-    /// Two arcs between two points with given directions.
-    biarc: Biarc(BiarcSpec) = "biarc",
-    /// Segments through points, corners rounded by arcs.
-    polyline: Polyline(PolylineSpec) = "polyline",
-    /// Arcs through points, tangent-continuous.
-    arc_spline: ArcSpline(ArcSplineSpec) = "arc-spline",
-    /// The fewest arcs near points, tangent-continuous.
-    arc_fit: ArcFit(ArcFitSpec) = "arc-fit",
-    /// The fairest smooth curve through points.
-    fair_spline: FairSpline(FairSplineSpec) = "fair-spline",
-    /// The fairest smooth curve near points.
-    fair_fit: FairFit(FairFitSpec) = "fair-fit",
-    /// A smooth curve through points, blended from circles.
-    circle_spline: CircleSpline(CircleSplineSpec) = "circle-spline",
-    /// A rational B-spline curve.
-    nurbs: Nurbs(NurbsSpec) = "nurbs",
-    /// A local smooth curve through points that Möbius maps keep.
-    moebius_spline: MoebiusSpline(MoebiusSplineSpec) = "moebius-spline",
-    /// A rational curve of lowest degree through points.
-    qb_interpolation: QbInterpolation(QbInterpolationSpec) = "qb-interpolation",
-    /// A smooth curve on a torus through points.
-    torus_spline: TorusSpline(TorusSplineSpec) = "torus-spline",
-    /// A curve that runs evenly round a torus both ways.
-    torus_knot: TorusKnot(TorusKnotSpec) = "torus-knot",
-    /// A closed quartic of one type on a torus.
-    torus_quartic: TorusQuartic(TorusQuarticSpec) = "torus-quartic",
-    /// A circle of a torus.
-    torus_circle: TorusCircle(TorusCircleSpec) = "torus-circle",
-    /// A curve of a torus laid flat.
-    unrolled: Unrolled(UnrolledSpec) = "unrolled",
-    /// A raised or sunk seam along a curve of a torus.
-    torus_seam: TorusSeam(TorusSeamSpec) = "torus-seam",
-    /// One patch of a Dupin cyclide, bounded by four circular arcs.
-    cyclide_patch: CyclidePatch(CyclidePatchSpec) = "cyclide-patch",
-    /// A whole Dupin cyclide.
-    cyclide: Cyclide(CyclideSpec) = "cyclide",
-    /// A smooth surface of patches over a grid of points.
-    cyclidic_net: CyclidicNet(CyclidicNetSpec) = "cyclidic-net",
-    /// Regular grids along the lines of curvature of a mesh.
-    principal_grid: PrincipalGrid(PrincipalGridSpec) = "principal-grid",
-    /// A block whose coordinate surfaces are cyclides that cross at right angles.
-    cyclide_volume: CyclideVolume(CyclideVolumeSpec) = "cyclide-volume",
-    /// Blocks in a grid.
-    cyclide_grid: CyclideGrid(CyclideGridSpec) = "cyclide-grid",
-    /// Blocks in layers over a net.
-    layers: Layers(LayersSpec) = "layers",
-    /// Surfaces inside blocks.
-    coordinate_surfaces: CoordinateSurfaces(CoordinateSurfacesSpec) = "coordinate-surfaces",
-    /// A convex polyhedron with its edges and corners rounded.
-    smooth_polyhedron: SmoothPolyhedron(SmoothPolyhedronSpec) = "smooth-polyhedron",
-    /// A smooth surface through the vertices of a triangle mesh.
-    smooth_mesh: SmoothMesh(SmoothMeshSpec) = "smooth-mesh",
-    /// A smooth patch over one triangle, shaped by three spheres.
-    sphere_blend: SphereBlend(SphereBlendSpec) = "sphere-blend",
-    /// A parallel surface, or the solid between.
-    offset: Offset(OffsetSpec) = "offset",
-    /// What a curve sweeps when it turns about an axis.
-    revolution: Revolution(RevolutionSpec) = "revolution",
-    /// The tube about a curve of arcs and segments.
-    pipe: Pipe(PipeSpec) = "pipe",
-    /// The tube of changing radius along a curve, or through balls.
-    tube: Tube(TubeSpec) = "tube",
-    /// A plane section along a path.
-    sweep: Sweep(SweepSpec) = "sweep",
-    /// A main pipe with branches, blended by rolling balls.
-    pipe_tee: PipeTee(PipeTeeSpec) = "pipe-tee",
-    /// Two pipes that pass each other, blended by a rolling ball.
-    pipe_crossing: PipeCrossing(PipeCrossingSpec) = "pipe-crossing",
-    /// A cylinder or cone blended with a sphere or a plate.
-    contact_blend: ContactBlend(ContactBlendSpec) = "contact-blend",
-    /// The ways of the centres of the balls of blends.
-    ball_centers: BallCenters(BallCentersSpec) = "ball-centers",
-    /// The surface of the centres of the balls between two pipes.
-    center_surface: CenterSurface(CenterSurfaceSpec) = "center-surface",
-    /// A pipe on a plate with a rounded neck.
-    plate_with_neck: PlateWithNeck(PlateWithNeckSpec) = "plate-with-neck",
-    /// Half circles between two ellipses.
-    ellipse_bridge: EllipseBridge(EllipseBridgeSpec) = "ellipse-bridge",
-    /// Arcs between two curves.
-    circular_surface: CircularSurface(CircularSurfaceSpec) = "circular-surface",
-    /// Straight lines between two curves.
-    ruled: Ruled(RuledSpec) = "ruled",
-    /// A motion of a body, through poses or along a curve.
-    motion: Motion(MotionSpec) = "motion",
-    /// The path of a point of a moving body.
-    trajectory: Trajectory(TrajectorySpec) = "trajectory",
-    /// What a curve of a moving body runs over.
-    swept_surface: SweptSurface(SweptSurfaceSpec) = "swept-surface",
-    /// An object mapped.
-    transform: Transform(TransformSpec) = "transform",
-    /// The edges of a surface as arcs.
-    support_structure: SupportStructure(SupportStructureSpec) = "support-structure",
+    "Curves" {
+        /// A circular arc or straight segment.
+        arc: Arc(ArcSpec) = "arc",
+        /// A full circle.
+        circle: Circle(CircleSpec) = "circle",
+        /// An ellipse or an arc of one.
+        ellipse: Ellipse(EllipseSpec) = "ellipse",
+        /// A helix.
+        helix: Helix(HelixSpec) = "helix",
+        /// Two arcs between two points with given directions.
+        biarc: Biarc(BiarcSpec) = "biarc",
+        /// Segments through points, corners rounded by arcs.
+        polyline: Polyline(PolylineSpec) = "polyline",
+        /// Arcs through points, tangent-continuous.
+        arc_spline: ArcSpline(ArcSplineSpec) = "arc-spline",
+        /// The fewest arcs near points, tangent-continuous.
+        arc_fit: ArcFit(ArcFitSpec) = "arc-fit",
+        /// The fairest smooth curve through points.
+        fair_spline: FairSpline(FairSplineSpec) = "fair-spline",
+        /// The fairest smooth curve near points.
+        fair_fit: FairFit(FairFitSpec) = "fair-fit",
+        /// A smooth curve through points, blended from circles.
+        circle_spline: CircleSpline(CircleSplineSpec) = "circle-spline",
+        /// A rational B-spline curve.
+        nurbs: Nurbs(NurbsSpec) = "nurbs",
+        /// A local smooth curve through points that Möbius maps keep.
+        moebius_spline: MoebiusSpline(MoebiusSplineSpec) = "moebius-spline",
+        /// A rational curve of lowest degree through points.
+        qb_interpolation: QbInterpolation(QbInterpolationSpec) = "qb-interpolation",
+    }
+    "Curves on a torus" {
+        /// A smooth curve on a torus through points.
+        torus_spline: TorusSpline(TorusSplineSpec) = "torus-spline",
+        /// A curve that runs evenly round a torus both ways.
+        torus_knot: TorusKnot(TorusKnotSpec) = "torus-knot",
+        /// A closed quartic of one type on a torus.
+        torus_quartic: TorusQuartic(TorusQuarticSpec) = "torus-quartic",
+        /// A circle of a torus.
+        torus_circle: TorusCircle(TorusCircleSpec) = "torus-circle",
+        /// A curve of a torus laid flat.
+        unrolled: Unrolled(UnrolledSpec) = "unrolled",
+        /// A raised or sunk seam along a curve of a torus.
+        torus_seam: TorusSeam(TorusSeamSpec) = "torus-seam",
+    }
+    "Surfaces" {
+        /// One patch of a Dupin cyclide, bounded by four circular arcs.
+        cyclide_patch: CyclidePatch(CyclidePatchSpec) = "cyclide-patch",
+        /// A whole Dupin cyclide.
+        cyclide: Cyclide(CyclideSpec) = "cyclide",
+        /// A smooth surface of patches over a grid of points.
+        cyclidic_net: CyclidicNet(CyclidicNetSpec) = "cyclidic-net",
+        /// Regular grids along the lines of curvature of a mesh.
+        principal_grid: PrincipalGrid(PrincipalGridSpec) = "principal-grid",
+    }
+    "Volumes" {
+        /// A block whose coordinate surfaces are cyclides that cross at right angles.
+        cyclide_volume: CyclideVolume(CyclideVolumeSpec) = "cyclide-volume",
+        /// Blocks in a grid.
+        cyclide_grid: CyclideGrid(CyclideGridSpec) = "cyclide-grid",
+        /// Blocks in layers over a net.
+        layers: Layers(LayersSpec) = "layers",
+        /// Surfaces inside blocks.
+        coordinate_surfaces: CoordinateSurfaces(CoordinateSurfacesSpec) = "coordinate-surfaces",
+    }
+    "Polyhedra and triangles" {
+        /// A convex polyhedron with its edges and corners rounded.
+        smooth_polyhedron: SmoothPolyhedron(SmoothPolyhedronSpec) = "smooth-polyhedron",
+        /// A smooth surface through the vertices of a triangle mesh.
+        smooth_mesh: SmoothMesh(SmoothMeshSpec) = "smooth-mesh",
+        /// A smooth patch over one triangle, shaped by three spheres.
+        sphere_blend: SphereBlend(SphereBlendSpec) = "sphere-blend",
+    }
+    "Surfaces from curves" {
+        /// What a curve sweeps when it turns about an axis.
+        revolution: Revolution(RevolutionSpec) = "revolution",
+        /// The tube about a curve of arcs and segments.
+        pipe: Pipe(PipeSpec) = "pipe",
+        /// The tube of changing radius along a curve, or through balls.
+        tube: Tube(TubeSpec) = "tube",
+        /// A plane section along a path.
+        sweep: Sweep(SweepSpec) = "sweep",
+        /// Arcs between two curves.
+        circular_surface: CircularSurface(CircularSurfaceSpec) = "circular-surface",
+        /// Straight lines between two curves.
+        ruled: Ruled(RuledSpec) = "ruled",
+    }
+    "Pipes and blends" {
+        /// A main pipe with branches, blended by rolling balls.
+        pipe_tee: PipeTee(PipeTeeSpec) = "pipe-tee",
+        /// Two pipes that pass each other, blended by a rolling ball.
+        pipe_crossing: PipeCrossing(PipeCrossingSpec) = "pipe-crossing",
+        /// A cylinder or cone blended with a sphere or a plate.
+        contact_blend: ContactBlend(ContactBlendSpec) = "contact-blend",
+        /// The ways of the centres of the balls of blends.
+        ball_centers: BallCenters(BallCentersSpec) = "ball-centers",
+        /// The surface of the centres of the balls between two pipes.
+        center_surface: CenterSurface(CenterSurfaceSpec) = "center-surface",
+        /// A pipe on a plate with a rounded neck.
+        plate_with_neck: PlateWithNeck(PlateWithNeckSpec) = "plate-with-neck",
+        /// Half circles between two ellipses.
+        ellipse_bridge: EllipseBridge(EllipseBridgeSpec) = "ellipse-bridge",
+    }
+    "Motions" {
+        /// A motion of a body, through poses or along a curve.
+        motion: Motion(MotionSpec) = "motion",
+        /// The path of a point of a moving body.
+        trajectory: Trajectory(TrajectorySpec) = "trajectory",
+        /// What a curve of a moving body runs over.
+        swept_surface: SweptSurface(SweptSurfaceSpec) = "swept-surface",
+    }
+    "Made from other objects" {
+        /// A parallel surface, or the solid between.
+        offset: Offset(OffsetSpec) = "offset",
+        /// An object mapped.
+        transform: Transform(TransformSpec) = "transform",
+        /// The edges of a surface as arcs.
+        support_structure: SupportStructure(SupportStructureSpec) = "support-structure",
+    }
 }
 
 impl ObjectSpec {

@@ -5,7 +5,7 @@ use cyclide::{
     SweepFrame, SweepOptions, TubeError,
 };
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
@@ -78,7 +78,7 @@ pub struct SweepSpec {
 /// use cyclide_io::kinds::SweepEnds;
 /// assert_eq!(SweepEnds::default(), SweepEnds::Flat);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum SweepEnds {

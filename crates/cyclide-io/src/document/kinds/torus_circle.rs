@@ -2,7 +2,7 @@
 
 use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusError, TorusSpline};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
@@ -66,7 +66,7 @@ pub struct TorusCircleSpec {
 /// assert!((length - 30.0 * std::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FamilySpec {

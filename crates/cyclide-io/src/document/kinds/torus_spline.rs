@@ -7,9 +7,9 @@ use cyclide::{
     TorusTangent, TorusWinding, WaverRemedy,
 };
 use schemars::JsonSchema;
-use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
 
 use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
@@ -94,7 +94,7 @@ pub struct TorusSplineSpec {
 /// assert_eq!(spec.method, cyclide_io::kinds::TorusMethod::General);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TorusMethod {
     /// By pieces of one type between two points where that will do, else by more. It always succeeds.

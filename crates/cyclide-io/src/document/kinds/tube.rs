@@ -70,7 +70,7 @@ pub struct TubeSpec {
     /// Balls `[x, y, z, radius]` that it touches all round, in their order. It is exact.
     #[schemars(length(min = 2))]
     pub balls: Option<Vec<[f64; 4]>>,
-    /// Whether the tube through balls comes back to the first.
+    /// Whether the tube through balls comes back to the first. Default `false`.
     pub closed: Option<bool>,
     /// Thickness of the wall about a bore: across the curve, so that the bore has the radius less the wall; along the normals of the envelope of balls.
     /// Default: no bore.

@@ -1,7 +1,7 @@
 //! How the vertices of a net are moved so that every quad has a circle, field by field.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Whether the vertices of a net are moved so that every quad has a circle, and what its border may do.
 ///
@@ -39,7 +39,7 @@ impl Default for MakeCircularSpec {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MakeCircularOptions {
-    /// What the vertices on the border may do.
+    /// What the vertices on the border may do. Default `free`.
     #[serde(default)]
     pub border: BorderSpec,
     /// Steps after which the search is given up. Default: 500.
@@ -82,7 +82,7 @@ impl Default for BorderSpec {
 /// assert_eq!(serde_json::from_str::<BorderWord>(r#""pinned""#)?, BorderWord::Pinned);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum BorderWord {
@@ -107,13 +107,13 @@ pub enum BorderWord {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BorderCurves {
-    /// Curve of the first row, t = 0.
+    /// Name of the curve of the first row, t = 0.
     pub first_row: Option<String>,
-    /// Curve of the last row, t = 1.
+    /// Name of the curve of the last row, t = 1.
     pub last_row: Option<String>,
-    /// Curve of the first column, s = 0.
+    /// Name of the curve of the first column, s = 0.
     pub first_column: Option<String>,
-    /// Curve of the last column, s = 1.
+    /// Name of the curve of the last column, s = 1.
     pub last_column: Option<String>,
 }
 

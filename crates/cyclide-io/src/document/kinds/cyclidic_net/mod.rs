@@ -57,12 +57,12 @@ pub struct CyclidicNetSpec {
     /// Whether the grid is closed along s (the last column joins the first) and along t (the last row joins the first). Do not
     /// repeat the first points. Default: open. For a grid inline only.
     pub closed: Option<[bool; 2]>,
-    /// The frame from which all others follow: `"auto"`, or the directions of growing s and t at the first vertex. In a
+    /// The frame from which all others follow: `"auto"` (default), or the directions of growing s and t at the first vertex. In a
     /// grid from a file s runs from the first to the second corner of the first face and t from the first to the fourth;
     /// the first vertex is reached from the first corner back along s, then back along t.
     #[serde(default)]
     pub frame: FrameSpec,
-    /// Move the vertices so that the corners of every quad are on one circle, and closed directions close.
+    /// Move the vertices so that the corners of every quad are on one circle, and closed directions close. Default `false`.
     #[serde(default)]
     pub make_circular: MakeCircularSpec,
 }

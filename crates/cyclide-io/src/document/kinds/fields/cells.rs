@@ -2,7 +2,7 @@
 
 use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, GridQuality, NumberError, StructuredGrid};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
@@ -138,7 +138,7 @@ pub struct GradedCellsSpec {
 /// assert_eq!(law, CellLaw::Tanh);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum CellLaw {

@@ -8,7 +8,7 @@ use cyclide::{
     PoseTimes, Quat, RationalMotion, ScrewMotion, ShortNumber, TimeLaw, TimedPose, Vec3,
 };
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
@@ -101,7 +101,7 @@ pub struct MotionSpec {
 /// use cyclide_io::kinds::MotionKind;
 /// assert_eq!(MotionKind::default(), MotionKind::Spline);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum MotionKind {
@@ -127,7 +127,7 @@ pub enum MotionKind {
 /// assert_eq!(serde_json::from_str::<PositionCurve>("\"fair\"")?, PositionCurve::Fair);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum PositionCurve {

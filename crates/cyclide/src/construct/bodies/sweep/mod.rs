@@ -24,7 +24,7 @@ use legs::{Leg, Legs, Station};
 /// assert_eq!(cyclide::SweepFrame::default(), cyclide::SweepFrame::RotationMinimizing);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),

@@ -32,7 +32,7 @@ pub enum Noise {
 /// assert_eq!(cyclide::Outliers::default(), cyclide::Outliers::Keep);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Outliers {
     /// They are named and count as the others do; where the strength follows the noise, with a bounded influence.

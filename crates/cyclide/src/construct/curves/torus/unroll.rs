@@ -35,7 +35,7 @@ const SAMPLES: u32 = 16;
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "How a torus is laid flat."))]
 pub enum TorusMap {
     /// Longitude times the major radius by meridian angle times the minor radius: lengths round the tube are true, lengths round the
