@@ -62,7 +62,7 @@ pub(super) fn types_with_field(field: &str) -> Vec<String> {
 }
 
 /// Takes out `null` (an optional field may be left out, not null), the number formats of the program's own types, and of
-/// descriptions their line breaks and their examples, which are those of the library.
+/// descriptions the line breaks within paragraphs and the examples, which are those of the library.
 fn tidy(value: &mut Value) {
     match value {
         Value::Object(object) => {
@@ -88,7 +88,8 @@ fn tidy(value: &mut Value) {
             }
             if let Some(Value::String(text)) = object.get_mut("description") {
                 let prose = text.split("```").next().unwrap_or_default();
-                *text = prose.trim_end().replace('\n', " ");
+                let paragraphs = prose.trim_end().split("\n\n").map(|paragraph| paragraph.replace('\n', " "));
+                *text = paragraphs.collect::<Vec<_>>().join("\n\n");
             }
             object.values_mut().for_each(tidy);
         }

@@ -36,7 +36,7 @@ pub(super) struct Entry {
 
 /// What a page says of an object.
 pub(super) struct Said {
-    pub(super) text: String,
+    pub(super) text: Vec<String>,
     pub(super) rules: Vec<String>,
     pub(super) entries: Vec<Entry>,
     pub(super) types: Vec<Entry>,
@@ -68,7 +68,7 @@ impl<'a> Definitions<'a> {
         let mut entries = pages.fields(object);
         // A stable sort.
         entries.sort_by_key(|entry| EVERYWHERE.contains(&entry.label.as_str()));
-        Said { text: said(object), rules: rules(object), entries, types: types.collect() }
+        Said { text: paragraphs(object), rules: rules(object), entries, types: types.collect() }
     }
 }
 
@@ -216,7 +216,14 @@ fn or(text: String, other: impl FnOnce() -> String) -> String {
     if text.is_empty() { other() } else { text }
 }
 
-/// The description of a schema.
+/// The description of an object, as paragraphs.
+fn paragraphs(object: &Value) -> Vec<String> {
+    let text = object.get("description").and_then(Value::as_str).unwrap_or_default();
+    let line = |paragraph: &str| paragraph.split_whitespace().collect::<Vec<_>>().join(" ");
+    text.split("\n\n").map(line).filter(|paragraph| !paragraph.is_empty()).collect()
+}
+
+/// The description of a schema as one line.
 fn said(schema: &Value) -> String {
     schema
         .get("description")
@@ -285,7 +292,7 @@ mod tests {
         json!({"$defs": {
             "Object": {"anyOf": [{"$ref": "#/$defs/Pot", "description": "A pot."}]},
             "Pot": {
-                "description": "A pot with\n a lid.",
+                "description": "A pot with\n a lid.\n\nIt boils.",
                 "properties": {
                     "type": {"const": "pot"},
                     "comment": {"type": "string", "description": "A remark."},
@@ -311,7 +318,7 @@ mod tests {
         let (object, sentence) = definitions.object("pot").unwrap();
         assert_eq!(sentence, "A pot.");
         let page = definitions.page(object);
-        assert_eq!(page.text, "A pot with a lid.");
+        assert_eq!(page.text, ["A pot with a lid.", "It boils."]);
         assert_eq!(page.rules, ["Give exactly one of: `lid`; or `height` and `side`.", "`width` needs `height`."]);
         let labels: Vec<&str> = page.entries.iter().map(|entry| entry.label.as_str()).collect();
         assert_eq!(labels, ["lid", "height", "width", "side", "comment"]);

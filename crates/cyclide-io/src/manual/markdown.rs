@@ -12,7 +12,8 @@ const MADE: &str =
     "<!-- Made by `cargo xtask pages` from the doc comments in crates/cyclide-io/src/document/kinds. -->\n";
 
 pub(super) fn page(page: &KindPage, picture: &str) -> String {
-    let mut text = format!("# {}\n\n{MADE}\n", page.word) + &paragraph(&page.text);
+    let mut text = format!("# {}\n\n{MADE}\n", page.word)
+        + &page.text.iter().map(|text| paragraph(text)).collect::<Vec<_>>().join("\n");
     if !picture.is_empty() {
         text += &format!("\n![what the document below makes]({picture})\n");
     }

@@ -28,7 +28,7 @@ use entries::{Definitions, Entry};
 pub struct KindPage {
     word: &'static str,
     group: &'static str,
-    text: String,
+    text: Vec<String>,
     rules: Vec<String>,
     fields: Vec<Entry>,
     types: Vec<Entry>,

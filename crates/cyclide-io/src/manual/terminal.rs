@@ -11,9 +11,9 @@ const WIDTH: usize = 100;
 const STEP: usize = 4;
 
 pub(super) fn page(page: &KindPage) -> String {
-    let intro = format!("{}: {}", page.word, page.text);
+    let intro = format!("{}: {}", page.word, page.text.join("\n\n"));
     let rules = page.rules.iter().map(|rule| paragraph(rule, 0)).collect::<String>();
-    let mut text = paragraph(&intro, 0);
+    let mut text = intro.split("\n\n").map(|text| paragraph(text, 0)).collect::<Vec<_>>().join("\n");
     text += "\nFields\n";
     text += &rules;
     text += &entries(&page.fields, STEP / 2);

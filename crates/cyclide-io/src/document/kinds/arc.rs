@@ -64,11 +64,11 @@ pub struct ArcSpec {
     pub tangent: Option<Coordinates>,
     /// Direction of travel at the end, of any length.
     pub end_tangent: Option<Coordinates>,
-    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be
-    /// perpendicular to the chord.
+    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be perpendicular to the chord. Where
+    /// their lengths differ by more than a factor of 1000 the parameter is evened; the points stay the same.
     pub weights: Option<[[f64; 4]; 2]>,
-    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is
-    /// the straight segment.
+    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is the straight segment. At most
+    /// a million (`nearly-full-circle`).
     pub bulge: Option<f64>,
     /// Axis about which a positive bulge turns counter-clockwise. Default `[0, 0, 1]`.
     pub normal: Option<Coordinates>,

@@ -65,7 +65,8 @@ pub struct ArcFitSpec {
     pub construction: bool,
     /// The points.
     pub points: Option<PointSource>,
-    /// Name of a curve of any kind, in place of points; it may be construction geometry. The arcs are within the tolerance of it, both ways.
+    /// Name of a curve of any kind, in place of points; it may be construction geometry. The arcs are within the tolerance of it, both ways. An arc
+    /// or a circle gives itself, and so do arcs that meet smoothly and cannot be fewer: the deviation is 0.
     pub of: Option<String>,
     /// The last point joins the first.
     #[serde(default)]
@@ -79,8 +80,8 @@ pub struct ArcFitSpec {
     /// How hard to search for fewer arcs.
     #[serde(default)]
     pub effort: Effort,
-    /// Turns of the points above this angle are kept as corners. Default: those above pi/6 that no samples of a smooth
-    /// curve explain.
+    /// Turns of the points above this angle are kept as corners, others are not. Default: those above pi/6 that no samples of a smooth curve
+    /// explain.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
     /// Least radius of an arc; what cannot keep it is refused. Default: any.

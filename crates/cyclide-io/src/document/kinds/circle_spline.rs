@@ -18,6 +18,9 @@ use crate::error::Result;
 
 /// A smooth curve through points: neighbouring circles blended into each other.
 ///
+/// It bends by four neighboring points only, which makes it waver more than a `fair-spline`. With the orders 3 and 4 even the change of
+/// curvature is continuous.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;

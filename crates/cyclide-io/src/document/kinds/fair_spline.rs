@@ -18,6 +18,9 @@ use crate::error::Result;
 
 /// The fairest smooth curve through points: continuous curvature that varies as little as that of an Euler spiral.
 ///
+/// It is the smooth curve to start with, and it gives back circles, lines and spheres. Every point acts on the whole curve, with an influence
+/// that falls to a quarter from point to point. A `circle-spline` bends by four neighbors only, which makes it waver more.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
@@ -46,7 +49,8 @@ pub struct FairSplineSpec {
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub tension: f64,
-    /// Round corners beside straight runs tightly: within this part of the shorter of their two legs, below 0.5.
+    /// Round corners beside straight runs tightly: within this part of the shorter of their two legs, below 0.5. With 0.2 the curve leaves the legs
+    /// by a fifth of what it does without.
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 0.5))]
     pub tight: Option<f64>,
     /// What happens at the ends of an open curve. Default `circle` at both; a closed curve has none.
@@ -55,8 +59,9 @@ pub struct FairSplineSpec {
     /// Whether runs of points on a line beside a corner stay straight.
     #[serde(default)]
     pub straight: StraightWord,
-    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of
-    /// points marks corners too).
+    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of points marks corners too). Where
+    /// no such curve exists or it swings out, at turns near half a turn, it is made less fair (the warning `relaxed` names the segments) or cut
+    /// (`sharp-turn-cut`): mark such points as corners.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
 }
@@ -74,7 +79,8 @@ pub struct FairSplineSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Straight")]
 pub enum StraightWord {
-    /// They stay straight, and the curve bends at the corner only.
+    /// They stay straight, and the curve bends at the corner only: where neighboring points turn by more than 30 to 60 degrees and the run by less
+    /// than a hundredth of that.
     #[default]
     Auto,
     /// The curve is as fair as it can be and swings a little along them.

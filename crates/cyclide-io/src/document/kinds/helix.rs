@@ -54,7 +54,7 @@ pub struct HelixSpec {
     /// Which way it turns.
     #[serde(default)]
     pub hand: Hand,
-    /// Largest distance of the curve from the helix, which is not rational; it lies on the cylinder exactly. Default: a millionth of the radius.
+    /// Largest distance of the curve from the helix, which is not rational; it is proved, and the curve lies on the cylinder exactly. Default: a millionth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }

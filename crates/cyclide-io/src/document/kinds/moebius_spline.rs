@@ -23,6 +23,12 @@ use crate::error::Result;
 /// A local smooth curve through points that Möbius maps, inversions too, take to a curve of the same kind: points on a circle, at any
 /// distances, give the circle.
 ///
+/// It is local, and of degree 4 as a rational curve. A `transform` with a sphere takes it to the Möbius spline of the mapped points with the
+/// same `knots` (a list, or `uniform`: chords change under inversions, and with them the knots that follow them), as long as the center of the
+/// sphere is on its side of all spans. Else the image is exact too, and another curve than the spline of the images.
+///
+/// The curvature jumps at its points: where that is seen, take a `fair-spline`.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "moebius-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
@@ -50,7 +56,7 @@ pub struct MoebiusSplineSpec {
     /// What is continuous at the points besides the curve.
     #[serde(default)]
     pub continuity: MoebiusContinuity,
-    /// Of `c1`: the parameters at which the curve passes its points. A list increases, and has one number more for a closed curve.
+    /// Of `c1`: the parameters at which the curve passes its points. A list increases, and has one number more for a closed curve. Default `auto`.
     #[serde(default)]
     pub knots: ParametersSpec,
     /// Of `c1`: derivatives by the knots, one per point, the word `free` for those of the circles. Default: those of the circles everywhere.
@@ -75,7 +81,8 @@ pub enum MoebiusContinuity {
     /// The derivative by the knots, that of the circle through each point and its neighbours.
     #[default]
     C1,
-    /// The direction only, by the directions of those circles alone: without knots, the circle spline of order 1.
+    /// The direction only, by the directions of those circles alone: without knots, the circle spline of order 1. Its images under inversions are
+    /// exact, though not the splines of the mapped points.
     G1,
 }
 

@@ -39,7 +39,8 @@ pub struct PolylineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Radius of the arcs that round the corners, or a list of one per point. Default 0: the corners are sharp.
+    /// Radius of the arcs that round the corners, or a list of one per point. Both legs of a corner must be long enough for its arc
+    /// (`bend-does-not-fit`). Default 0: the corners are sharp.
     #[serde(default)]
     pub radius: RadiiSpec,
 }

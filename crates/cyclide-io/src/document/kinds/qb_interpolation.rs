@@ -18,6 +18,13 @@ use crate::error::Result;
 /// The rational curve of lowest degree of its kind through an odd number of points: the quotient of two quaternion polynomials, which
 /// Möbius maps keep. Points on a circle, a sphere or a plane give a curve on it.
 ///
+/// Through `2n + 1` points both polynomials have the degree `n`, and the curve is rational of degree `2n`; the degree drops to what the points
+/// need.
+///
+/// It is a tool for few points: above a dozen it swings, and above degree 12 it is refused (`degree-too-high`), which is more than 25 points
+/// and derivatives, unless all lie on a curve of a degree up to 12. It is refused too if it would pass through infinity, or if a point cannot
+/// be attained, the others being on a curve of lower degree that misses it (`unattainable-point`).
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2, 1], [5, 1, 1], [6, 0, 3]]}}}"#.parse()?;
@@ -39,7 +46,7 @@ pub struct QbInterpolationSpec {
     pub construction: bool,
     /// The points. They and all `derivatives` are an odd number together, `2n + 1` for a curve of degree `n`.
     pub points: PointSource,
-    /// The parameters at which the curve meets its points.
+    /// The parameters at which the curve meets its points: a rule, or numbers from 0 to 1. They shape it. Default `auto`.
     #[serde(default)]
     pub parameters: ParametersSpec,
     /// Derivatives by the parameter: for each point a list of the first, the second and so on, `[]` for none. Default: none at all.

@@ -30,7 +30,8 @@ pub enum FitTarget {
     /// so are edges that no smooth curve through such samples explains, and the arcs of them.
     #[default]
     Points,
-    /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs.
+    /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs. Refused, with the location, where no
+    /// smooth chain of arcs is.
     Polyline,
 }
 
