@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
-use super::phrases::{cases, choices, either, reference, type_words};
+use super::phrases::{cases, choices, either, plain, reference, type_words};
 
 /// The fields of every object: they come last.
 const EVERYWHERE: [&str; 2] = ["comment", "construction"];
@@ -203,12 +203,6 @@ impl Pages<'_, '_> {
         };
         fields.map(|(name, schema)| self.entry(name.clone(), schema, need(name, schema))).collect()
     }
-}
-
-/// A value as people write it: whole numbers without a point.
-fn plain(value: &Value) -> String {
-    let text = value.to_string();
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
 /// A text, or another one if it is empty.

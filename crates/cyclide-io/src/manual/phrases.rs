@@ -4,7 +4,13 @@ use serde_json::Value;
 
 /// A count of what a list holds, or the range of a number: numbers as the schema writes them.
 fn bound(schema: &Value, key: &str) -> Option<String> {
-    schema.get(key).filter(|value| value.is_number()).map(ToString::to_string)
+    schema.get(key).filter(|value| value.is_number()).map(plain)
+}
+
+/// A value as people write it: whole numbers without a point.
+pub(super) fn plain(value: &Value) -> String {
+    let text = value.to_string();
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
 /// A type in words; `named` says what a reference is called.
@@ -120,7 +126,7 @@ mod tests {
     fn types_are_said_in_words() {
         for (schema, expected) in [
             (json!({"type": "number", "exclusiveMinimum": 0}), "number above 0"),
-            (json!({"type": "integer", "minimum": 1, "maximum": 25}), "whole number from 1 to 25"),
+            (json!({"type": "integer", "minimum": 1, "maximum": 25.0}), "whole number from 1 to 25"),
             (json!({"type": "number", "minimum": 0, "exclusiveMaximum": 0.5}), "number at least 0 and below 0.5"),
             (json!({"type": "string", "description": "Name of the path."}), "name of an object"),
             (json!({"type": "string", "description": "Path of a file."}), "text"),

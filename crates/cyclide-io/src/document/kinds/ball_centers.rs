@@ -12,6 +12,9 @@ use crate::error::Result;
 
 /// The ways of the centres of the balls that make the blends of a tee, a crossing or a contact blend: closed, exact rational curves.
 ///
+/// They are one for each branch of a tee. A ball-nose cutter of that radius follows such a curve. The object that they are of may be
+/// construction geometry; they are mapped by a `transform` of their own.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {

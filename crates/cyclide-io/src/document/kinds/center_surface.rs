@@ -13,6 +13,9 @@ use crate::error::Result;
 
 /// The surface of the centres of all balls that touch the two pipes of a crossing, round the way of those that make its blend: an exact patch of degree (2, 2).
 ///
+/// The balls are of any radius. Between pipes that overlap some have a negative radius, which is that of a ball inside both pipes that touches
+/// them from within. The surface is mapped by a `transform` of its own.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {
@@ -36,7 +39,7 @@ pub struct CenterSurfaceSpec {
     pub construction: bool,
     /// Name of the `pipe-crossing`, outside or inside both pipes; it may be construction geometry.
     pub of: String,
-    /// How much more than the way of the centres it shows: the part of what is left to the balls without end, from 0 to below 1.
+    /// How much more than the path of the centers it shows: the part of what is left to the balls without end, from 0 to below 1. Default 0.25.
     #[serde(default = "quarter")]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub margin: f64,

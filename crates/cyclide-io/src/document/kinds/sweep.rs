@@ -26,6 +26,8 @@ const WHOLE: f64 = 1e-6;
 /// A plane section led across a path: of closed contours a solid, with mitres at corners between segments. Exact along arcs and segments where the section does not turn
 /// about the path.
 ///
+/// Where rectangles about the section overlap in distant parts of the path the warning `sweep-meets-itself` says so.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {
@@ -49,9 +51,13 @@ pub struct SweepSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the path, which may be construction geometry.
+    /// Name of the path, which may be construction geometry. Corners between segments are mitred; a corner beside an arc is refused
+    /// (`corner-not-mitred`), and so are segments too short for their mitres (`mitre-does-not-fit`) and bends narrower than the section
+    /// (`tube-folds`). Arcs within half the `tolerance` stand for a curve of another kind.
     pub of: String,
-    /// Name of the section, a curve in the plane z = 0: its origin runs on the path, x and y stay across it. Contours inside others are holes. It may be construction geometry.
+    /// Name of the section, a curve in the plane z = 0: its origin runs on the path, x and y stay across it, and z points along it
+    /// (`section-not-plane`, `section-meets-itself`). Closed contours make a solid, contours inside others are holes, open ones make surfaces. It
+    /// may be construction geometry.
     pub section: String,
     /// The section is drawn in space, across the path at its start, and is taken as it lies there. Default `false`.
     #[serde(default)]
@@ -62,7 +68,8 @@ pub struct SweepSpec {
     /// Where the y axis of the section points at the start; with `"frame": "up"` everywhere, as far as the path allows. Default `[0, 0, 1]`; where the path starts along it, x of
     /// the section is x of space.
     pub up: Option<Coordinates>,
-    /// Turn about the path over its length, right-handed; on a closed path whole turns.
+    /// Turn about the path in proportion to its length, right-handed; on a closed path whole turns. A closed path in space that brings the section
+    /// back turned is twisted by what is missing. Default 0.
     pub twist: Option<Angle>,
     /// How closed sections end on an open path.
     #[serde(default)]

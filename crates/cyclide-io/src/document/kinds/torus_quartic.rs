@@ -43,7 +43,8 @@ pub struct TorusQuarticSpec {
     pub torus: TorusSource,
     /// Two different families of circles: the type.
     pub families: [FamilySpec; 2],
-    /// How fast it runs along the second family at its start, for its speed along the first; negative ones run back. From 1/32 to 32.
+    /// How fast it runs along the second family at its start, for its speed along the first; negative ones run back. From 1/32 to 32. A quarter of
+    /// the way on it is the other way round.
     pub ratio: f64,
     /// Longitude and meridian angle of its start. Default `[0, 0]`.
     pub start: Option<[Angle; 2]>,

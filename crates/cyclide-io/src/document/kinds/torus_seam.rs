@@ -20,6 +20,12 @@ const SEAM: f64 = 1e-3;
 
 /// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
 ///
+/// Let it reach into the torus by more than `width²/(8 b)`, with the radius `b` of the tube, by which the tube bends away. It has small creases
+/// where the curvature of the curve jumps. Where the curve bends more sharply than half the width the seam would fold: it is refused with the
+/// largest width and the location (`seam-too-wide`). Where parts of it that are no neighbors share space it is refused with the location
+/// (`seam-meets-itself`; all others are proved disjoint, up to the tolerance); seams of different contours that do are warned of
+/// (`seams-meet`). A round bead is a `pipe` about the curve, with a `tolerance`.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "s": {"type": "torus-seam", "of": "k", "width": 3, "height": [-1, 1], "tolerance": 0.1}}}"#.parse()?;

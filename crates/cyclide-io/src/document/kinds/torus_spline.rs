@@ -56,26 +56,29 @@ pub struct TorusSplineSpec {
     pub construction: bool,
     /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
     pub torus: TorusSource,
-    /// Points on or near the torus. Each is moved to the nearest point of the torus.
+    /// Points on or near the torus. Each is moved to the nearest point of the torus, from no farther than `tolerance` (`point-off-torus`). The
+    /// report says how far, and above the default tolerance the warning `moved-onto-torus`.
     pub points: Option<PointSource>,
     /// Longitude and meridian angle of each point.
     pub angles: Option<AnglePairs>,
     /// Distance within which points must be near the torus. Default: a millionth of its major radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Velocities in space, one for each point, by the knots: their length counts. What they have across the torus is left out;
-    /// `"free"` leaves a point its own.
+    /// Velocities in space, one for each point, by the knots: their length counts, and about the distance to the neighbors is a good one. What they
+    /// have across the torus is left out; `"free"` leaves a point its own, that of the parabola through the point and its neighbors.
     pub tangents: Option<Vec<FreeOr<Coordinates>>>,
     /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `"free"` leaves a
     /// point its own.
     pub rates: Option<RatePairs>,
-    /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, ….
+    /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, …. Knots or rates so uneven that a part of the
+    /// curve has no knots of its own, as a span of 1e-10 of all that is to be passed slowly, are refused (`empty-interval`, with the segment; the
+    /// limit is the rounding of the parameter).
     pub knots: Option<Vec<f64>>,
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Turns round the axis and round the tube of a closed curve; or a list of turns added to the shortest way, one pair for each
-    /// step. Default: the shortest way from point to point.
+    /// Turns round the axis and round the tube of a closed curve, as `[1, -2]`; or a list of turns added to the shortest path, one pair for each
+    /// step. Default: the shortest path from point to point, half a turn of both angles at most.
     pub winding: Option<WindingSpec>,
     /// Equal neighbouring points get a loop between them; else they are one point.
     #[serde(default)]
@@ -100,8 +103,8 @@ pub enum TorusMethod {
     /// By pieces of one type between two points where that will do, else by more. It always succeeds.
     #[default]
     General,
-    /// By two pieces of two types from each point to the next, so that directions may be along parallels and meridians in turn: closed,
-    /// with a direction at every point. Not all data have such a curve.
+    /// By two pieces of two types from each point to the next, which share a family of circles: fewer pieces where directions are along parallels
+    /// and meridians in turn. Closed, with a direction at every point. Not all data have such a curve (`no-two-type-solution`).
     TwoTypes,
 }
 

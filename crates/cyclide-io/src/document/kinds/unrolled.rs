@@ -19,6 +19,9 @@ const FLAT: f64 = 1e-5;
 /// A curve of a torus laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the plane z = 0. Lines
 /// break where the curve crosses the cuts.
 ///
+/// A torus cannot be laid flat without stretching: the report says the least and the largest factor along the curve, and both lengths. The
+/// result consists of arcs, so DXF and SVG are exact.
+///
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
@@ -49,7 +52,7 @@ pub struct UnrolledSpec {
     /// Distance within which arcs stand for the curve in the plane. Default: a hundred-thousandth of the width of the plane.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Adds the rectangle of the unrolled torus.
+    /// Adds the rectangle of the unrolled torus, at whose sides lines end where the curve crosses the cuts (`cut-at-seam`).
     #[serde(default)]
     pub border: bool,
 }

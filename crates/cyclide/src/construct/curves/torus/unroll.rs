@@ -38,12 +38,14 @@ const SAMPLES: u32 = 16;
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "How a torus is laid flat."))]
 pub enum TorusMap {
-    /// Longitude times the major radius by meridian angle times the minor radius: lengths round the tube are true, lengths round the
-    /// axis on the top and the bottom of the tube.
+    /// Longitude times the major radius by meridian angle times the minor radius: lengths round the tube are true, lengths round the axis on the
+    /// top and the bottom of the tube. At the distance `r` from the axis lengths round it are multiplied by `a/r`: with the radii `a` and `b` by
+    /// `a/(a+b)` outside, `a/(a-b)` inside.
     #[default]
     Belt,
-    /// Angles are true; circles round the axis, round the tube and the Villarceau circles are straight lines. Lengths are true on the
-    /// top and the bottom of the tube.
+    /// Longitude times the major radius by `2ab/c` times the second angle of the torus, with `c² = a² - b²`. Angles are true; circles round the
+    /// axis, round the tube and the Villarceau circles are straight lines. All lengths are multiplied by `a/r` at the distance `r` from the axis:
+    /// they are true on the top and the bottom of the tube.
     Conformal,
 }
 
