@@ -170,12 +170,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         let (mut numbers, mut places) = kept_or_held(&series, found, reading.drop)?;
         if reading.heights {
             let lengths = lengths(&places, run.closed);
-            // Beside where they stand along the curve, which closed data have no beginning of.
-            let stations = lengths.iter().scan(0.0, |sum, h| Some(std::mem::replace(sum, *sum + h)));
-            let stations = stations.chain([lengths.iter().sum()]);
-            let at =
-                |(i, station): (&usize, f64)| Point3::new(if run.closed { 0.0 } else { station }, 0.0, points[*i].z);
-            let heights: Vec<Point3> = numbers.iter().zip(stations).map(at).collect();
+            let heights: Vec<Point3> = numbers.iter().map(|i| Point3::new(0.0, 0.0, points[*i].z)).collect();
             let heights = Series {
                 points: &heights,
                 directions: 1,
@@ -184,7 +179,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
                 weights: None,
                 ..series
             };
-            let protected = |i: usize| run.closed || protected(numbers[i]);
+            let protected = |i: usize| protected(numbers[i]);
             let found = cleaned(&heights, &protected)?;
             outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[*i]], far / unit)));
             sums.add_heights(&found.smoothed);

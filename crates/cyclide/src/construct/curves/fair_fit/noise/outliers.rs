@@ -23,6 +23,9 @@ const AROUND: isize = 10;
 const NOTHING: f64 = 1e-6;
 /// Largest part of the points that may be outliers.
 const MOST: usize = 4;
+/// Heights laid over stretched lengths rise by one in so many at most, from a point to the next; and points that closed ones go on by.
+const FLAT: f64 = 30.0;
+const MARGIN: usize = 40;
 /// Rounds of each search.
 const ROUNDS: usize = 12;
 const REFINEMENTS: usize = 5;
@@ -38,14 +41,12 @@ pub(super) struct Cleaned {
 
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
-    // Heights stand over lengths that are known.
-    let bursts = if data.chords.is_some() { bursts_of_heights } else { bursts };
-    let runs = bursts(data.points, data.closed);
-    let mut flagged = spikes(data.points, data.closed, &runs, protected);
+    let laid = Laid::of(data);
+    let mut flagged = laid.spikes(protected);
     let mut seen: Vec<Vec<usize>> = Vec::new();
     for _ in 0..REFINEMENTS {
         let (kept, smooth) = without(data, &flagged)?;
-        let found = confirmed(data, &kept, &smooth, &flagged, protected);
+        let found = confirmed(data, &laid, &kept, &smooth, &flagged, protected);
         let next: Vec<usize> = found.iter().map(|f| f.0).collect();
         if next == flagged {
             return Some(Cleaned { kept, smoothed: smooth, outliers: found });
@@ -58,7 +59,7 @@ pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> O
         seen.push(std::mem::replace(&mut flagged, next));
     }
     let (kept, smooth) = without(data, &flagged)?;
-    let found = confirmed(data, &kept, &smooth, &flagged, protected);
+    let found = confirmed(data, &laid, &kept, &smooth, &flagged, protected);
     let outliers: Vec<(usize, f64)> = found.into_iter().filter(|f| flagged.contains(&f.0)).collect();
     if outliers.len() == flagged.len() {
         return Some(Cleaned { kept, smoothed: smooth, outliers });
@@ -86,6 +87,7 @@ fn over(kept: &[usize], chords: &[f64], n: usize) -> Vec<f64> {
 /// Those that are outliers by the smoothed curve and by their neighbours, with their distances from the curve.
 fn confirmed(
     data: &Series<'_>,
+    laid: &Laid,
     kept: &[usize],
     smooth: &Smoothed,
     flagged: &[usize],
@@ -112,19 +114,67 @@ fn confirmed(
         }
     }
     candidates.sort_by_key(|c| c.0);
-    let innocent: Vec<usize> =
-        (0..data.points.len()).filter(|i| candidates.binary_search_by_key(i, |c| c.0).is_err()).collect();
-    let base: Vec<Point3> = innocent.iter().map(|i| data.points[*i]).collect();
-    let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, data.closed).off(base[j]).0).collect();
+    let is_candidate = |i: usize| candidates.binary_search_by_key(&i, |c| c.0).is_ok();
+    let innocent: Vec<usize> = (0..laid.points.len()).filter(|e| !is_candidate(laid.number(*e))).collect();
+    let base: Vec<Point3> = innocent.iter().map(|e| laid.points[*e]).collect();
+    let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, laid.closed).off(base[j]).0).collect();
     candidates.retain(|(i, _)| {
-        let at = innocent.partition_point(|k| k < i);
-        let (_, off) = Beside::between(&base, at, data.closed).off(data.points[*i]);
+        let at = innocent.partition_point(|e| *e < i + laid.margin);
+        let (_, off) = Beside::between(&base, at, laid.closed).off(laid.points[i + laid.margin]);
         let mut near: Vec<f64> =
-            (-AROUND..AROUND).filter_map(|o| around(&usual, at as isize + o, data.closed)).collect();
+            (-AROUND..AROUND).filter_map(|o| around(&usual, at as isize + o, laid.closed)).collect();
         let largest = near.iter().copied().fold(0.0, f64::max);
         off > ALONE * median(&mut near) && off > FARTHEST * largest && off > OFF * smooth.across
     });
     candidates
+}
+
+/// The points of a run, in which what is off the others is looked for. Heights are laid over their lengths, which are stretched so
+/// that how far one is off is a height; closed ones go on round their seam at both ends.
+struct Laid {
+    points: Vec<Point3>,
+    closed: bool,
+    /// So many points before the first are its predecessors.
+    margin: usize,
+    count: usize,
+    heights: bool,
+}
+
+impl Laid {
+    fn of(data: &Series<'_>) -> Self {
+        let count = data.points.len();
+        let Some(lengths) = data.chords else {
+            return Self { points: data.points.to_vec(), closed: data.closed, margin: 0, count, heights: false };
+        };
+        let height = |i: usize| data.points[i].z;
+        let range = (0..count)
+            .map(height)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], z| [least.min(z), most.max(z)]);
+        let (whole, range) = (lengths.iter().sum::<f64>(), range[1] - range[0]);
+        let stretch = if range > 0.0 { FLAT * range * lengths.len() as f64 / whole } else { 1.0 };
+        let stations: Vec<f64> =
+            lengths.iter().scan(0.0, |sum, h| Some(std::mem::replace(sum, *sum + h))).chain([whole]).collect();
+        let at = |i: usize, lap: f64| Point3::new(stretch * (stations[i] + lap * whole), 0.0, height(i));
+        let margin = if data.closed { count.min(MARGIN) } else { 0 };
+        let before = (count - margin..count).map(|i| at(i, -1.0));
+        let after = (0..margin).map(|i| at(i, 1.0));
+        let points = before.chain((0..count).map(|i| at(i, 0.0))).chain(after).collect();
+        Self { points, closed: false, margin, count, heights: true }
+    }
+
+    /// The number in the run of a point.
+    fn number(&self, laid: usize) -> usize {
+        (laid + self.count - self.margin) % self.count
+    }
+
+    fn spikes(&self, protected: &dyn Fn(usize) -> bool) -> Vec<usize> {
+        let bursts = if self.heights { bursts_of_heights } else { bursts };
+        let runs = bursts(&self.points, self.closed);
+        let found = spikes(&self.points, self.closed, &runs, &|e| protected(self.number(e)));
+        // Those round the seam are copies.
+        let own = self.margin..self.margin + self.count;
+        found.into_iter().filter(|e| own.contains(e)).map(|e| e - self.margin).collect()
+    }
 }
 
 /// Points that are far off the polyline of the others: those of runs, and single ones, in rounds: next to one that goes another
