@@ -299,7 +299,7 @@ mod tests {
                 "oneOf": [{"required": ["lid"]}, {"required": ["height", "side"]}],
                 "dependentRequired": {"width": ["height"]}
             },
-            "Lid": {"properties": {"knob": {"type": "boolean", "description": "Has it one?"}}, "required": ["knob"]},
+            "Lid": {"type": "object", "properties": {"knob": {"type": "boolean", "description": "Has it one?"}}, "required": ["knob"]},
             "Length": {"type": "number", "description": "A length."}
         }})
     }
