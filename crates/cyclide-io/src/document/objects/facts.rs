@@ -25,7 +25,7 @@ pub enum Facts {
     #[default]
     None,
     /// Of a net over a grid.
-    Net(NetFacts),
+    Net(Box<NetFacts>),
     /// Of grids along lines of curvature.
     Grids(Box<GridFacts>),
     /// Of a tee, a crossing or a contact blend, or of an image of one.

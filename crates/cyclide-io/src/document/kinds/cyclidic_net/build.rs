@@ -44,7 +44,7 @@ impl<'a> Builder<'a> {
             return self.net_layout(spec, layout);
         }
         let given = self.grid(spec)?;
-        self.facts = Facts::Net(NetFacts::as_given(given.seams()));
+        self.facts = Facts::Net(Box::new(NetFacts::as_given(given.seams())));
         let grid = match spec.make_circular.options() {
             Some(options) => self.circular(spec, &options, &given)?,
             None => given.clone(),

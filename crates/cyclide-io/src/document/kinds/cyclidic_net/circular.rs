@@ -31,7 +31,8 @@ impl<'a> Builder<'a> {
         if let [first, ..] = mesh.report.rejected_quads[..] {
             return Err(self.rejected_quads(spec, grid, first, &mesh.report));
         }
-        self.facts = Facts::Net(NetFacts { seams: grid.seams(), circular: Some(mesh.report) });
+        let facts = NetFacts { seams: grid.seams(), circular: Some(mesh.report) };
+        self.facts = Facts::Net(Box::new(facts));
         Ok(mesh.grid)
     }
 
@@ -63,7 +64,8 @@ impl<'a> Builder<'a> {
             );
             return Err(self.refused_in_words([Step::from("grid")], CROSSING_QUAD, words));
         }
-        self.facts = Facts::Net(NetFacts { seams: Vec::new(), circular: Some(made.report) });
+        let facts = NetFacts { seams: Vec::new(), circular: Some(made.report) };
+        self.facts = Facts::Net(Box::new(facts));
         Ok(made.layout)
     }
 
