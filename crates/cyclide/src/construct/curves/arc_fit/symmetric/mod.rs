@@ -45,7 +45,7 @@ impl Symmetric<'_> {
         let data = Flat { points: &flat, center, symmetric: self };
         let off = |path: &[Piece]| certify(path, self.trace, self.options.target, true).deviation;
         let all = data.sectors();
-        // What is symmetric but for its joints gets no more pieces, and its lines stay lines.
+        // What is symmetric, except in its joints, gets no more pieces, and its lines stay lines.
         let is_symmetric = all.first().is_some_and(|sectors| data.is_symmetric(other, sectors));
         let most = other.len() + if is_symmetric { 0 } else { other.len() / MORE + 1 };
         let limit = (FARTHER * off(other)).max(ENOUGH * self.tolerance);

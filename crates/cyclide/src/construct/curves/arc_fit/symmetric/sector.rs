@@ -14,7 +14,7 @@ use crate::construct::curves::arc_fit::straighten::straighten_between;
 use crate::curve::Arc;
 use std::ops::Range;
 
-/// A line that crosses an axis at a right angle but for this many radians is one.
+/// A straight piece that turns by less than this many radians when it is cut at an axis stays a line.
 const STRAIGHT: f64 = 1e-6;
 
 impl Flat<'_> {
