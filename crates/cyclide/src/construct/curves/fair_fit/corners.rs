@@ -24,6 +24,8 @@ const SPIKE: f64 = 0.5;
 const SPIKE_TURN: f64 = 0.5;
 const SPIKE_REST: f64 = 0.4;
 const FEW_SPIKES: usize = 10;
+/// The points beside it are less than so many usual edges apart.
+const SPREAD: f64 = 8.0;
 const FEWEST_TO_TELL: usize = 20;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
@@ -93,24 +95,50 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     outline
 }
 
+/// The median length of some edges that come before or after one; closed data go on past their seam.
+fn usual_beside(points: &[Point3], closed: bool, edge: usize, forward: bool) -> Option<f64> {
+    let n = points.len();
+    let edges = if closed { n } else { n - 1 };
+    let at = |k: usize| if forward { (edge + k) % n } else { (edge + n - k) % n };
+    let inside = |k: &usize| closed || (if forward { edge + k < edges } else { *k <= edge });
+    let length = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let mut lengths: Vec<f64> = (1..=ROUND.min(n - 1)).filter(inside).map(|k| length(at(k))).collect();
+    lengths.sort_by(f64::total_cmp);
+    lengths.get(lengths.len() / 2).copied()
+}
+
 /// The edges that are far longer than those round them, on both sides.
 pub(super) fn gaps(points: &[Point3], closed: bool) -> Vec<bool> {
     let n = points.len();
     let edges = if closed { n } else { n - 1 };
-    let length = |i: usize| points[i].distance(points[(i + 1) % n]);
-    // Closed data go on past their seam.
-    let around = |i: usize, forward: bool| {
-        let edge = |k: usize| if forward { (i + k) % n } else { (i + n - k) % n };
-        let inside = |k: &usize| closed || (if forward { i + k < edges } else { *k <= i });
-        let mut lengths: Vec<f64> = (1..=ROUND.min(n - 1)).filter(inside).map(|k| length(edge(k))).collect();
-        lengths.sort_by(f64::total_cmp);
-        lengths.get(lengths.len() / 2).copied()
-    };
     let is_gap = |i: usize| {
-        let usual = [around(i, false), around(i, true)].into_iter().flatten().fold(0.0, f64::max);
-        usual > 0.0 && length(i) > GAP * usual
+        let beside = [false, true].into_iter().filter_map(|forward| usual_beside(points, closed, i, forward));
+        let usual = beside.fold(0.0, f64::max);
+        usual > 0.0 && points[i].distance(points[(i + 1) % n]) > GAP * usual
     };
     (0..n).map(|i| i < edges && is_gap(i)).collect()
+}
+
+/// The runs of wrong points without those among corners, which are corners of the figure too.
+pub(super) fn without_figures(
+    points: &[Point3],
+    closed: bool,
+    bursts: Vec<usize>,
+    corners: &[(usize, f64)],
+) -> Vec<usize> {
+    let n = points.len();
+    let is_corner = |i: usize| corners.binary_search_by_key(&(i % n), |c| c.0).is_ok();
+    let is_wrong = |i: usize| bursts.binary_search(&(i % n)).is_ok();
+    // From one of them on, in a direction, past the point beside the run: the edge to the run turns it.
+    let beyond = |i: usize, step: usize| {
+        let rest = (0..n).map(|k| i + k * step).skip_while(|i| is_wrong(*i)).skip(1);
+        rest.take(ROUND).take_while(|i| closed || (*i % n > 0 && *i % n < n - 1)).map(is_corner).collect::<Vec<_>>()
+    };
+    let is_figure = |i: &usize| {
+        let near = [beyond(*i, 1), beyond(*i + n, n - 1)].concat();
+        2 * near.iter().filter(|corner| **corner).count() > near.len()
+    };
+    bursts.iter().filter(|i| !is_figure(i)).copied().collect()
 }
 
 /// The sides without those that wrong points make: a single one, whose neighbours are close to each other, and runs of some,
@@ -145,6 +173,16 @@ pub(super) fn spikes(points: &[Point3], closed: bool, bursts: &[usize]) -> Vec<u
     };
     let turns: Vec<Vec3> = (0..n).map(turn).collect();
     let range = if closed { 0..n } else { 3..n.saturating_sub(3) };
+    // The points beside a wrong one are about as close together as those beyond them, and the polyline goes on over them: else it
+    // is a corner between sides.
+    let goes_on = |i: usize, size: f64| {
+        let [far, before, after, beyond] = [n - 2, n - 1, 1, 2].map(|k| at(i + k));
+        let over = after - before;
+        let turn = (before - far).angle(over).max(over.angle(beyond - after));
+        let beside = [((i + n - 1) % n, false), (i, true)];
+        let usual = beside.into_iter().filter_map(|(edge, forward)| usual_beside(points, closed, edge, forward));
+        turn < SPIKE * size && over.length() < SPREAD * usual.fold(f64::INFINITY, f64::min)
+    };
     let is_spike = |i: &usize| {
         let [far, before, own, after, beyond] = [n - 2, n - 1, 0, 1, 2].map(|k| turns[(i + k) % n]);
         let size = own.length();
@@ -153,6 +191,7 @@ pub(super) fn spikes(points: &[Point3], closed: bool, bursts: &[usize]) -> Vec<u
             && after.dot(own) < 0.0
             && (before + own + after).length() < SPIKE_REST * size
             && far.length().max(beyond.length()) < SPIKE * size
+            && goes_on(*i, size)
     };
     let found: Vec<usize> = range.filter(is_spike).collect();
     let found = if found.len() * FEW_SPIKES > n { Vec::new() } else { found };

@@ -38,6 +38,7 @@ impl Edged {
         // Exact points have no runs of wrong ones.
         let is_exact = tolerance <= NEAREST * diameter(&distinct.points);
         let bursts = if is_exact { Vec::new() } else { noise::bursts(&distinct.points, options.closed) };
+        let bursts = corners::without_figures(&distinct.points, options.closed, bursts, &outline.corners);
         let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight, &bursts);
         let spikes = corners::spikes(&distinct.points, options.closed, &bursts);
         let stays = |i: &usize| forced.binary_search(i).is_ok() || spikes.binary_search(i).is_err();
