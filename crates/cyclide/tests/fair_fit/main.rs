@@ -5,5 +5,6 @@ mod data;
 mod degenerate;
 mod figures;
 mod laws;
+mod plates;
 mod strength;
 mod wrong_points;

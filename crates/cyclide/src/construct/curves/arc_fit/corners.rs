@@ -48,9 +48,15 @@ pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
 }
 
 /// The reading of the points for a fit: corners by the angle that is given, else by the rule of the target. Edges that are
-/// meant themselves need no reading.
-pub(super) fn outline(points: &[Point3], forced: &[usize], options: &ArcFitOptions, scattered: Scattered) -> Outline {
-    let mut outline = Outline::read(points, options.closed, options.tolerance, options.corner_angle, forced, scattered);
+/// meant themselves need no reading. Noise may have moved the points by `noise`.
+pub(super) fn outline(
+    points: &[Point3],
+    forced: &[usize],
+    options: &ArcFitOptions,
+    noise: f64,
+    scattered: Scattered,
+) -> Outline {
+    let mut outline = Outline::read(points, options.closed, noise, options.corner_angle, forced, scattered);
     if options.target == FitTarget::Polyline {
         if options.corner_angle.is_none() {
             outline.corners = corners(points, forced, options);

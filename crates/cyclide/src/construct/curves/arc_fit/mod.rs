@@ -37,7 +37,7 @@ use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
-use crate::construct::curves::outline::{Outline, Scattered, kept_corners};
+use crate::construct::curves::outline::{FINER, NEAR, Outline, Scattered, kept_corners};
 use crate::curve::{Arc, ArcPath};
 use crate::error::{Error, ErrorItem, FitError, PointError, Result};
 use crate::warning::{FitWarning, Warning};
@@ -206,16 +206,38 @@ impl ArcFit {
     fn one_way(list: &Distinct, way: &WayRound, options: &ArcFitOptions, effort: Effort) -> Result<Self> {
         let forced: Vec<usize> = options.corners.iter().map(|c| list.position(*c)).collect();
         let (distinct, forced) = way.taken(list, &forced);
-        let read = |scattered: Scattered| corners::outline(&distinct.points, &forced, options, scattered);
-        let outline = read(Scattered::Vertices);
+        let read = |lasting: f64, scattered: Scattered| {
+            corners::outline(&distinct.points, &forced, options, lasting * options.tolerance, scattered)
+        };
+        let outline = read(1.0, Scattered::Vertices);
         match Self::of_outline(&distinct, &outline, way, options, effort) {
             // Points that noise has moved past each other are vertices of no outline.
             Err(error @ Error::Fit(FitError::NoG1SplineInTube { .. })) => {
-                let other = read(Scattered::Noise);
+                let other = read(1.0, Scattered::Noise);
                 if other == outline { Err(error) } else { Self::of_outline(&distinct, &other, way, options, effort) }
+            }
+            // Details of an outline may be smaller than the tolerance, its sides are not.
+            Ok(fit) if fit.is_left() && options.corner_angle.is_none() => {
+                let finer = FINER.into_iter().filter_map(|part| {
+                    let finer = read(part, Scattered::Noise);
+                    let fit = outline
+                        .is_coarser(&finer)
+                        .then(|| Self::of_outline(&distinct, &finer, way, options, effort))?
+                        .ok()?;
+                    let is_near = fit.certificate.polyline_deviation <= NEAR * options.tolerance;
+                    (!fit.is_left() && is_near).then_some(fit)
+                });
+                Ok({ finer }.next().unwrap_or(fit))
             }
             found => found,
         }
+    }
+
+    /// The curve leaves the edges of the points, as is said.
+    fn is_left(&self) -> bool {
+        let is_said =
+            |w: &Warning| matches!(w, Warning::Fit(FitWarning::ReadAsCurve { .. } | FitWarning::SwingsOut { .. }));
+        self.warnings.iter().any(is_said)
     }
 
     fn of_outline(

@@ -24,8 +24,8 @@ const SPIKE: f64 = 0.5;
 const SPIKE_TURN: f64 = 0.5;
 const SPIKE_REST: f64 = 0.4;
 const FEW_SPIKES: usize = 10;
-/// The points beside it are less than so many usual edges apart.
-const SPREAD: f64 = 8.0;
+/// The points beside it are more than so many usual edges apart, and less than so many: those beside a thin tooth are closer together.
+const SPREAD: [f64; 2] = [0.33, 32.0];
 const FEWEST_TO_TELL: usize = 20;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.
@@ -129,15 +129,12 @@ pub(super) fn without_figures(
     let n = points.len();
     let is_corner = |i: usize| corners.binary_search_by_key(&(i % n), |c| c.0).is_ok();
     let is_wrong = |i: usize| bursts.binary_search(&(i % n)).is_ok();
-    // From one of them on, in a direction, past the point beside the run: the edge to the run turns it.
+    // From one of them on, past the point beside the run: the edge to the run turns it.
     let beyond = |i: usize, step: usize| {
         let rest = (0..n).map(|k| i + k * step).skip_while(|i| is_wrong(*i)).skip(1);
-        rest.take(ROUND).take_while(|i| closed || (*i % n > 0 && *i % n < n - 1)).map(is_corner).collect::<Vec<_>>()
+        rest.take(ROUND).take_while(|i| closed || (*i % n > 0 && *i % n < n - 1)).filter(|i| is_corner(*i)).count()
     };
-    let is_figure = |i: &usize| {
-        let near = [beyond(*i, 1), beyond(*i + n, n - 1)].concat();
-        2 * near.iter().filter(|corner| **corner).count() > near.len()
-    };
+    let is_figure = |i: &usize| 2 * beyond(*i, 1).max(beyond(*i + n, n - 1)) > ROUND;
     bursts.iter().filter(|i| !is_figure(i)).copied().collect()
 }
 
@@ -181,7 +178,8 @@ pub(super) fn spikes(points: &[Point3], closed: bool, bursts: &[usize]) -> Vec<u
         let turn = (before - far).angle(over).max(over.angle(beyond - after));
         let beside = [((i + n - 1) % n, false), (i, true)];
         let usual = beside.into_iter().filter_map(|(edge, forward)| usual_beside(points, closed, edge, forward));
-        turn < SPIKE * size && over.length() < SPREAD * usual.fold(f64::INFINITY, f64::min)
+        let (least, most) = usual.fold((f64::INFINITY, 0.0_f64), |(least, most), h| (least.min(h), most.max(h)));
+        turn < SPIKE * size && over.length() < SPREAD[1] * least && over.length() > SPREAD[0] * most
     };
     let is_spike = |i: &usize| {
         let [far, before, own, after, beyond] = [n - 2, n - 1, 0, 1, 2].map(|k| turns[(i + k) % n]);

@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 
 /// Corners and sides are read with the noise of what is left, so often.
 const READINGS: usize = 4;
+/// Of exact points these may lose one corner or side in so many.
+const FEW: usize = 10;
 /// Of at least so many points,
 const MANY_POINTS: usize = 100;
 /// this part is too many for corners, if in whole degrees their turns differ more often than this part of them (of so many at most)
@@ -50,6 +52,17 @@ impl Edged {
         !self.corners.is_empty() || self.straight.contains(&true)
     }
 
+    /// The other has the same corners and sides but for a few that are missing.
+    fn is_nearly(&self, other: &Self) -> bool {
+        let (n, count) = (self.straight.len(), self.corners.len());
+        let is_own = |i: &usize| self.corners.binary_search(i).is_ok();
+        let sides = self.straight.iter().filter(|side| **side).count();
+        let changed = (0..n).filter(|i| self.straight[*i] != other.straight[*i]).count();
+        other.corners.iter().all(is_own)
+            && (count - other.corners.len()) * FEW <= count
+            && changed * FEW <= sides.max(count)
+    }
+
     /// The runs of points that one smooth curve explains: they end at corners, which they share, and at straight sides, beside
     /// which the curvature jumps.
     pub fn runs(&self, options: &FairFitOptions) -> Vec<Run> {
@@ -77,28 +90,12 @@ impl Edged {
 
     /// The corners and straight sides that last over more than the noise, and what the points say about that with them.
     pub fn in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Self, Option<Denoised>) {
-        let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
-        let within = |tolerance: f64| Self::within(distinct, &automatic, tolerance);
-        let forced = within(f64::INFINITY);
-        let gaps = corners::gaps(&distinct.points, options.closed);
-        let bursts = noise::bursts(&distinct.points, options.closed);
-        let gaps = corners::without_spikes(&distinct.points, options.closed, &gaps, &bursts);
-        // All those of exact points, if they are some with the noise of the runs between them too: else they are taken for noise.
-        let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
-        let sharp = within(known.unwrap_or(NEAREST * size));
-        let is_corner = |i: usize| sharp.corners.binary_search(&(i % gaps.len())).is_ok();
-        let is_side = |i: usize| sharp.straight[i] || (is_corner(i) && is_corner(i + 1));
-        let is_all = (0..gaps.len()).all(|i| !gaps[i] || is_side(i));
-        let is_asked = options.corner_angle.is_none() && sharp != forced && is_all;
-        if is_asked && !Self::are_of_noise(distinct, &automatic, &sharp, &forced) {
-            match read(distinct, options, &sharp) {
-                Some(found) if known.is_some() || within(OF_NOISE * found.deviation) == sharp => {
-                    return (sharp, Some(found));
-                }
-                None => return (sharp, None),
-                Some(_) => {}
-            }
+        if let Some(exact) = Self::of_exact(distinct, options, size) {
+            return exact;
         }
+        let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
+        let forced = Self::within(distinct, &automatic, f64::INFINITY);
+        let gaps = Self::gaps(distinct, options);
         if let Some((edged, found)) =
             Self::by_places(distinct, options, Self { corners: forced.corners.clone(), straight: gaps })
         {
@@ -115,6 +112,43 @@ impl Edged {
         let Some(found) = found else { return (edged, None) };
         let (edged, found) = with_meeting_sides(distinct, options, edged, found);
         (edged, Some(found))
+    }
+
+    /// All corners and sides of exact points, if they are some with the noise of the runs between them too: else they are taken for
+    /// noise, and there is none of this.
+    pub fn of_exact(distinct: &Distinct, options: &FairFitOptions, size: f64) -> Option<(Self, Option<Denoised>)> {
+        let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
+        let within = |tolerance: f64| Self::within(distinct, &automatic, tolerance);
+        let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
+        let (sharp, forced) = (within(known.unwrap_or(NEAREST * size)), within(f64::INFINITY));
+        let gaps = Self::gaps(distinct, options);
+        let is_corner = |i: usize| sharp.corners.binary_search(&(i % gaps.len())).is_ok();
+        let is_side = |i: usize| sharp.straight[i] || (is_corner(i) && is_corner(i + 1));
+        let is_all = (0..gaps.len()).all(|i| !gaps[i] || is_side(i));
+        let is_asked = options.corner_angle.is_none() && sharp != forced && is_all;
+        if !is_asked || Self::are_of_noise(distinct, &automatic, &sharp, &forced) {
+            return None;
+        }
+        let mut edged = Self { corners: sharp.corners.clone(), straight: sharp.straight.clone() };
+        for _ in 0..READINGS {
+            let Some(found) = read(distinct, options, &edged) else { return Some((edged, None)) };
+            let seen = within(known.unwrap_or(OF_NOISE * found.deviation));
+            if seen == edged {
+                return Some((edged, Some(found)));
+            }
+            if !sharp.is_nearly(&seen) {
+                break;
+            }
+            edged = seen;
+        }
+        None
+    }
+
+    /// The edges that are far longer than those round them, without those to wrong points.
+    fn gaps(distinct: &Distinct, options: &FairFitOptions) -> Vec<bool> {
+        let gaps = corners::gaps(&distinct.points, options.closed);
+        let bursts = noise::bursts(&distinct.points, options.closed);
+        corners::without_spikes(&distinct.points, options.closed, &gaps, &bursts)
     }
 
     /// Corners that are a large part of many points and turn by all sorts of angles are noise, where a smooth curve explains the points.

@@ -46,11 +46,12 @@ use crate::base::range;
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::construct::curves::canonical_start::runs_backwards;
+use crate::construct::curves::outline::{FINER, NEAR, Outline};
 use crate::curve::CircleSpline;
 use crate::error::{Error, FitError, Result};
 use crate::warning::{FitWarning, NoiseWarning, Warning};
 use edged::Edged;
-use measured::{Measured, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
+use measured::{Measured, OF_NOISE, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
 use parts::Parts;
 use working_frame::WorkingFrame;
@@ -93,6 +94,8 @@ pub struct FairFit {
     warnings: Vec<Warning>,
     /// How far the curve is from the polyline, and the limit, where it swings out between points.
     swing: Option<(f64, f64)>,
+    /// Where corners smaller than the tolerance are kept: the positions of all among the distinct points, rising.
+    corners: Vec<usize>,
 }
 
 /// What is proved about a fair fit, and how fair it is.
@@ -203,8 +206,9 @@ impl FairFit {
             None => fit,
         };
         if let Some(mut found) = found.filter(|_| options.outliers == Outliers::Keep) {
-            // The curve has gone out of its way to reach these.
-            found.outliers.retain(|(_, distance)| *distance > options.tolerance);
+            // The curve has gone out of its way to reach these, and they are no corners of it.
+            let is_corner = |i: &usize| fit.corners.binary_search(i).is_ok();
+            found.outliers.retain(|(i, distance)| *distance > options.tolerance && !is_corner(i));
             fit.warnings.extend(outliers_named(&found, &distinct.source, false));
         }
         fit.certificate.deviation_z = loose.map(|moved| moved + fit.certificate.deviation);
@@ -261,22 +265,69 @@ impl FairFit {
     fn near(distinct: &Distinct, options: &FairFitOptions, measured: Option<Measured<'_>>) -> Result<Self> {
         // What a merged point is away from the one that stands for it counts.
         let full = options.tolerance - distinct.moved;
-        let (mut fit, kept_to) = Self::best_within(distinct, options, full, measured)?;
+        let best = Self::best_within(distinct, options, full, measured);
+        let is_missed = matches!(best, Err(Error::Fit(FitError::ToleranceNotReached { .. })));
+        let details =
+            |tolerance: f64| if measured.is_none() { Self::with_details(distinct, options, tolerance) } else { None };
+        let (mut fit, kept_to) = match best {
+            Err(missed) => return if is_missed { details(full).ok_or(missed) } else { Err(missed) },
+            Ok(best) => best,
+        };
         if kept_to < full {
             fit.warnings.push(Warning::Fit(FitWarning::WideTolerance { tolerance: options.tolerance, used: kept_to }));
+        }
+        let mut held = None;
+        if fit.swing.is_some() && options.edge_points == 0 {
+            // The points alone do not hold the curve where a corner is thinner than they are dense.
+            let options = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
+            held = Self::within(distinct, &options, kept_to, measured).ok().filter(|held| held.swing.is_none());
+        }
+        if fit.is_left() && !held.as_ref().is_some_and(|held| held.is_near(kept_to)) {
+            if let Some(details) = details(kept_to) {
+                return Ok(details);
+            }
         }
         let Some((distance, limit)) = fit.swing else {
             return Ok(fit);
         };
-        // The points alone do not hold the curve where a corner is thinner than they are dense.
-        let held = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
-        let held = if options.edge_points == 0 { Self::within(distinct, &held, kept_to, measured).ok() } else { None };
-        let (mut fit, held) = match held {
-            Some(held) if held.swing.is_none() => (held, true),
-            _ => (fit, false),
-        };
-        fit.warnings.push(Warning::Fit(FitWarning::SwingsOut { distance, limit, held, has_target: false }));
+        let has_held = held.is_some();
+        let mut fit = held.unwrap_or(fit);
+        fit.warnings.push(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: has_held, has_target: false }));
         Ok(fit)
+    }
+
+    /// The fit that keeps corners and sides smaller than the tolerance too, where the points have them and that brings it near all
+    /// edges: details of an outline may be smaller than the tolerance, its sides are not.
+    fn with_details(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Option<Self> {
+        if options.corner_angle.is_some() {
+            return None;
+        }
+        let coarse = Self::outline(distinct, options, tolerance, None);
+        let finer = FINER.into_iter().map(|part| Self::outline(distinct, options, part * tolerance, None));
+        let finer = finer.filter(|finer| coarse.is_coarser(finer));
+        // Of exact points all of them.
+        let exact = || {
+            let noise = Edged::of_exact(distinct, options, diameter(&distinct.points))?.1?.deviation;
+            let lasting = OF_NOISE * noise;
+            (lasting < FINER[0] * tolerance).then(|| Self::outline(distinct, options, lasting, None))
+        };
+        let fit = |outline: Outline| {
+            let mut fit = Self::of_outline(distinct, options, tolerance, None, &outline).ok()?;
+            fit.corners = outline.corners.iter().map(|corner| corner.0).collect();
+            (!fit.is_left() && fit.is_near(tolerance)).then_some(fit)
+        };
+        finer.into_iter().find_map(fit).or_else(|| exact().and_then(fit))
+    }
+
+    /// The curve is near all edges.
+    fn is_near(&self, tolerance: f64) -> bool {
+        self.certificate.polyline_deviation <= NEAR * tolerance
+    }
+
+    /// The curve leaves the edges of the points, or is said to.
+    fn is_left(&self) -> bool {
+        let is_said = |w: &Warning| matches!(w, Warning::Fit(FitWarning::ReadAsCurve { .. }));
+        self.swing.is_some() || self.warnings.iter().any(is_said)
     }
 
     /// The fit within a tolerance, or within less where it is wide: the fairest that keeps the shape. With what it keeps to.
@@ -319,6 +370,19 @@ impl FairFit {
             || self.warnings.iter().any(|w| matches!(w, Warning::Fit(FitWarning::ShapeSmoothedAway { .. })))
     }
 
+    /// The corners and sides that last over a tolerance; of points without their noise those given alone.
+    fn outline(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        tolerance: f64,
+        measured: Option<Measured<'_>>,
+    ) -> Outline {
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        let tolerance = if measured.is_some() { f64::INFINITY } else { tolerance };
+        corners::outline(&distinct.points, &forced, options, tolerance)
+    }
+
     /// The fit with these very options, within a tolerance.
     fn within(
         distinct: &Distinct,
@@ -326,11 +390,18 @@ impl FairFit {
         tolerance: f64,
         measured: Option<Measured<'_>>,
     ) -> Result<Self> {
+        let outline = Self::outline(distinct, options, tolerance, measured);
+        Self::of_outline(distinct, options, tolerance, measured, &outline)
+    }
+
+    fn of_outline(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        tolerance: f64,
+        measured: Option<Measured<'_>>,
+        outline: &Outline,
+    ) -> Result<Self> {
         let data = &distinct.points;
-        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
-        forced.sort_unstable();
-        let outline =
-            corners::outline(data, &forced, options, if measured.is_some() { f64::INFINITY } else { tolerance });
         let straight = measured.map_or(&outline.straight[..], |measured| measured.straight);
         let on_edges = corners::places_on_edges(data, straight, options);
         let corners = &outline.corners;

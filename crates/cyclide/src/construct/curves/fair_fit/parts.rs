@@ -179,7 +179,7 @@ impl<'a> Parts<'a> {
         warnings.extend(doubts.all());
         let swings = self.pieces.iter().filter_map(|piece| piece.swing);
         let swing = swings.max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)));
-        Ok(FairFit { spline, certificate: sheet, warnings, swing })
+        Ok(FairFit { spline, certificate: sheet, warnings, swing, corners: Vec::new() })
     }
 
     fn certificate(&self, distinct: &Distinct) -> FairFitCertificate {

@@ -1,0 +1,99 @@
+//! Outlines that mix corners and sampled arcs, with details smaller than the tolerance: what is left of them is within the tolerance
+//! both ways, smoothed or as arcs (`docs/math/fair-fits.md#corners`, `docs/math/arc-fitting.md#outlines`).
+
+use crate::data::*;
+use cyclide::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, ParamCurve, Point3, closest_point};
+use std::f64::consts::PI;
+
+/// Sagitta of the sampled arcs, of at least eight chords.
+const SAGITTA: f64 = 0.03;
+/// A curve leaves the chords of the coarsest arcs, of radius 6, by 0.12, and about twice that where an arc ends at a corner.
+const COARSE: f64 = 0.3;
+
+/// A plate of 100 x 70 whose sides have notches and lugs, slanted ones and semicircles, from far smaller than the tolerance of
+/// some fits to a tenth of the plate; coordinates to micrometres, as drawings have them.
+fn plate(seed: u64, least: f64) -> Vec<Point3> {
+    let mut g = deviates(seed, 400).into_iter().map(|x| 0.25 * x.abs().min(4.0));
+    let mut between = |low: f64, high: f64| low + (high - low) * g.next().unwrap();
+    let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 70.0], [0.0, 70.0]];
+    let mut points = Vec::new();
+    for k in 0..4 {
+        let (from, to): ([f64; 2], [f64; 2]) = (corners[k], corners[(k + 1) % 4]);
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let ahead = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+        let mut at = 0.0;
+        let mut place = |x: f64, y: f64| {
+            let p = [0, 1].map(|c| from[c] + ahead[c] * x + [-ahead[1], ahead[0]][c] * y);
+            points.push(Point3::new((p[0] * 1e3).round() / 1e3, (p[1] * 1e3).round() / 1e3, 0.0));
+        };
+        place(0.0, 0.0);
+        loop {
+            at += between(least, 40.0);
+            let (width, depth) = (between(least, 12.0), between(-6.0, 6.0));
+            let depth = depth.abs().max(least).copysign(depth);
+            if at + width > length - least {
+                break;
+            }
+            match between(0.0, 8.0) as u32 {
+                0 => [[0.0, 0.0], [0.0, depth], [width, depth], [width, 0.0]].map(|[x, y]| place(at + x, y)).len(),
+                1 => {
+                    let lean = between(0.1, 0.9) * width;
+                    [[0.0, 0.0], [lean, depth], [width, 0.0]].map(|[x, y]| place(at + x, y)).len()
+                }
+                _ => {
+                    let radius = 0.5 * width;
+                    let n = (PI / (8.0 * SAGITTA / radius).sqrt()).ceil().max(8.0) as usize;
+                    let round = |i: usize| (PI * i as f64 / n as f64).sin_cos();
+                    (0..=n).map(round).map(|(s, c)| place(at + radius * (1.0 - c), radius * s * depth.signum())).count()
+                }
+            };
+            at += width;
+        }
+    }
+    points
+}
+
+/// Largest distance between a curve and a closed polygon, both ways, by sampling.
+fn both_ways(curve: &[Point3], points: &[Point3], nearest: impl Fn(Point3) -> f64) -> f64 {
+    let n = points.len();
+    let from_edge = |p: &Point3| {
+        let to = |i: usize| {
+            let (a, v) = (points[i], points[(i + 1) % n] - points[i]);
+            let t = ((*p - a).dot(v) / v.length_squared()).clamp(0.0, 1.0);
+            p.distance(a + v * t)
+        };
+        (0..n).map(to).fold(f64::INFINITY, f64::min)
+    };
+    let of_curve = curve.iter().map(from_edge).fold(0.0, f64::max);
+    let places = (0..n).flat_map(|i| (0..4).map(move |k| points[i].lerp(points[(i + 1) % n], f64::from(k) / 4.0)));
+    places.map(nearest).fold(of_curve, f64::max)
+}
+
+#[test]
+fn plates_keep_their_corners_when_smoothed() {
+    for seed in 0..40 {
+        let points = plate(seed, [0.5, 2.0][seed as usize % 2]);
+        for tolerance in [None, Some(0.05), Some(0.5)] {
+            let options = tolerance.map_or(FairFitOptions::by_noise(Noise::Estimated), FairFitOptions::new);
+            let fit = FairFit::new(&points, &FairFitOptions { closed: true, ..options }).unwrap();
+            let curve: Vec<Point3> = (0..4000).map(|i| fit.spline().point(f64::from(i) / 4000.0)).collect();
+            let off = both_ways(&curve, &points, |p| closest_point(fit.spline(), p).distance);
+            let most = 1.5 * tolerance.unwrap_or(0.0) + COARSE;
+            assert!(off < most, "{seed}, {tolerance:?}: {off} of {}; {:?}", points.len(), fit.warnings());
+        }
+    }
+}
+
+#[test]
+fn plates_keep_their_sides_as_arcs() {
+    for seed in 0..40 {
+        let points = plate(seed, [0.5, 2.0][seed as usize % 2]);
+        for tolerance in [0.02, 0.5] {
+            let options = ArcFitOptions { closed: true, ..ArcFitOptions::new(tolerance) };
+            let fit = ArcFit::new(&points, &options).unwrap();
+            let curve: Vec<Point3> = (0..4000).map(|i| fit.path().point(f64::from(i) / 4000.0)).collect();
+            let off = both_ways(&curve, &points, |p| fit.path().closest_point(p).distance);
+            assert!(off < 1.5 * tolerance + COARSE, "{seed}, {tolerance}: {off}; {:?}", fit.warnings());
+        }
+    }
+}
