@@ -107,8 +107,11 @@ fn confirmed(
         // The curve between the neighbours, without the point.
         let at = kept.partition_point(|k| k < i) as isize;
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
-        let distance =
-            places.windows(2).map(|w| beside::from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min);
+        let distance = if laid.heights {
+            laid.off_heights(*i, kept, &smooth.points)
+        } else {
+            places.windows(2).map(|w| beside::from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min)
+        };
         if distance > far * smooth.across && distance.is_finite() {
             candidates.push((*i, distance));
         }
@@ -165,6 +168,22 @@ impl Laid {
     /// The number in the run of a point.
     fn number(&self, laid: usize) -> usize {
         (laid + self.count - self.margin) % self.count
+    }
+
+    /// How far the height of a point is from the smoothed ones before and after it, at its place between these.
+    fn off_heights(&self, i: usize, kept: &[usize], smooth: &[Point3]) -> f64 {
+        let (n, after) = (kept.len(), kept.partition_point(|k| *k < i));
+        let lap = (self.margin > 0).then(|| self.points[self.margin + self.count].x - self.points[self.margin].x);
+        let place = |k: usize, lap: f64| (self.points[self.margin + kept[k]].x + lap, smooth[k].z);
+        let before = if after > 0 { Some(place(after - 1, 0.0)) } else { lap.map(|lap| place(n - 1, -lap)) };
+        let after = if after < n { Some(place(after, 0.0)) } else { lap.map(|lap| place(0, lap)) };
+        let own = self.points[self.margin + i];
+        let expected = match (before, after) {
+            (Some((x, z)), Some((to, next))) if to > x => z + (next - z) * (own.x - x) / (to - x),
+            (Some((_, z)), _) | (None, Some((_, z))) => z,
+            (None, None) => return f64::INFINITY,
+        };
+        (own.z - expected).abs()
     }
 
     fn spikes(&self, protected: &dyn Fn(usize) -> bool) -> Vec<usize> {
