@@ -273,8 +273,8 @@ fn nurbs_documents_are_measured_mapped_and_written() {
     assert!(String::from_utf8(folder.read("n.step")).unwrap().contains("B_SPLINE_CURVE(3,"));
     // What is wrong is shown at its place.
     for (from, to, words) in [
-        ("2, 2, 3, 3", "2, 1.5, 3, 3", "knot 6 is 1.5, less than the one before, 2"),
-        ("1, 1, 2, 2", "1, 1, 1, 2", "there 3 times, 2 at most"),
+        ("2, 2, 3, 3", "2, 1.5, 3, 3", "knot 6 is 1.5, less than the previous one, 2"),
+        ("1, 1, 2, 2", "1, 1, 1, 2", "has multiplicity 3, maximum 2"),
         ("\"degree\": 2", "\"degree\": 26", "[parameter-out-of-range]"),
         ("[0, 0, 0, 1", "[0, 0, 1", "11 knots given, 12 needed"),
         ("[1, 0.7071", "[1, -0.7071", "weight 1 is -0.70711"),

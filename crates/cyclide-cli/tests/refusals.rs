@@ -248,7 +248,7 @@ fn warnings_are_on_standard_error_with_their_place() {
     assert_eq!(run.code, 0);
     let expected = [
         "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
-        "warning: track.csv:4: track: point 2 repeats the one before it (closer than ",
+        "warning: track.csv:4: track: point 2 repeats the previous one (closer than ",
         "warning: track.csv:7: track: point 5 repeats the first point of the closed curve: merged with it [closing-point-merged]",
     ];
     let lines: Vec<&str> = run.stderr.lines().collect();
@@ -338,7 +338,7 @@ fn refinements_stop_at_their_cap() {
     let folder = Folder::with(&[]);
     folder.write("m.json", &document(r#"{"type": "cyclide", "a": 2, "c": 1, "mu": 1.5, "segments": [4096, 4096]}"#));
     let error = folder.fails(1, "report m.json");
-    assert!(error.contains("at most 500000 are made: use fewer segments [too-many-pieces]"), "{error}");
+    assert!(error.contains("the limit is 500000: use fewer segments [too-many-pieces]"), "{error}");
     let plane = "[[[0,0,0],[1,0,0],[2,0,0]],[[0,1,0],[1,1,0],[2,1,0]],[[0,2,0],[1,2,0],[2,2,0]]]";
     let bent = format!(r#"{{"type": "cyclidic-net", "grid": {plane}, "frame": [[1, 0, 1], [0, 1, 0]]}}"#);
     folder.write("m.json", &document(&bent));
@@ -346,7 +346,7 @@ fn refinements_stop_at_their_cap() {
         let error = folder.fails(1, &format!("build m.json --tolerance 1e-13 -o {file}"));
         assert!(error.contains("or allow more with --max-pieces [too-many-pieces]"), "{error}");
         let error = folder.fails(1, &format!("build m.json --tolerance 1e-5 --max-pieces 100 -o {file}"));
-        assert!(error.contains(", at most 100 are made: "), "{error}");
+        assert!(error.contains(", the limit is 100: "), "{error}");
         folder.ok(&format!("build m.json --tolerance 1e-5 --max-pieces 100000 -o {file}"));
     }
     folder.fails(2, "build m.json --max-pieces 0 -o m.obj");

@@ -110,7 +110,7 @@ fn meshes_become_smooth_surfaces() {
     ]);
     let error = folder.fails(1, "report as_given.json");
     assert!(
-        error.contains("as_given.json:1:") && error.contains("objects.n.grid: quad 0: the corners are not"),
+        error.contains("as_given.json:1:") && error.contains("objects.n.grid: quad 0: the corners do not"),
         "{error}"
     );
     assert!(error.contains("`make_circular` moves the vertices"), "{error}");

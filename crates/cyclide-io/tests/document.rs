@@ -92,7 +92,10 @@ fn a_circle_through_three_points() {
     let back = build("\"type\": \"circle\", \"through\": [[-2,0],[1,3],[4,0]]").unwrap();
     assert!(near(curve(&back).point(0.25), [1.0, 3.0, 0.0]), "the order of the points is the sense of running");
     for (fields, start) in [
-        ("\"through\": [[0,0],[1,1],[2,2]]", "objects.a.through: the points lie on a line: sine of their angle 0, "),
+        (
+            "\"through\": [[0,0],[1,1],[2,2]]",
+            "objects.a.through: the points lie on a line, so they have no circle: sine of their angle 0, ",
+        ),
         ("\"through\": [[0,0],[1,1],[1,1]]", "objects.a.through[2]: points 1 and 2 coincide"),
         ("\"through\": [[0,0],[1,1],[0,0]]", "objects.a.through[2]: points 0 and 2 coincide"),
         ("\"through\": [[0,0],[1,1]]", "objects.a.through: 2 values are given, 3 are needed"),
@@ -277,7 +280,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
         (
             "\"type\": \"arc\", \"from\": [0,0], \"to\": [1,0], \"end_tangent\": [-1,0]",
             "[-1,0]",
-            "objects.a.end_tangent: tangent 1 points away",
+            "objects.a.end_tangent: tangent 1 points directly away",
         ),
         (
             "\"type\": \"arc\", \"from\": [0,0], \"to\": [1,0], \"weights\": [[1,0,0,0],[0,0,0,0]]",

@@ -50,7 +50,7 @@ fn a_flattened_relief_is_refused_at_the_field_that_would_allow_it() {
         let message = net(refused).unwrap_err();
         for words in [
             "objects.n.make_circular: the shape is lost: ",
-            "(at least 50 %)",
+            "(minimum 50 %)",
             "curvature lines",
             "\"allow_shape_change\": true",
             "[shape-lost]",
@@ -114,7 +114,7 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     };
     // Six decimals of a right surface: quads are off by 4e-7, the frame by 1.5e-5.
     let message = net(&revolved(24, 6), true, false).unwrap_err();
-    assert!(message.contains("carry about 7 digits") && message.contains("give 12 or more"), "{message}");
+    assert!(message.contains("have about 7 digits") && message.contains("give 12 or more"), "{message}");
     assert!(message.contains("[not-concircular]") && message.contains("`make_circular` moves"), "{message}");
     // The advices: more digits, with and without `make_circular`; `make_circular` alone; or cut open.
     for circular in [false, true] {
@@ -140,7 +140,7 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     assert!(!message.contains("digits") || message.contains("7 digits"), "{message}");
     let square = [[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]];
     let message = build(&json!({"type": "cyclidic-net", "grid": square})).unwrap_err();
-    assert!(!message.contains("digits") && message.contains("`make_circular` moves the vertices until they are"));
+    assert!(!message.contains("digits") && message.contains("`make_circular` moves the vertices until they do"));
 }
 
 /// An elliptic tube whose quads are rectangles: the frame is turned round an even number of them.
@@ -161,7 +161,7 @@ fn closed_grids_are_told_how_to_close() {
     // Of an even number of edges of unequal lengths: nothing can close what is held.
     let message = net(json!({"border": "pinned"})).unwrap_err();
     assert!(
-        message.contains("[net-does-not-close]") && message.contains("can never close: let it be `free`"),
+        message.contains("[net-does-not-close]") && message.contains("can never close: make it `free`"),
         "{message}"
     );
     assert!(message.contains("or cut it open: repeat the first column") && !message.contains("moves the"), "{message}");
@@ -188,7 +188,7 @@ fn seams_that_lie_on_each_other_are_no_warning_unless_they_bend() {
         let [seam] = surface(&coarse).seams[..] else { panic!() };
         assert!(seam.gap < 1e-14 && seam.angle > 0.05, "{seam:?}");
         let remark = coarse.remarks.iter().find(|remark| remark.reason == "open-seam").unwrap();
-        let words = "they lie on each other, and the surface has an angle of up to ";
+        let words = "they are coincident, and the surface has an angle of up to ";
         assert!(remark.message.contains(words) && !remark.message.contains("e-1"), "{}", remark.message);
         // Nobody is sent to where they are refused.
         assert_eq!(remark.message.contains("let the grid close"), closes, "{}", remark.message);

@@ -69,12 +69,12 @@ const LOST: Limits = Limits { bending: [0.5, 1.5], thickness: [0.5, 1.5], normal
 /// Grid lines nearer to the curvature lines than this are along them: another mesh would not be nearer.
 const ALONG: f64 = 5.0 * DEGREE;
 /// What may help grids between the two, whose border slides along a steep surface: fewer quads slide less.
-const NEARER: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";
+const NEARER: &str = "mesh the surface more exactly along its curvature lines, or with fewer quads";
 /// What may help grids that are along them.
-const OPEN: &str = "which is near enough: the border slid along a steep surface, or edges are too uneven or too long for it; take \
+const OPEN: &str = "which is close enough: the border slid along a steep surface, or edges are too uneven or too long for it; use \
                     fewer quads or more even ones, or let the border slide on curves";
-const CLOSED: &str = "which is near enough: the vertices moved until the net closed; where the curvature lines are spirals cut it open, \
-                      else take more quads round it";
+const CLOSED: &str = "which is close enough: the vertices moved until the net closed; cut it open if the curvature lines are spirals, \
+                      otherwise use more quads round it";
 /// Outside these a person should look.
 const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: [0.8, 1.2], normal_turn: 0.12, lost_relief: 0.02 };
 
@@ -102,27 +102,27 @@ impl ShapeChange {
         let mut found = Vec::new();
         let [least, most] = limits.bending;
         if let Some(b) = self.bending.filter(|b| !(*b >= least)) {
-            found.push(format!("{} % of the bending is left (at least {} %)", percent(b), percent(least)));
+            found.push(format!("{} % of the bending remains (minimum {} %)", percent(b), percent(least)));
         }
         if let Some(b) = self.bending.filter(|b| *b > most) {
-            found.push(format!("the bending is {} % of that given (at most {} %)", percent(b), percent(most)));
+            found.push(format!("the bending is {} % of the original (maximum {} %)", percent(b), percent(most)));
         }
         let [least, most] = limits.thickness;
         if let Some(t) = self.thickness.filter(|t| !(*t >= least)) {
-            found.push(format!("{} % of the thickness is left (at least {} %)", percent(t), percent(least)));
+            found.push(format!("{} % of the thickness remains (minimum {} %)", percent(t), percent(least)));
         }
         if let Some(t) = self.thickness.filter(|t| *t > most) {
-            found.push(format!("the thickness is {} % of that given (at most {} %)", percent(t), percent(most)));
+            found.push(format!("the thickness is {} % of the original (maximum {} %)", percent(t), percent(most)));
         }
         if let Some(t) = self.normal_turn.filter(|t| !(*t <= limits.normal_turn)) {
             let (by, most) = (degrees(self.turn), percent(limits.normal_turn));
             let part = percent(t);
             found
-                .push(format!("the normals turned by {by} degrees (rms), {part} % of their spread (at most {most} %)"));
+                .push(format!("the normals turned by {by} degrees (rms), {part} % of their spread (maximum {most} %)"));
         }
         if !(self.lost_relief <= limits.lost_relief) {
             let (lost, most) = (percent(self.lost_relief), percent(limits.lost_relief));
-            found.push(format!("humps or ripples are lost on {lost} % of the surface (at most {most} %)"));
+            found.push(format!("humps or ripples are lost on {lost} % of the surface (maximum {most} %)"));
         }
         found
     }
@@ -147,7 +147,7 @@ impl ShapeChange {
 
     fn cause_and_remedy(&self) -> String {
         if self.noise {
-            return "what bends in the grid is noise, and without it the grid is flat: smooth it or make it plane first"
+            return "all bending of the grid is noise, without which it is flat: smooth it or make it plane first"
                 .to_owned();
         }
         let Some(angle) = self.across else {
@@ -204,8 +204,8 @@ mod tests {
     fn each_number_alone_refuses_and_warns() {
         assert!(!KEPT.is_lost() && !KEPT.is_doubtful());
         for (lost, doubtful, words) in [
-            (Some(0.3), Some(0.8), "30 % of the bending is left (at least 50 %)"),
-            (Some(f64::NAN), Some(1.3), "the bending is left"),
+            (Some(0.3), Some(0.8), "30 % of the bending remains (minimum 50 %)"),
+            (Some(f64::NAN), Some(1.3), "the bending remains"),
         ] {
             let (lost, doubtful) = (ShapeChange { bending: lost, ..KEPT }, ShapeChange { bending: doubtful, ..KEPT });
             assert!(lost.is_lost() && doubtful.is_doubtful() && !doubtful.is_lost());
@@ -228,13 +228,13 @@ mod tests {
     #[test]
     fn the_sentence_has_measure_limit_cause_and_remedy() {
         let lost = ShapeChange { thickness: Some(0.021), ..KEPT };
-        let words = "2.1 % of the thickness is left (at least 50 %), the normals turned by 1.7 degrees (rms); \
+        let words = "2.1 % of the thickness remains (minimum 50 %), the normals turned by 1.7 degrees (rms); \
                      the lines of the grid run 29 degrees off the curvature lines: mesh the surface along its curvature \
                      lines first";
         assert_eq!(lost.lost(), words);
         // The angle is said whatever it is, and noise has none.
         let along = ShapeChange { across: Some(0.0005), ..lost };
-        let off = "run 0.03 degrees off the curvature lines, which is near enough: ";
+        let off = "run 0.03 degrees off the curvature lines, which is close enough: ";
         assert!(along.lost().contains(&format!("{off}the border slid")), "{}", along.lost());
         let closed = ShapeChange { closed: true, ..along };
         assert!(closed.lost().contains(&format!("{off}the vertices moved until the net closed")), "{}", closed.lost());

@@ -259,7 +259,10 @@ fn nearly_full_circles_are_refused_with_their_limit() {
         }
     }
     let message = by_bulge(1e8).unwrap_err().to_string();
-    assert!(message.contains("less 4e-8 radians, limit 3.9e-7") && message.contains("take a circle"), "{message}");
+    assert!(
+        message.contains("4e-8 radians short of a full circle, minimum 3.9e-7") && message.contains("use a circle"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -275,9 +275,9 @@ fn the_message_has_the_measures_the_limits_the_cause_and_the_remedy() {
     let message = error.to_string();
     for words in [
         "the shape is lost: ",
-        "% of the bending is left (at least 50 %)",
-        "% of the thickness is left (at least 50 %)",
-        "of their spread (at most 35 %)",
+        "% of the bending remains (minimum 50 %)",
+        "% of the thickness remains (minimum 50 %)",
+        "of their spread (maximum 35 %)",
         "humps or ripples are lost on",
         "degrees off the curvature lines: mesh the surface along its curvature lines first",
     ] {
@@ -321,7 +321,7 @@ fn noise_on_a_plane_is_called_noise() {
     }
     let error = guarded(&grid(&plane, [20, 16], OPEN, 0.1)).unwrap_err();
     let words = error.to_string();
-    assert!(words.contains("what bends in the grid is noise") && !words.contains("curvature lines"), "{words}");
+    assert!(words.contains("all bending of the grid is noise") && !words.contains("curvature lines"), "{words}");
     // Shapes with as much noise are shapes: a hypar over its straight lines, a cylinder, a sphere, ripples of five quads.
     let hypar = roof([6.0; 2], 0.0, |x, y| 0.05 * x * y);
     let cylinder = |u: f64, v: f64| [2.0 * (TAU * u).cos(), 2.0 * (TAU * u).sin(), 8.0 * v];
@@ -369,5 +369,5 @@ fn a_shape_that_swells_is_refused_and_noise_on_it_is_not_all_that_bends() {
     let bent = grid(&|u, v| [12.0 * u, 16.0 * (0.75 * v).sin(), 16.0 * (0.75 * v).cos()], [12, 12], OPEN, 0.12);
     let shape = allowed(&bent).report.shape.unwrap();
     assert!(!shape.noise && shape.thickness.unwrap() > 1.5, "{shape:?}");
-    assert!(guarded(&bent).unwrap_err().to_string().contains("% of that given (at most 150 %)"));
+    assert!(guarded(&bent).unwrap_err().to_string().contains("% of the original (maximum 150 %)"));
 }

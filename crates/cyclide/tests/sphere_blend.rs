@@ -157,7 +157,7 @@ fn refusals_have_names() {
     assert_eq!(SphereBlend::from_normals(c, [x, y, z]).unwrap_err().reason(), "undefined-normal");
     assert_eq!(SphereBlend::from_normals(c, [x, y, x * f64::NAN]).unwrap_err().reason(), "not-finite");
     let error = SphereBlend::from_normals(c, [x, y, z]).unwrap_err().to_string();
-    assert_eq!(error, "vertex 2 has no normal: the one given for it is zero");
+    assert_eq!(error, "vertex 2 has no normal: the given one is zero");
     // Above and below: it is made, and said.
     let large = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0]].map(Point3::from);
     let control = [[5.0, 5.0, 50.0], [5.0, 5.0, -50.0], [3.0, 3.0, 1.0]].map(Point3::from);

@@ -277,7 +277,7 @@ fn what_folds_bounds_no_solid() {
     let folded = block(VolumeFrame::First(Vec3::Y, Vec3::Z));
     let error = CyclideVolume::outer_bodies(&[block(VolumeFrame::Auto), folded]).unwrap_err();
     assert_eq!(error.reason(), "folded-volume");
-    assert!(error.to_string().starts_with("block 1: lines run backwards near s = "), "{error}");
+    assert!(error.to_string().starts_with("block 1: lines of the volume run backwards near s = "), "{error}");
 }
 
 #[test]

@@ -269,7 +269,7 @@ fn radii_are_not_called_their_sum() {
         "u": {"type": "pipe", "of": "p", "radius": 5}}});
     let folder = Folder::with(&[("d.json", &document.to_string())]);
     let error = folder.fails(1, "build d.json -o d.step");
-    assert!(error.contains("[pipe-meets-itself]") && error.contains("the sum of their radii is 10"), "{error}");
+    assert!(error.contains("[pipe-meets-itself]") && error.contains("minimum 10, the sum of their radii"), "{error}");
     let mesh = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "faces": [[0,2,1],[0,1,3],[1,2,3],[0,3,2]]}}}"#;
     folder.write("m.json", mesh);
     let run = folder.run("build m.json -o m.step");

@@ -91,7 +91,7 @@ pub(crate) fn rejected_quads(quads: &[usize], steps: usize, moved: f64) -> Strin
         0 => "no vertex was moved".to_owned(),
         _ => format!("vertices were moved by up to {} in {steps} steps", ShortNumber(moved)),
     };
-    format!("{noun} {}{more}: sides cross or have no length, no patch fits in; {moves}", named.join(", "))
+    format!("{noun} {}{more}: sides cross or have no length, so no patch fits; {moves}", named.join(", "))
 }
 
 fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> String {

@@ -253,7 +253,7 @@ fn even_cuts(item: &Item) -> Result<[Vec<f64>; 3], ExportError> {
                 segment: None,
                 needed: parts,
                 cap: MOST_PARTS,
-                remedy: "take a block that does not come so near to infinity, or write VTU or STEP",
+                remedy: "use a block farther from infinity, or write VTU or STEP",
             });
             return Err(ExportError::Surface { object: item.name.clone(), surface: 0, source });
         }

@@ -51,7 +51,7 @@ fn hairpins_keep_their_promise_in_every_format() {
 fn what_no_file_can_carry_is_refused_by_name() {
     for bulge in [1.1e6, -1e9, 1e12, 1e16, -1e300] {
         let refused = model(&json!({"a": {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": bulge}})).unwrap_err();
-        assert!(refused.contains("[nearly-full-circle]") && refused.contains("limit 3.9e-6"), "{bulge:e}: {refused}");
+        assert!(refused.contains("[nearly-full-circle]") && refused.contains("minimum 3.9e-6"), "{bulge:e}: {refused}");
     }
     for bulge in [1e-12, 1e-6, 1.0, 1e3, 9e5, -1e6] {
         let model = model(&json!({"a": {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": bulge}})).unwrap();
@@ -67,15 +67,15 @@ fn what_has_lost_its_digits_is_refused_where_it_stands() {
     for (object, says) in [
         (
             json!({"type": "circle-spline", "points": [[0, 0], [0, 9], [1e-7, 1], [1, 0]]}),
-            ["objects.a.points[0]", "times the distance of its two points", "less sharp", "[arc-through-infinity]"],
+            ["objects.a.points[0]", "times as far as its two points are apart", "less sharp", "[arc-through-infinity]"],
         ),
         (
             json!({"type": "arc", "from": [1e11, 0], "to": [1e11, 1e-6], "bulge": 1}),
-            ["objects.a", "is 1e-6 large at coordinates of up to 1e11", "move it", "[below-rounding-of-place]"],
+            ["objects.a", "has size 1e-6 at coordinates of up to 1e11", "move it", "[below-rounding-of-place]"],
         ),
         (
             json!({"type": "circle-spline", "points": [[1e9, 0], [1e9, 1e-7], [1.000_000_000_000_000_1e9, 1e-7]]}),
-            ["objects.a", "large at coordinates of up to 1e9", "move it", "[below-rounding-of-place]"],
+            ["objects.a", "at coordinates of up to 1e9", "move it", "[below-rounding-of-place]"],
         ),
     ] {
         let refused = model(&json!({"a": object})).unwrap_err();

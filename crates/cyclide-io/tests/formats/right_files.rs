@@ -366,7 +366,7 @@ fn images_of_curves_next_to_the_centre_are_refused_where_the_map_stands() {
             let mut builder = ModelBuilder::new(&document, Path::new(""), &read).unwrap();
             let error = builder.build(1, &mut |_| {}).unwrap_err().to_string();
             assert!(error.contains("objects.a.steps[0]") && error.contains("[point-at-infinity]"), "{error}");
-            assert!(error.contains("at least") && error.contains("away from the curve"), "{error}");
+            assert!(error.contains("minimum") && error.contains("away from the curve"), "{error}");
         } else {
             right(&objects, &CURVES);
         }

@@ -78,13 +78,13 @@ fn poses_in_every_notation_are_one() {
 fn refusals_are_at_their_place() {
     let refused = |objects: &str| build(objects).unwrap_err();
     let cases = [
-        (motion(r#""poses": [{"position": [0, 0]}]"#), "1 poses given, 2 or more needed"),
+        (motion(r#""poses": [{"position": [0, 0]}]"#), "1 poses given, at least 2 needed"),
         (
             motion(r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [0, 0, 0, 0]}]"#),
             "rotation 1 is zero",
         ),
         (motion(r#""poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0]}]"#), "this pose has no `time`"),
-        (motion(r#""poses": [{"position": [0, 0], "time": 1}, {"position": [1, 0], "time": 0}]"#), "do not rise"),
+        (motion(r#""poses": [{"position": [0, 0], "time": 1}, {"position": [1, 0], "time": 0}]"#), "do not increase"),
         (
             motion(
                 r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [1, 0, 0, 0], "rpy": [0, 0, 0]}]"#,
@@ -93,7 +93,7 @@ fn refusals_are_at_their_place() {
         ),
         (
             motion(r#""poses": [{"position": [0, 0]}, {"matrix": [[1, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0]]}]"#),
-            "no displacement",
+            "not a displacement",
         ),
         (motion(&format!(r#""kind": "conic", {TWO}"#)), "2 poses given, 3 needed"),
         (motion(&format!(r#""law": "eased", "duration": 0, {TWO}"#)), "duration"),
@@ -145,7 +145,7 @@ fn refusals_are_at_their_place() {
         ("x,y,z,t,time\n0,0,0,1,1\n1,0,0,1,1\n", "several columns are the time: t, time"),
         ("x_m,y_mm,z_mm\n0,0,0\n1,0,0\n", "the columns x_m, y_mm, z_mm speak of different units"),
         ("x,y,z,roll_deg,pitch,yaw\n0,0,0,0,0,0\n1,0,0,0,0,0\n", "roll_deg, pitch, yaw speak of different units"),
-        ("t,x,y\n0,0,0\n2,1,1\n1,2,2\n", "poses.csv:4:1: the times do not rise: 1 seconds, after 2"),
+        ("t,x,y\n0,0,0\n2,1,1\n1,2,2\n", "poses.csv:4:1: the times do not increase: 1 seconds, after 2"),
         ("x,y,z,qw,qx,qy,qz,yaw\n0,0,0,1,0,0,0,0\n1,0,0,1,0,0,0,0\n", "twice, as quaternions and as angles"),
         ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "no column is named `m12`"),
     ] {

@@ -66,7 +66,7 @@ fn times_follow_from_chords() {
         (
             r#""times": "chord", "poses": [{"position": [0, 0]}, {"position": [0, 0]}, {"position": [1, 0]}]"#
                 .to_owned(),
-            "rests",
+            "is at rest",
         ),
         (
             r#""times": "chord", "poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0], "time": 1}]"#

@@ -11,7 +11,7 @@ fn a_turn_on_the_spot_is_refused_at_its_poses() {
     let fields = r#""kind": "sclerp", "law": "constant-speed", "poses": [{"position": [0, 0]}, {"position": [20, 0]},
         {"position": [20, 0], "rpy": {"degrees": [0, 0, 90]}}, {"position": [30, 0], "rpy": {"degrees": [0, 0, 90]}}]"#;
     let error = build(&motion(fields)).unwrap_err();
-    let says = ["objects.m.poses[1]: span 1", "turns by 90 degrees on the spot", "give an `arm`", "[span-without-way]"];
+    let says = ["objects.m.poses[1]: span 1", "rotates by 90 degrees in place", "give an `arm`", "[span-without-way]"];
     assert!(says.iter().all(|part| error.contains(part)), "{error}");
     // With an arm of 10 the turn is 15.7 of the way of 45.7.
     let (found, text) = reported(&format!(r#"{fields}, "arm": 10, "duration": 4"#));
@@ -127,7 +127,7 @@ fn spikes_are_told_with_what_helps() {
         told.map(|remark| remark.message)
     };
     let message = advice(spike).unwrap();
-    assert!(message.contains("turns 103.13 times") && message.contains("take a spline"), "{message}");
+    assert!(message.contains("rotates 103.13 times") && message.contains("use a spline"), "{message}");
     assert_eq!(advice(&spike.replace("conic", "spline")), None);
     if let Some(message) = advice(&format!(r#"{spike}, "law": "constant-speed""#)) {
         assert!(message.contains("give an `arm`"), "{message}");

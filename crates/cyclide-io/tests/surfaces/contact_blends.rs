@@ -86,12 +86,12 @@ fn blends_that_are_none_are_refused_in_their_place() {
         (
             r#""tube": {"radius": 10, "taper": 0.2, "length": 90}, "sphere": 40, "blend": 3"#,
             ".tube:",
-            "apex at 49.332 along its axis, and is needed as far as 90",
+            "apex at 49.332 along its axis, but is needed up to 90",
         ),
         (
             r#""tube": {"through": [0, 35], "radius": 10, "length": 90}, "sphere": 40, "blend": 6"#,
             ".tube:",
-            "nearer to the centre of the sphere",
+            "closer to the center of the sphere",
         ),
         (
             r#""tube": {"radius": 10, "direction": [1, 0, 0], "length": 40}, "plate": [90, 90], "blend": 6"#,
@@ -106,7 +106,7 @@ fn blends_that_are_none_are_refused_in_their_place() {
         (
             r#""tube": {"through": [0.232, 0, -0.296], "radius": 0.763, "taper": -0.65, "length": 9}, "sphere": 1, "blend": 0.01"#,
             "tube",
-            "take one that widens less towards its end",
+            "use a cone that widens less towards its end",
         ),
         (r#""tube": {"radius": 10, "length": 40}, "plate": [30, 90], "blend": 6"#, "plate", "[plate-too-small]"),
         (

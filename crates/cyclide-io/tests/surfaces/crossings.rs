@@ -47,7 +47,7 @@ fn crossings_that_are_none_are_refused_in_their_place() {
         ([15.0, 12.0], r#""distance": 24, "blend": {"first": 4, "second": -3}"#, "blend", "[radius-not-positive]"),
         ([15.0, 12.0], r#""distance": 24, "blend": {"values": []}"#, "blend", "[too-few-points]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 1.5, "side": "inside""#, "blend", "[crossing-ball-too-large]"),
-        ([15.0, 12.0], r#""distance": 30, "blend": 1, "side": "inside""#, "blend", "nothing in common"),
+        ([15.0, 12.0], r#""distance": 30, "blend": 1, "side": "inside""#, "blend", "do not overlap"),
         ([15.0, 12.0], r#""distance": 30, "blend": 1, "side": "mixed""#, "distance", "[crossing-pipes-apart]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 11, "side": "mixed""#, "blend", "[crossing-ball-too-large]"),
         (
@@ -163,7 +163,7 @@ fn refusals_of_crossings_name_what_helps() {
     let fields = format!(r#""pipes": {both}, "distance": 32, "blend": 1, "angle": 1e-4"#);
     let error = crossing(&fields).unwrap_err();
     assert!(error.contains("[crossing-folds]") && error.contains("er ball, or move"), "{error}");
-    for (wall, said) in [("", "take a smaller ball, or move the axes"), (r#", "wall": 0.5"#, "a thinner wall")] {
+    for (wall, said) in [("", "use a smaller ball, or move the axes"), (r#", "wall": 0.5"#, "a thinner wall")] {
         let error = crossing(&pipes([2.0, 2.0], &format!(r#""distance": 3, "blend": 9{wall}"#))).unwrap_err();
         assert!(error.contains("[crossing-folds]") && error.contains(said), "{error}");
     }

@@ -15,12 +15,12 @@ fn quads_that_no_patch_fits_into_are_named_by_index() {
     let net =
         |rows: &str| build(&format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}], "make_circular": true}}"#));
     let message = net(&[row([0.0, 20.0, 40.0, 60.0]), row([110.0, 170.0, 130.0, 150.0])].join(",")).unwrap_err();
-    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, no patch fits in; \
+    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, so no patch fits; \
         no vertex was moved; points are given row by row, all rows in the same direction [crossing-quad]";
     assert!(message.contains(words), "{message}");
     // A quad that crosses itself and has no circle: its corners are moved onto one, and it crosses itself still.
     let message = net("[[0,0,0],[1,0,0.1]],[[1,1,0],[0,1,0]]").unwrap_err();
-    let words = "objects.n.grid[0][0]: quad 0: sides cross or have no length, no patch fits in; vertices were moved by up to 0.";
+    let words = "objects.n.grid[0][0]: quad 0: sides cross or have no length, so no patch fits; vertices were moved by up to 0.";
     assert!(message.contains(words) && message.contains(" steps; points are given row by row"), "{message}");
     assert!(!message.contains("NaN"), "{message}");
     // Of objects made by a program, the same without a place.
@@ -114,7 +114,7 @@ fn refused_nets_and_cyclides() {
         (
             NET.replace("[3,0,1]", "[3,0,1.1]"),
             "[1,1,0]",
-            "objects.n.grid[0][1]: quad 1: the corners are not on one circle",
+            "objects.n.grid[0][1]: quad 1: the corners do not lie on one circle",
         ),
         (NET.replace(",[3,0,1]", ""), "[[0,0,1],[1,0,1]]", "objects.n.grid[1]: row 1 has 2 points, the first has 3"),
         (
@@ -186,5 +186,5 @@ fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
     };
     assert!(message(0.0).ends_with("the frame is off by 0.25 radians, limit 1e-9"), "{}", message(0.0));
     let slower = message(-1.91e-6);
-    assert!(slower.ends_with("of the lines across by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");
+    assert!(slower.ends_with("of the transversal lines by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");
 }

@@ -88,7 +88,7 @@ fn offsets_beyond_the_focal_set_and_on_it() {
         (
             -1.5,
             true,
-            "quad 0: a solid between the surface and its offset at distance -1.5 would run through itself: a centre",
+            "quad 0: a solid between the surface and its offset at distance -1.5 would self-intersect: a center",
         ),
         (0.0, true, "a solid between a surface and its offset needs a distance other than 0"),
     ] {

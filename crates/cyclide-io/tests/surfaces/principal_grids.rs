@@ -191,7 +191,7 @@ fn grids_in_steps_make_nets_and_solids() {
     assert!((flat[1].bodies[0].outer.area() - 6.0).abs() < 1e-12);
     for (more, words) in [
         (r#", "openings": [[2, 1]]"#, ["objects.n.openings[0]", "there is no quad in column 2, row 1"]),
-        (r#", "openings": [[0, 1]]"#, ["objects.n.openings", "has no way to the first one"]),
+        (r#", "openings": [[0, 1]]"#, ["objects.n.openings", "is not connected to the first one"]),
         (r#", "closed": [true, false]"#, ["objects.n", "`null` goes with an open one"]),
         (r#", "make_circular": {"border": {"first_row": "g"}}"#, ["objects.n", "`g`"]),
     ] {
@@ -223,7 +223,7 @@ fn what_is_refused_is_shown_at_its_place() {
             r#""edge_length": 0.1, "vertices": [[0,0,0],[1,0,0],[0,1,0],[-1,0,0],[0,-1,0]], "faces": [[0,1,2],[0,3,4]]"#
                 .to_owned(),
             &[],
-            &["objects.g.faces[", "[not-a-surface]", "meets others in a vertex alone"],
+            &["objects.g.faces[", "[not-a-surface]", "meets others only at a vertex"],
         ),
         (r#""edge_length": 9, "mesh": {"obj": "none.obj"}"#.to_owned(), &[], &["objects.g.mesh.obj", "cannot read"]),
         (

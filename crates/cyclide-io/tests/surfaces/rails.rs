@@ -81,7 +81,7 @@ fn surfaces_between_two_curves_and_what_refuses_them() {
         (
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, -2]]}"#,
             "objects.s.tangent",
-            "between tangents 0 and 1, which oppose each other",
+            "tangents 0 and 1 are opposite",
         ),
         (
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, -1, 0]}"#,
@@ -130,7 +130,7 @@ fn a_circle_has_the_pieces_of_the_closed_curve_beside_it() {
     let clockwise = r#""type": "polyline", "closed": true, "points": [[-4, 4, 7], [4, 4, 7], [4, -4, 7], [-4, -4, 7]]"#;
     let error = made(clockwise, r#"["k", "o"]"#, "").unwrap_err();
     assert!(
-        error.contains(r#"take a `transform` of it with the steps `["reverse"]`, so that it begins at (-4, 4, 7)"#),
+        error.contains(r#"use a `transform` of it with the steps `["reverse"]`, so that it begins at (-4, 4, 7)"#),
         "{error}"
     );
     let turned = r#""type": "transform", "of": "p", "steps": ["reverse"]"#;

@@ -18,10 +18,14 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             patch("[0,0],[1,0],[0,1],[1,1.1]", "[1,0],[0,1]"),
             "[1,1.1]",
-            "objects.a.corners[3]: the corners are not on one circle: off by 0.049723 of the size, limit 1e-9 [",
+            "objects.a.corners[3]: the corners do not lie on one circle: relative distance 0.049723, limit 1e-9 [",
         ),
         (patch("[0,0],[1,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,1]", "objects.a.corners[3]: the sides cross"),
-        (patch("[0,0],[0,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,0]", "objects.a.corners[1]: points 0 and 1 coincide"),
+        (
+            patch("[0,0],[0,0],[1,1],[0,1]", "[1,0],[0,1]"),
+            "[0,0]",
+            "objects.a.corners[1]: points 0 and 1 are coincident",
+        ),
         (patch("[0,0],[1,0],[0,1]", "[1,0],[0,1]"), "[", "objects.a.corners: 3 values are given, 4 are needed"),
         (
             patch("[0,0],[1,0],[0,1], [1,1],[2,2]", "[1,0],[0,1]"),
@@ -124,6 +128,6 @@ fn refusals_name_the_factor_the_steps_and_the_curve() {
     let far = r#""far": {"type": "arc-spline", "points": [[-9, 0], [-8, 0]], "construction": true}, "#;
     let on_far = cylinder(r#", "make_circular": {"border": {"first_row": "far"}}"#);
     let message = build(&(far.to_owned() + &on_far)).unwrap_err();
-    let words = "objects.n.make_circular.border: vertices 0 and 1 fall together on the curve of their side";
+    let words = "objects.n.make_circular.border: vertices 0 and 1 coincide on the curve of their side";
     assert!(message.contains(words) && message.contains("[collapsed-on-curve]"), "{message}");
 }

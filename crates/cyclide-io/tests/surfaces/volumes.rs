@@ -277,7 +277,7 @@ fn more_blocks_than_memory_holds_are_refused_before_they_are_made() {
     for (objects, needed) in many.iter().zip(["8388608", "120832", "2.01e7"]) {
         let (reason, message) = refused(objects);
         assert_eq!(reason.as_deref(), Some("too-many-pieces"), "{message}");
-        assert!(message.contains(&format!("needs {needed} pieces, at most 100000 are made")), "{message}");
+        assert!(message.contains(&format!("needs {needed} pieces, the limit is 100000")), "{message}");
     }
 }
 
@@ -319,7 +319,7 @@ fn cells_are_there_and_inverted_ones_are_told() {
     };
     let coarse = build(&image("[3, 4, 6]")).unwrap();
     let told = coarse.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
-    assert!(told.place.as_deref() == Some("objects.i.of") && told.message.contains("more cells help"), "{told:?}");
+    assert!(told.place.as_deref() == Some("objects.i.of") && told.message.contains("use more cells"), "{told:?}");
     let inverted = report(&image("[3, 4, 6]")).cells.unwrap().inverted;
     assert!(inverted > 0 && told.message.starts_with(&format!("{inverted} of 72 cells are inverted")), "{told:?}");
     assert!(!reasons(&image("[24, 24, 24]")).contains(&"cells-inverted"));
@@ -340,7 +340,7 @@ fn cells_that_rounding_inverts_say_so() {
         format!(r#""b": {{"type": "cyclide-volume", "corners": [{}, {}], "cells": {cells}}}"#, floor(0.0), floor(1.0));
     let built = build(&wedge).unwrap();
     let told = built.remarks.iter().find(|remark| remark.reason == "cells-inverted").unwrap();
-    assert!(told.message.contains("as short as the rounding of their place, and fewer cells help"), "{told:?}");
+    assert!(told.message.contains("as short as the rounding of their coordinates; use fewer cells"), "{told:?}");
     let lines = |s: &str| format!(r#"{wedge}, "x": {{"type": "coordinate-surfaces", "of": "b", "s": {s}}}"#);
     let built = build(&lines("[0, 1]")).unwrap();
     assert!(built.bodies.len() == 1 && built.remarks.iter().any(|remark| remark.reason == "no-effect"));
@@ -402,7 +402,7 @@ fn what_is_wrong_with_a_block_is_said_of_its_field() {
             "parameters-not-increasing",
             "l.growth: layer 2 is so thin",
         ),
-        (layers(r#""distances": [0, 1e-17, 0.2]"#), "below-rounding-of-place", "the layer is 1e-17"),
+        (layers(r#""distances": [0, 1e-17, 0.2]"#), "below-rounding-of-place", "the layer has size 1e-17"),
         (layers(r#""first": 1e-12, "count": 2"#), "below-rounding-of-place", "l.first: "),
         (
             inverted("[0.4, 0.5, 0.5]"),
@@ -459,7 +459,7 @@ fn the_outer_boundary_of_a_fold_is_refused() {
     let (reason, message) =
         refused(&format!(r#"{block}, "o": {{"type": "coordinate-surfaces", "of": "b", "outer": true}}"#));
     assert!(
-        reason.as_deref() == Some("folded-volume") && message.contains("block 0: lines run backwards"),
+        reason.as_deref() == Some("folded-volume") && message.contains("block 0: lines of the volume run backwards"),
         "{message}"
     );
 }

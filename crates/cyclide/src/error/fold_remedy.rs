@@ -1,6 +1,6 @@
-//! What helps against a blend that runs through itself.
+//! What helps against a blend that self-intersects.
 
-/// What helps against a blend that runs through itself.
+/// What helps against a blend that self-intersects.
 ///
 /// ```
 /// use cyclide::{CrossingError, CrossingPipe, Error, FoldRemedy, PipeCrossing};
@@ -26,11 +26,11 @@ impl FoldRemedy {
     /// The advice in words.
     pub(super) fn advice(self, walled: bool) -> &'static str {
         match (self, walled) {
-            (Self::LargerBall, true) => "take a larger ball, a thinner wall, or move the axes",
-            (Self::SmallerBall, true) => "take a smaller ball, a thinner wall, or move the axes",
-            (Self::LargerBall, false) => "take a larger ball, or move the axes",
-            (Self::SmallerBall, false) => "take a smaller ball, or move the axes",
-            (Self::FinerTolerance, _) => "the blend itself does not: take a finer tolerance",
+            (Self::LargerBall, true) => "use a larger ball or a thinner wall, or move the axes",
+            (Self::SmallerBall, true) => "use a smaller ball or a thinner wall, or move the axes",
+            (Self::LargerBall, false) => "use a larger ball, or move the axes",
+            (Self::SmallerBall, false) => "use a smaller ball, or move the axes",
+            (Self::FinerTolerance, _) => "the exact blend does not: use a smaller tolerance",
         }
     }
 }

@@ -15,11 +15,11 @@
 pub enum GridCellFault {
     /// No cell is left.
     None,
-    /// A cell has no way to the first one.
+    /// A cell is not connected to the first one.
     Apart,
-    /// A cell meets others in a corner alone.
+    /// A cell meets others only at a corner.
     Corner,
-    /// A cell is outside although the grid goes all round it.
+    /// A cell is outside although the grid surrounds it.
     Enclosed,
     /// A cell of the grid has no point at a corner.
     NoPoint,
@@ -33,13 +33,15 @@ impl GridCellFault {
     /// The fault in words, with what helps.
     pub(super) fn words(self, cell: usize) -> String {
         match self {
-            Self::None => "no quad of the grid is left".to_owned(),
-            Self::Apart => format!("quad {cell} has no way to the first one: give each piece a grid of its own"),
-            Self::Corner => format!("quad {cell} meets another in a corner alone: leave it out, or fill in beside it"),
-            Self::Enclosed => format!("the grid goes all round quad {cell}, which is outside: make it an opening"),
+            Self::None => "the grid has no quads left".to_owned(),
+            Self::Apart => format!("quad {cell} is not connected to the first one: make each piece a separate grid"),
+            Self::Corner => {
+                format!("quad {cell} meets another only at a corner: leave it out, or fill in a quad beside it")
+            }
+            Self::Enclosed => format!("the grid surrounds quad {cell}, which is outside: make it an opening"),
             Self::NoPoint => format!("quad {cell} has no point at a corner"),
-            Self::Closed => "a closed grid is whole: no quads of it can be left out".to_owned(),
-            Self::Curves => "a border in steps has no sides for curves: leave it free, or hold it".to_owned(),
+            Self::Closed => "a closed grid must be whole: none of its quads can be left out".to_owned(),
+            Self::Curves => "a stepped border has no sides for curves: leave it free, or hold it".to_owned(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Why umbilics are no vertices of one mesh of quads.
 
-/// What stands against one mesh of quads along the lines of curvature round umbilics.
+/// What prevents one mesh of quads along the lines of curvature round umbilics.
 ///
 /// ```
 /// use cyclide::{Error, JoinFault, PrincipalGridError};
@@ -16,7 +16,7 @@ pub enum JoinFault {
     Many,
     /// The surface has a hole, or is a tube.
     Holes,
-    /// No way along edges of the surface's mesh leads from it to the border past the ways from the others.
+    /// No path along edges of the surface's mesh leads from it to the border past the paths from the other umbilics.
     Coarse,
     /// It is nearer than some edges to another one, or to the border.
     Crowded,
@@ -28,13 +28,15 @@ impl JoinFault {
     /// The fault in words, with what helps.
     pub(super) fn words(self) -> &'static str {
         match self {
-            Self::Turns => "lines of curvature make more than half a turn round it",
-            Self::Many => "it is one of more than 64: the surface is rough, or flat in parts",
-            Self::Holes => "the surface has holes, or is a tube: fill them, or cut the tube open",
-            Self::Coarse => "the mesh has no way of its own from there to the border: refine it",
-            Self::Crowded => "it is within some edges of another one, or of the border: take a shorter edge length",
+            Self::Turns => "lines of curvature turn by more than half a turn round it",
+            Self::Many => "it is one of more than 64 umbilics: the surface is rough, or flat in parts",
+            Self::Holes => "the surface has holes, or is a tube: fill the holes, or cut the tube open",
+            Self::Coarse => "the mesh has no separate path from there to the border: refine it",
+            Self::Crowded => {
+                "it is only some edges away from another one, or from the border: use a shorter edge length"
+            }
             Self::Folded => {
-                "the coordinates along the lines of curvature are folded: the mesh is rough there, or the surface nearly flat or spherical"
+                "the coordinates along the lines of curvature fold: the mesh is rough there, or the surface is nearly flat or spherical"
             }
         }
     }

@@ -41,23 +41,23 @@ impl LayoutFault {
     pub(super) fn words(self, index: usize) -> String {
         match self {
             Self::NoQuads => "the mesh has no quads".to_owned(),
-            Self::NoSuchVertex => format!("quad {index} has a corner that is no vertex"),
+            Self::NoSuchVertex => format!("quad {index} has a corner that is not a vertex"),
             Self::RepeatedCorner => format!("quad {index} has the same corner twice"),
-            Self::ThirdQuad => format!("quad {index} is the third at an edge"),
-            Self::OneSided => format!("quad {index} is turned both ways: the mesh is one-sided"),
-            Self::Apart => format!("no chain of neighbours joins quad {index} to the first one"),
-            Self::Touching => format!("parts of the mesh touch in vertex {index} alone"),
-            Self::Border => format!("vertex {index} of the border has more than three quads: only 1 to 3 make a grid"),
+            Self::ThirdQuad => format!("quad {index} is the third at an edge, maximum 2"),
+            Self::OneSided => format!("quad {index} cannot be oriented: the mesh is one-sided"),
+            Self::Apart => format!("quad {index} is not connected to the first one"),
+            Self::Touching => format!("parts of the mesh touch only at vertex {index}"),
+            Self::Border => format!("border vertex {index} has more than 3 quads: a grid allows 1 to 3"),
             Self::Crowded => format!(
-                "the quads round extraordinary vertex {index} reach the border, or those of another one: divide every quad into four, or nine"
+                "the quads round irregular vertex {index} reach the border, or those of another irregular vertex: divide every quad into four or nine"
             ),
             Self::Overlapping => {
                 format!(
-                    "the rows through quad {index} come back in another place: the mesh closes with a shift, or lies over itself"
+                    "the rows through quad {index} come back at another location: the mesh closes with a shift, or overlaps itself"
                 )
             }
             Self::Holes => format!(
-                "extraordinary vertices, as {index} is one, go with a disc or a sphere: fill holes with quads, and leave these open; cut a tube"
+                "vertex {index} is irregular, and irregular vertices need a disc or a sphere: fill the holes with quads and leave those out, or cut the tube open"
             ),
         }
     }

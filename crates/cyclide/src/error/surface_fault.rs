@@ -17,11 +17,11 @@ pub enum SurfaceFault {
     NoArea,
     /// More than two triangles share an edge.
     EdgeOfMany,
-    /// A triangle is seen from another side than its neighbour.
+    /// A triangle is oriented opposite to its neighbour.
     TurnedOver,
-    /// Triangles meet in a vertex alone.
+    /// Triangles meet only at a vertex.
     Pinched,
-    /// A triangle has no way to the first one.
+    /// A triangle is not connected to the first one.
     Apart,
     /// The surface is closed.
     NoBorder,
@@ -39,19 +39,19 @@ impl SurfaceFault {
             }
             Self::TurnedOver => {
                 format!(
-                    "triangle {triangle} is seen from another side than its neighbour: turn it over (or leave it out, if it is there twice)"
+                    "triangle {triangle} is oriented opposite to its neighbour: reverse it (or remove it, if it is a duplicate)"
                 )
             }
             Self::Pinched => {
-                format!("triangle {triangle} meets others in a vertex alone: give each a vertex of its own")
+                format!("triangle {triangle} meets others only at a vertex: give each a vertex of its own")
             }
             Self::Apart => {
                 format!(
-                    "triangle {triangle} has no way to the first one: give each piece a mesh of its own, and weld points that are one"
+                    "triangle {triangle} is not connected to the first one: make each piece a separate mesh, and weld coincident points"
                 )
             }
-            Self::NoBorder => "it has no border: cut it open, with a hole round a pole".to_owned(),
-            Self::Handles => "it has handles: cut it open".to_owned(),
+            Self::NoBorder => "it has no border: cut it open, for example with a hole round a pole".to_owned(),
+            Self::Handles => "it has handles: cut them open".to_owned(),
         }
     }
 }

@@ -65,7 +65,7 @@ impl CurveObject {
         // What is exact does not ask for the tolerance.
         let Lowered { form, exactness, .. } = self.lower_to_chain(1.0)?;
         if exactness != Exactness::Exact {
-            let detail = "a trigonometric circle spline has no rational form: take the rational one";
+            let detail = "a trigonometric circle spline has no rational form: use the rational variant";
             return Err(NurbsError::NotASpline { detail }.into());
         }
         let closed = form.is_closed();

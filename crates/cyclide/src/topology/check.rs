@@ -125,10 +125,10 @@ impl Shell {
         let fail = |index, detail| Err(ShellError::NotAShell { item: ErrorItem::Edge, index, detail }.into());
         for (index, &[with, against]) in runs.iter().enumerate() {
             match (with, against) {
-                (0, 0) => return fail(index, "no face has it"),
+                (0, 0) => return fail(index, "no face uses it"),
                 (0 | 1, 0 | 1) => {}
-                (2, 0) | (0, 2) => return fail(index, "its faces are oriented against each other"),
-                _ => return fail(index, "more than two faces have it"),
+                (2, 0) | (0, 2) => return fail(index, "its faces have opposite orientations"),
+                _ => return fail(index, "more than two faces use it"),
             }
         }
         Ok(())
@@ -139,12 +139,10 @@ impl Shell {
             return Err(ShellError::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" }.into());
         }
         match self.parts().get(1).and_then(|part| part.first().copied()) {
-            Some(index) => Err(ShellError::NotAShell {
-                item: ErrorItem::Face,
-                index,
-                detail: "no chain of edges joins it to face 0",
+            Some(index) => {
+                Err(ShellError::NotAShell { item: ErrorItem::Face, index, detail: "it is not connected to face 0" }
+                    .into())
             }
-            .into()),
             None => Ok(()),
         }
     }

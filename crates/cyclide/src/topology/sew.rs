@@ -264,7 +264,7 @@ impl DupinCyclide {
             _ => Err(ShellError::NotAShell {
                 item: ErrorItem::Vertex,
                 index: 0,
-                detail: "the cyclide touches itself in its nodes",
+                detail: "the cyclide touches itself at its nodes",
             }
             .into()),
         }

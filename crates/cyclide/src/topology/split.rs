@@ -111,7 +111,7 @@ impl Shell {
                 segment: None,
                 needed: faces as f64,
                 cap: most,
-                remedy: "its patches are singular or nearly so in too many places",
+                remedy: "its patches are singular or nearly so at too many locations",
             }
             .into());
         }

@@ -170,7 +170,7 @@ fn solids(shells: Vec<Shell>) -> Result<Vec<Body>> {
             .iter_mut()
             .filter(|body| body.outer.bounds().contains(inside))
             .min_by(|a, b| a.outer.volume().total_cmp(&b.outer.volume()));
-        let detail = "its faces look inwards, and no shell is around it";
+        let detail = "its faces point inwards, and no shell encloses it";
         let body = around.ok_or(ShellError::NotAShell { item: ErrorItem::Face, index: 0, detail })?;
         body.voids.push(hollow);
     }

@@ -11,7 +11,7 @@
 pub enum InvertedCause {
     /// The block folds, or is flat.
     Fold,
-    /// Sides of the cells are as short as the rounding of their place, as beside an axis.
+    /// Sides of the cells are as short as the rounding of their coordinates, as beside an axis.
     Rounding,
     /// Straight sides are too coarse for the arcs of the block.
     TooCoarse,
@@ -22,9 +22,9 @@ impl InvertedCause {
         match self {
             Self::Fold => "the block folds there, or is flat at best",
             Self::Rounding => {
-                "their sides are as short as the rounding of their place, and fewer cells help, or a first one less thin, or a place nearer to the origin"
+                "their sides are as short as the rounding of their coordinates; use fewer cells, a thicker first cell, or a location closer to the origin"
             }
-            Self::TooCoarse => "their straight sides are too coarse for its arcs, and more cells help",
+            Self::TooCoarse => "their straight sides are too coarse for its arcs; use more cells",
         }
     }
 }

@@ -19,13 +19,13 @@
 pub enum SpikeRemedy {
     /// A motion of least degree has no freedom, a spline has.
     Spline,
-    /// Times of poses do not fit the ways.
+    /// Times of poses do not fit the path lengths.
     Times,
-    /// A curve has a parameter of its own, and a law goes by the way.
+    /// A curve has a parameter of its own, and a law goes by the path length.
     Law,
-    /// The law counts turns for too little.
+    /// The law weights rotation too little.
     LargerArm,
-    /// The law counts turns for too much.
+    /// The law weights rotation too much.
     SmallerArm,
 }
 
@@ -33,13 +33,13 @@ impl SpikeRemedy {
     /// The advice in words.
     pub(super) fn advice(self) -> &'static str {
         match self {
-            Self::Spline => "take a spline, or other times",
-            Self::Times => "give times that fit the ways and turns, or a pose more there",
-            Self::Law => "give it a law that goes by the way, as `constant-speed`",
+            Self::Spline => "use a spline, or other times",
+            Self::Times => "give times that fit the path lengths and rotations, or add a pose there",
+            Self::Law => "give it a law by path length, such as `constant-speed`",
             Self::LargerArm => {
-                "the tool hardly moves there while the body turns: give an `arm`, the length by which turns count as way, or a larger one"
+                "the tool hardly moves there while the body rotates: give an `arm`, the characteristic length that weights rotation against translation, or a larger one"
             }
-            Self::SmallerArm => "the body hardly turns there while the tool moves: give a smaller `arm`",
+            Self::SmallerArm => "the body hardly rotates there while the tool moves: give a smaller `arm`",
         }
     }
 }

@@ -17,7 +17,7 @@
 pub enum SwingPart {
     /// The body as a whole.
     All,
-    /// The place of its origin, while it turns.
+    /// The position of its origin, while it turns.
     Place,
     /// How it is turned, while it moves.
     Turn,
@@ -28,8 +28,8 @@ impl SwingPart {
     pub(super) fn words(self) -> &'static str {
         match self {
             Self::All => "it",
-            Self::Place => "its place",
-            Self::Turn => "its turn",
+            Self::Place => "its position",
+            Self::Turn => "its orientation",
         }
     }
 

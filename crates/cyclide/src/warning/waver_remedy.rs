@@ -23,12 +23,12 @@ impl WaverRemedy {
     /// The advice in words.
     pub(super) fn advice(self) -> &'static str {
         match self {
-            Self::FairSpline => "a fair spline, or a fit within a tolerance, bends less to and fro",
+            Self::FairSpline => "a fair spline, or a fit within a tolerance, has fewer wiggles",
             Self::Points => {
-                "add points there, space them more evenly, or mark corners that are meant (a corner angle); of measured points, a fit within a tolerance bends less to and fro"
+                "add points there, space them more evenly, or mark intended corners (a corner angle); for measured points use a fit within a tolerance"
             }
             Self::Tolerance => "a larger tolerance gives a smoother curve",
-            Self::Source => "smooth it where it was made, or sample it and fit the samples within a tolerance",
+            Self::Source => "smooth it in its source, or sample it and fit the samples within a tolerance",
         }
     }
 }

@@ -39,7 +39,7 @@ fn turns_on_the_spot_are_refused() {
             };
             assert!((turn - 1.5).abs() < 1e-12 && length <= limit && limit < 1e-11, "{turn} {length}");
             assert!(
-                error.to_string().contains("turns by 86 degrees on the spot") && error.to_string().contains("an `arm`")
+                error.to_string().contains("rotates by 86 degrees in place") && error.to_string().contains("an `arm`")
             );
             // By the times it is what was asked for, and with an arm the turn takes its part: 0.15 of 4.15.
             let body = MovingBody::new(motion.clone()).with_tool(Point3::ORIGIN, 0.1).unwrap();
@@ -214,7 +214,7 @@ fn turns_and_places_that_swing_are_told_apart() {
     let turns = [degrees(0.0, 0.0, 0.0), degrees(1.0, 1.0, 60.0), degrees(5.0, 5.0, 60.0), degrees(6.0, 6.0, 120.0)];
     assert_eq!(told(&turns), Some((1, 1, f64::INFINITY, SwingPart::Turn)));
     let message = RationalMotion::spline(&turns).unwrap().warnings()[0].to_string();
-    assert!(message.contains("where its turn goes on though it is the same at both"), "{message}");
+    assert!(message.contains("where its orientation is the same at both poses"), "{message}");
     // At one place at both ends of a turn, it leaves that by a tenth of the way before; and on the slides beside, where it should not turn, it rocks.
     let places = [degrees(0.0, 0.0, 0.0), degrees(1.0, 10.0, 0.0), degrees(3.0, 10.0, 90.0), degrees(4.0, 20.0, 90.0)];
     assert_eq!(told(&places), Some((0, 3, f64::INFINITY, SwingPart::Turn)));

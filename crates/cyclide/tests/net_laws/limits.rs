@@ -128,7 +128,7 @@ fn small_parts_of_a_large_surface_are_right_where_they_are() {
 fn refinements_have_a_cap_that_is_told_before_memory_is_taken() {
     let ring = DupinCyclide::new(2.0, 1.0, 1.5).unwrap();
     let error = ring.nets([4096, 4096]).unwrap_err();
-    assert_eq!(error.to_string(), "the cyclide needs 1.68e7 pieces, at most 500000 are made: use fewer segments");
+    assert_eq!(error.to_string(), "the cyclide needs 1.68e7 pieces, the limit is 500000: use fewer segments");
     assert_eq!(error.reason(), "too-many-pieces");
     let body = ring.to_bodies([4, 4]).unwrap().remove(0);
     let error = tessellate(&body, 1e-9).unwrap_err();

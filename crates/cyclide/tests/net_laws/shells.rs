@@ -49,7 +49,7 @@ fn what_is_no_shell_is_refused() {
     let (v, e, mut f) = parts();
     f[1].same_sense = false;
     let error = Shell::new(v, e, f).unwrap_err();
-    assert!(error.to_string().contains("oriented"), "{error}");
+    assert!(error.to_string().contains("opposite orientations"), "{error}");
     let (v, e, mut f) = parts();
     let copy = f[9].clone();
     f.push(copy);

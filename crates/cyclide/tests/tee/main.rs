@@ -329,7 +329,7 @@ fn a_wall_that_folds_the_blend_is_named() {
     for (radius, wall) in [(18.0, 17.0), (30.0, 29.0)] {
         let error = tee(radius, wall).expect_err("its inner side folds");
         assert!(matches!(error, Error::Tee(TeeError::BlendFolds { wall: Some(_), .. })), "{error}");
-        assert!(error.to_string().contains("take a thinner wall"), "{error}");
+        assert!(error.to_string().contains("use a thinner wall"), "{error}");
     }
     assert!(tee(18.0, 12.0).is_ok());
     // In the sharp crotch it is the ball.
@@ -373,7 +373,10 @@ fn what_is_no_tee_is_refused_with_its_measures() {
     // Thinner by too little: what helps is said, and it does.
     let narrow = |radius: f64| TeeBranch { radius, ..TeeBranch::upright(1.0, 10.0, 0.3) };
     let message = refused(TeeMain { radius: 1.0, ..MAIN }, vec![narrow(0.9999)]).to_string();
-    assert!(message.contains("less than 1e-4 is left") && message.contains("make it 0.9998 at most"), "{message}");
+    assert!(
+        message.contains("clearance between them is below 1e-4") && message.contains("make its radius at most 0.9998"),
+        "{message}"
+    );
     assert!(made(TeeMain { radius: 1.0, ..MAIN }, vec![narrow(0.9998)], None, TeeEnds::Flat).is_ok());
     assert_eq!(refused(MAIN, vec![TeeBranch { radius: 3.1, ..branch() }]).reason(), "tee-branch-too-wide");
     assert_eq!(refused(MAIN, vec![TeeBranch { radius: 3.0, offset: 0.1, ..branch() }]).reason(), "tee-branch-too-wide");
@@ -416,7 +419,7 @@ fn advice_on_too_many_pieces_fits_what_was_asked_for() {
         (0.9998, law(), true, true),
     ] {
         let message = refused(radius, blend);
-        assert!(message.contains("at most 2048 are made: use a larger tolerance"), "{message}");
+        assert!(message.contains("the limit is 2048: use a larger tolerance"), "{message}");
         assert_eq!(message.contains("a law that changes less"), of_law, "{message}");
         assert_eq!(message.contains("a thinner branch"), nearly_equal, "{message}");
     }

@@ -238,7 +238,7 @@ fn folds(faces: &[Vec<RationalBezierSurface>], closed: bool, comes_back: bool) -
     for (face, surface) in (0..spans).flat_map(|k| faces.iter().map(move |of_piece| &of_piece[k])).enumerate() {
         match shape(surface) {
             FaceShape::Curve => {
-                let detail = "the curve moves along itself there, or stands still: it runs over no surface";
+                let detail = "the curve moves along itself or stops there, so it sweeps no surface";
                 return Err(ShellError::NotAShell { item: ErrorItem::Face, index: face, detail }.into());
             }
             FaceShape::Folded => {

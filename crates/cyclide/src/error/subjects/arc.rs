@@ -30,8 +30,8 @@ table! {
             limit: f64,
         }
         reason "pole-on-segment";
-        says "the arc passes through infinity: its weight ratio has real part {real} and vector part {vector}, \
-            limit {limit}";
+        says "the arc passes through infinity: its weight ratio has real part {real} and vector part {vector}, which \
+            must be longer than {limit}";
 
         /// An arc that turns by so nearly a full circle that its points would lose their digits.
         NearlyFullCircle {
@@ -41,8 +41,8 @@ table! {
             limit: f64,
         }
         reason "nearly-full-circle";
-        says "the arc turns by a full circle less {rest} radians, limit {limit}: its ends nearly coincide; take a \
-            circle, or two arcs";
+        says "the arc is {rest} radians short of a full circle, minimum {limit}, so its ends nearly coincide; use a \
+            circle or two arcs";
 
         /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
         NotInImH {
@@ -52,24 +52,25 @@ table! {
             limit: f64,
         }
         reason "not-in-im-h";
-        says "the weight takes the arc out of three-space: cosine {cosine} between chord and weight, limit {limit}";
+        says "the weight is not perpendicular to the chord (cosine {cosine}, limit {limit}): the arc would leave \
+            three-space";
 
         /// The tangent points straight away from the other end, where only an infinite line would do, or so nearly that the arc
         /// runs out far beyond its chord.
         TangentOpposesChord {
             /// Which tangent (or piece of a curve), from 0.
             index: usize,
-            /// Its angle with the way back along the chord, radians.
+            /// Its angle with the direction back along the chord, radians.
             angle: f64,
             /// Smallest angle accepted.
             limit: f64,
         }
         reason "tangent-opposes-chord";
         at *index;
-        when *limit <= ROUNDING_OF_ANGLES, says "tangent {index} points away from the chord: the arc would pass \
-            through infinity";
-        says "tangent {index} points away from the chord but for {angle} radians, where {limit} are needed: the \
-            arcs there would run out nearly to infinity";
+        when *limit <= ROUNDING_OF_ANGLES, says "tangent {index} points directly away from the other end: the arc \
+            would pass through infinity";
+        says "tangent {index} is {angle} radians from pointing directly away from the other end, minimum {limit}: \
+            the arc would reach almost to infinity";
 
         /// Three points on a line have no finite circle.
         DegenerateCircle {
@@ -79,7 +80,7 @@ table! {
             limit: f64,
         }
         reason "degenerate-circle";
-        says "the points lie on a line: sine of their angle {sine}, limit {limit}";
+        says "the points lie on a line, so they have no circle: sine of their angle {sine}, limit {limit}";
 
         /// Four points in a plane have no finite sphere.
         DegenerateSphere {
@@ -89,7 +90,7 @@ table! {
             limit: f64,
         }
         reason "degenerate-sphere";
-        says "the points lie in a plane: relative volume {volume}, limit {limit}";
+        says "the points lie in a plane, so they have no sphere: relative volume {volume}, limit {limit}";
 
         /// No biarc with finite arcs joins the data.
         NoFiniteBiarc {
@@ -101,7 +102,7 @@ table! {
             limit: f64,
         }
         reason "no-finite-biarc";
-        says "no finite biarc: {measured} is {value}, limit {limit}";
+        says "no biarc with finite arcs exists: {measured} is {value}, limit {limit}";
 
         /// The points turn back on themselves: there is no tangent to estimate.
         Cusp {
@@ -114,7 +115,8 @@ table! {
         }
         reason "tangent-undefined";
         at *index;
-        says "cusp at point {index}: the unit chords sum to {measured}, limit {limit}; split the points there";
+        says "the points turn back at point {index} (cusp): the sum of the unit chords has length {measured}, limit \
+            {limit}; split the points there";
 
         /// A circle of a blend is the chord's own line taken through infinity, or comes so near infinity that its points have lost
         /// their digits.
@@ -128,10 +130,10 @@ table! {
         }
         reason "arc-through-infinity";
         at *segment;
-        when !reach.is_finite(), says "segment {segment}: a start tangent opposes the chord, the blend would pass \
-            through infinity";
-        says "segment {segment}: the curve runs out to {reach} times the distance of its two points and loses its \
-            digits there (at most {limit} times is written); make the turn there less sharp, or add a point";
+        when !reach.is_finite(), says "segment {segment}: a start tangent is opposite to the chord, so the blend \
+            would pass through infinity";
+        says "segment {segment}: the curve reaches {reach} times as far as its two points are apart, maximum {limit} \
+            times, and loses precision there; make the turn there less sharp, or add a point";
 
         /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
         AmbiguousHalfTurn {
@@ -144,7 +146,8 @@ table! {
         }
         reason "ambiguous-half-turn";
         at *segment;
-        says "segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous";
+        says "segment {segment}: its circles have opposite tangents along the chord, so the half-turn between them \
+            is ambiguous";
     }
 }
 

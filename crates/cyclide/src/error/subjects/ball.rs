@@ -19,7 +19,7 @@ table! {
             limit: f64,
         }
         reason "not-timelike-pair";
-        says "the balls that touch both surfaces form no torus: measured {measured}, limit {limit}";
+        says "the balls tangent to both surfaces do not form a torus: measured {measured}, limit {limit}";
 
         /// Two surfaces whose axes meet or are parallel in the space of balls: their tangent balls form no single surface.
         DegeneratePair {
@@ -29,8 +29,8 @@ table! {
             limit: f64,
         }
         reason "degenerate-pair";
-        says "the two surfaces have a common tangent ball for an axis, or parallel or equal axes: measured \
-            {measured}, limit {limit}";
+        says "the axes of the two surfaces are equal or parallel, or share a tangent ball: measured {measured}, \
+            limit {limit}";
 
         /// A place on the border of the balls between two cylinders, where they are infinite.
         SphereAtInfinity {
@@ -40,7 +40,7 @@ table! {
             limit: f64,
         }
         reason "sphere-at-infinity";
-        says "the ball at this place is infinite: the product of sines is {measured}, which must be above {limit}";
+        says "the ball at this location is infinite: the product of sines is {measured}, must be above {limit}";
 
         /// A ball that touches a surface from the wrong side, or its other nappe.
         WrongSide {
@@ -51,7 +51,7 @@ table! {
         }
         reason "wrong-side";
         at *surface;
-        says "the ball touches surface {surface} from the wrong side: measured {measured}, which must be above 0";
+        says "the ball touches surface {surface} from the wrong side: measured {measured}, must be above 0";
 
         /// A ball whose radius is not positive where one outside is asked for.
         NoPositiveRadius {
@@ -59,7 +59,7 @@ table! {
             radius: f64,
         }
         reason "no-positive-radius";
-        says "the ball outside both surfaces would have the radius {radius}";
+        says "the ball outside both surfaces would have radius {radius}, must be above 0";
 
         /// A contact whose ball lies between parallel planes, so that none or any touches both.
         ParallelContact {
@@ -69,8 +69,8 @@ table! {
             limit: f64,
         }
         reason "parallel-contact";
-        says "the tangent planes are so nearly parallel that no single ball touches both: measured {measured}, \
-            limit {limit}";
+        says "the tangent planes are nearly parallel, so no single ball touches both: measured {measured}, limit \
+            {limit}";
 
         /// A ball too small to touch both cylinders.
         RadiusTooSmall {
@@ -80,6 +80,6 @@ table! {
             limit: f64,
         }
         reason "radius-too-small";
-        says "a ball of radius {radius} cannot touch both cylinders: it must be above {limit}";
+        says "a ball of radius {radius} cannot touch both cylinders: the radius must be above {limit}";
     }
 }

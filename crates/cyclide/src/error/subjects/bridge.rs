@@ -20,8 +20,8 @@ table! {
             along_y: f64,
         }
         reason "ellipses-cross";
-        says "the ellipses cross: the second is wider by {along_x} along x and by {along_y} along y; a solid needs \
-            one inside the other";
+        says "the ellipses cross: the semi-axes of the second are larger by {along_x} along x and by {along_y} along \
+            y; a solid needs one ellipse inside the other";
 
         /// Two curves between which pieces are to be matched one by one do not have as many.
         PieceCountsDiffer {
@@ -31,14 +31,14 @@ table! {
             second: usize,
         }
         reason "piece-counts-differ";
-        says "the first curve has {first} piece(s), the second {second}: pieces are joined one by one, in their \
-            order";
+        says "the first curve has {first} piece(s), the second {second}: pieces are joined one by one in order, so \
+            the numbers must be equal";
 
         /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
         RulingsCross {
             /// Which piece, from 0.
             piece: usize,
-            /// The parameter of the piece, and the part of the way from the first curve to the second.
+            /// The parameter of the piece, and the part of the distance from the first curve to the second.
             at: [f64; 2],
             /// Length of the normal there, relative to what it could have.
             normal: f64,
@@ -47,11 +47,11 @@ table! {
         }
         reason "rulings-cross";
         at *piece;
-        says "the straight lines between piece {piece} of both curves cross, or lie in one line: at {} of the piece \
-            and {} of the way between them the surface has no normal (of its length {normal} is left, limit \
-            {limit}); does the second curve run the other way?", ShortNumber(at[0]), ShortNumber(at[1]);
+        says "the straight lines between piece {piece} of the two curves cross or coincide: at {} of the piece and \
+            {} of the distance between the curves the surface has no normal (relative length {normal}, limit \
+            {limit}); check the direction of the second curve", ShortNumber(at[0]), ShortNumber(at[1]);
 
-        /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
+        /// The arcs between two curves cross their neighbours: the surface has no normal there, and self-intersects beside it.
         ArcsCross {
             /// Which piece of the curves, from 0.
             piece: usize,
@@ -60,9 +60,10 @@ table! {
         }
         reason "arcs-cross";
         at *piece;
-        says "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of \
-            the arcs, and the surface runs through itself or folds back; does the second curve run the other way, \
-            or the tangent away from it?", ShortNumber(at[0]), ShortNumber(at[1]);
+        says "the arcs between piece {piece} of the two curves cross near {} of the piece and {} of the arcs, so the \
+            surface self-intersects or folds back; check the directions of the second curve and of the tangent",
+            ShortNumber(at[0]),
+            ShortNumber(at[1]);
 
         /// The directions of arcs at neighbouring joints of a curve oppose each other: halfway between them there is none.
         OppositeTangents {
@@ -77,7 +78,7 @@ table! {
         }
         reason "opposite-tangents";
         at *first;
-        says "between tangents {first} and {second}, which oppose each other, there is a place without a direction: \
-            {length} of the longer one is left, limit {limit}; turn one of them to a side";
+        says "tangents {first} and {second} are opposite, so the direction vanishes between them: {length} of the \
+            longer one is left, limit {limit}; turn one of them sideways";
     }
 }

@@ -19,15 +19,16 @@ table! {
             /// The angle round the tube.
             angle: f64,
             /// What must be positive there: the rise of the tube's line over the plane, the square of half the distance between
-            /// both such balls on it, or, inside, how far from the axis the centre of the ball is on the side of the contact.
+            /// both such balls on it, or, inside, how far from the axis the center of the ball is on the side of the contact.
             measured: f64,
         }
         reason "contact-loop-open";
-        when *ring, says "no ball of this radius touches both the ring and what it stands on: what must be positive \
-            is {measured}; the ring is too far from it, or within it: change its height, its radius or the ball";
-        says "no ball of this radius touches both at {angle} radians round the tube: what must be positive there is \
-            {measured}; the tube has to meet the plane or the sphere all round, with room for the ball: move its \
-            axis nearer to the centre of the sphere, turn it nearer to the normal of the plane, or take a thinner \
+        when *ring, says "no ball of this radius touches both the ring and the surface it is blended with: measured \
+            {measured}, must be above 0; the ring is too far from the surface or inside it: change its height, its \
+            radius or the ball";
+        says "no ball of this radius touches both surfaces at {angle} radians round the tube: measured {measured}, \
+            must be above 0; the tube must meet the plane or the sphere all round, with room for the ball: move its \
+            axis closer to the center of the sphere, turn it closer to the normal of the plane, or use a thinner \
             tube";
 
         /// The contact of the blend of a cone with a sphere turns back, so that the rest of the sphere would overlap.
@@ -36,19 +37,19 @@ table! {
             angle: f64,
         }
         reason "contact-loop-turns-back";
-        says "the border of the blend on the sphere turns back at {angle} radians round the cone; take one that \
-            widens less towards its end, or whose axis passes nearer to the centre of the sphere";
+        says "the border of the blend on the sphere turns back at {angle} radians round the cone; use a cone that \
+            widens less towards its end, or whose axis passes closer to the center of the sphere";
 
-        /// The blend of a tube with a plane or a sphere runs through itself.
+        /// The blend of a tube with a plane or a sphere self-intersects.
         BlendFolds {
             /// The angle round the tube where that is.
             angle: f64,
-            /// What is left of its width there, in parts of that on a straight way.
+            /// What is left of its width there, in parts of that on a straight path.
             left: f64,
         }
         reason "contact-blend-folds";
-        says "the blend runs through itself at {angle} radians round the tube: its width there is {left} of that on \
-            a straight way, which must be positive; take a smaller ball or a thinner wall";
+        says "the blend self-intersects at {angle} radians round the tube (width factor {left}, must be above 0); \
+            use a smaller ball or a thinner wall";
 
         /// A tube ends within its blend.
         TubeTooShort {
@@ -58,6 +59,6 @@ table! {
             needed: f64,
         }
         reason "contact-tube-too-short";
-        says "the tube ends within the blend: at {end} along its axis, which must be beyond {needed}";
+        says "the tube ends within the blend: it ends at {end} along its axis and must extend beyond {needed}";
     }
 }

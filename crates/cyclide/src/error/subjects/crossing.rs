@@ -21,9 +21,8 @@ table! {
             limit: f64,
         }
         reason "crossing-axes-too-near";
-        says "the axes are {distance} apart, and pipes pass each other if that is more than their radii differ, by \
-            {limit}: move them apart; a pipe that ends on another, its axis nearer or meeting, is a branch of a \
-            `pipe-tee`";
+        says "the axes are {distance} apart; pipes that pass each other need more than the difference of the radii, \
+            {limit}: move the axes apart, or use a branch of a `pipe-tee` if one pipe ends on the other";
 
         /// A ball is too large for the edge of a crossing: of what both pipes have in common, or of one less the other.
         BallTooLarge {
@@ -33,10 +32,10 @@ table! {
             limit: f64,
         }
         reason "crossing-ball-too-large";
-        when *limit <= 0.0, says "the pipes have nothing in common whose edge could be rounded: they are {} apart",
+        when *limit <= 0.0, says "the pipes do not overlap, so there is no edge to round: they are {} apart",
             ShortNumber(-2.0 * *limit);
-        says "a ball of radius {radius} does not roll along the edge: it must be below {limit}, half of the room \
-            that the pipes leave it";
+        says "a ball of radius {radius} cannot roll along the edge: the radius must be below {limit}, half of the \
+            room between the pipes";
 
         /// Pipes of which one is to be cut by the other do not meet, or hardly.
         PipesApart {
@@ -46,8 +45,8 @@ table! {
             limit: f64,
         }
         reason "crossing-pipes-apart";
-        says "the pipes do not meet, or hardly, and neither cuts the other: their axes are {distance} apart, which \
-            must be below the sum of the radii less a thousandth, {limit}";
+        says "the pipes do not meet, or hardly, so neither cuts the other: their axes are {distance} apart, must be \
+            below {limit}, the sum of the radii less a thousandth";
 
         /// A crossing of a pipe with a taper that is made of cylinders only.
         NeedsCylinders {
@@ -59,14 +58,14 @@ table! {
             taper: f64,
         }
         reason "crossing-needs-cylinders";
-        says "pipe {pipe} has a taper of {taper} radians, and such pipes are crossed by a ball of one radius \
-            outside or inside both: the {} asks for cylinders", what.word();
+        says "pipe {pipe} has a taper of {taper} radians, but the requested {} requires cylinders: tapered pipes \
+            need a ball of constant radius, outside or inside both", what.word();
 
-        /// The centres of the balls of a blend are on no surface with a patch of its own: two pipes that pass each other have one,
+        /// The centers of the balls of a blend lie on no surface of their own: two pipes that pass each other have one,
         /// balls outside both or inside both.
         NoCenterSurface
         reason "no-center-surface";
-        says "the centres of these balls have no surface of their own: only pipes that pass each other have one, \
+        says "the centers of these balls have no surface of their own: only pipes that pass each other have one, \
             with balls outside both or inside both";
 
         /// A pipe of a crossing ends within the blend.
@@ -79,7 +78,7 @@ table! {
             needed: f64,
         }
         reason "crossing-pipe-too-short";
-        says "pipe {pipe} ends within the blend: at {end}, which must be beyond {needed}";
+        says "pipe {pipe} ends within the blend: it ends at {end} and must extend beyond {needed}";
 
         /// The hole of a crossing goes too far round a pipe.
         HoleTooWide {
@@ -91,8 +90,8 @@ table! {
             limit: f64,
         }
         reason "crossing-hole-too-wide";
-        says "the blend goes {angle} radians round pipe {pipe} to either side, and at most {limit} leave a back to \
-            it; take a smaller ball, or move the axes apart";
+        says "the hole in pipe {pipe} spans +-{angle} radians, maximum +-{limit}; use a smaller ball, or move the \
+            axes apart";
 
         /// The border of the hole of a crossing turns back, so that parts of its pipe would overlap.
         HoleTurnsBack {
@@ -102,14 +101,14 @@ table! {
             along: f64,
         }
         reason "crossing-hole-turns-back";
-        says "the border of the hole in pipe {pipe} turns back at {along} along it; take a smaller ball, move the \
-            axes apart, or turn them nearer to a right angle";
+        says "the border of the hole in pipe {pipe} turns back at {along} along its axis; use a smaller ball, move \
+            the axes apart, or turn them closer to a right angle";
 
-        /// The blend of a crossing runs through itself.
+        /// The blend of a crossing self-intersects.
         Folds {
             /// Where its ball is then, as an angle about the common normal of the axes from the first one.
             angle: f64,
-            /// What is left of its width there, in parts of that on a straight way.
+            /// What is left of its width there, in parts of that on a straight path.
             left: f64,
             /// What helps.
             remedy: FoldRemedy,
@@ -117,7 +116,7 @@ table! {
             walled: bool,
         }
         reason "crossing-folds";
-        says "the blend runs through itself where its ball is at {angle} radians from the first axis: its width \
-            there is {left} of that on a straight way, which must be positive; {}", remedy.advice(*walled);
+        says "the blend self-intersects where its ball is at {angle} radians from the first axis (width factor \
+            {left}, must be above 0); {}", remedy.advice(*walled);
     }
 }

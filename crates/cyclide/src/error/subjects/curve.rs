@@ -24,16 +24,16 @@ table! {
         }
         reason "disconnected";
         at *piece;
-        says "pieces {piece} and {next} do not meet: gap {gap}, limit {limit}";
+        says "pieces {piece} and {next} are not connected: gap {gap}, limit {limit}";
 
-        /// A curve passes through infinity, or runs so far out that doubles do not tell.
+        /// A curve passes through infinity, or runs so far out that doubles cannot resolve it.
         ThroughInfinity {
             /// Near which parameter.
             t: f64,
         }
         reason "curve-through-infinity";
-        says "the curve passes through infinity near the parameter {t}: change the parameters, move a point, or \
-            take a Moebius spline";
+        says "the curve passes through infinity near parameter {t}: change the parameters, move a point, or use a \
+            Moebius spline";
 
         /// A part of a curve is not proved to be within the tolerance of its chord, however short.
         NotWithinTolerance {
@@ -46,8 +46,8 @@ table! {
         }
         reason "not-within-tolerance";
         at *piece;
-        says "piece {piece}: the curve is not proved to be within {tolerance} of a polyline, only within {bound}; \
-            use a larger tolerance";
+        says "piece {piece}: the distance from a polyline is proved only to {bound}, tolerance \
+            {tolerance}; use a larger tolerance";
 
         /// A frame does not exist at a place of a curve: what it would be made from vanishes there.
         NoFrame {
@@ -61,7 +61,7 @@ table! {
             limit: f64,
         }
         reason "no-frame";
-        says "there is no frame at the parameter {t}: {what} is {measured}, more than {limit} is needed";
+        says "there is no frame at parameter {t}: {what} is {measured}, limit {limit}";
 
         /// What follows arcs and segments was given a curve of another kind.
         NotOfArcs {
@@ -69,8 +69,8 @@ table! {
             wanted: &'static str,
         }
         reason "not-of-arcs";
-        says "the curve is not made of arcs and segments: give the tolerance within which arcs may replace it, or \
-            take a curve of arcs ({wanted})";
+        says "the curve does not consist of arcs and segments: give the tolerance within which arcs may replace it, \
+            or use a curve of arcs ({wanted})";
 
         /// An interval of a curve's parameter without length, or with one that is lost beside the whole: knots that repeat or go back.
         EmptyInterval {
@@ -83,6 +83,6 @@ table! {
         }
         reason "empty-interval";
         at *index;
-        says "interval {index} of the parameter has the length {length}, which must be above {limit}";
+        says "interval {index} of the parameter has length {length}, must be above {limit}";
     }
 }

@@ -23,9 +23,9 @@ table! {
         }
         reason "no-g1-spline-in-tube";
         at *vertex;
-        says "no G1 arc spline within {tolerance} of the polyline near vertex {vertex}: a larger tolerance, the \
-            target `polyline` where the edges are meant, a corner angle below the turn there, or smoothing first, \
-            where points are closer together than their noise";
+        says "no G1 arc spline stays within {tolerance} of the polyline near vertex {vertex}: use a larger \
+            tolerance, the target `polyline` to keep the edges, or a corner angle below the turn there; smooth \
+            points first that are closer together than their noise";
 
         /// Arcs within the tolerance were found, but none that keep a limit of the machine.
         ArcLimitNotKept {
@@ -40,8 +40,8 @@ table! {
         }
         reason "arc-limit-not-kept";
         at *vertex;
-        says "no arcs within the tolerance keep `{name}` {limit}: at point {vertex} it takes {}; a larger \
-            tolerance, or a smaller limit", ShortNumber::no_more(*value);
+        says "no arcs within the tolerance keep `{name}` {limit}: the worst, at point {vertex}, has {}; use a larger \
+            tolerance or a smaller limit", ShortNumber::no_more(*value);
 
         /// No curve of the kind was found within the tolerance of these points.
         ToleranceNotReached {
@@ -54,14 +54,14 @@ table! {
         }
         reason "tolerance-not-reached";
         at points.first().copied();
-        says "tolerance {tolerance} not reached: {} stay outside, up to {deviation} away; a larger tolerance, or \
-            corners where the data turn sharply", points_in_words(&points);
+        says "tolerance {tolerance} not reached: {} stay outside, up to {deviation} away; use a larger tolerance, or \
+            mark corners where the data turn sharply", points_in_words(&points);
 
-        /// A tolerance is not reached because of points that do not belong to the others.
+        /// A tolerance is not reached because of points that do not belong to the other points.
         OutliersOutside {
-            /// Each of them, in the user's numbering, and how far it is from the curve of the others.
+            /// Each of them, in the user's numbering, and how far it is from the curve of the other points.
             points: Vec<(usize, f64)>,
-            /// Standard deviation of the noise of the others.
+            /// Standard deviation of the noise of the other points.
             noise: f64,
             /// The tolerance.
             tolerance: f64,
@@ -69,7 +69,8 @@ table! {
         reason "outliers";
         at points.first().map(|p| p.0);
         says "tolerance {tolerance} not reached because of {} outlier(s): {} from the curve of the other points, \
-            whose noise has a standard deviation of {noise}; leave them out, or use a larger tolerance", points.len(), outliers(&points);
+            whose noise has a standard deviation of {noise}; leave them out, or use a larger tolerance",
+            points.len(), outliers(&points);
 
         /// No curve follows the points without their noise.
         NoiseNotSmoothed {
@@ -83,7 +84,7 @@ table! {
         reason "noise-not-smoothed";
         at points.first().copied();
         says "no curve follows the points without their noise, whose standard deviation is about {noise}: it is up \
-            to {deviation} from {}; take fewer points, farther apart than their noise, or give a tolerance",
+            to {deviation} away from {}; use fewer points, farther apart than their noise, or give a tolerance",
             points_in_words(&points);
     }
 }

@@ -46,8 +46,8 @@ table! {
         }
         reason "ring-does-not-close";
         at *vertex;
-        says "the frame that is carried round extraordinary vertex {vertex} comes back turned by {angle} rad more \
-            than quarter turns (at most {limit}): the net is not smooth round it";
+        says "the net is not smooth round irregular vertex {vertex}: a frame carried round it comes back turned by \
+            {angle} rad more than quarter turns, limit {limit}";
 
         /// The quads of a grid cannot be made circular.
         NotConverged {
@@ -59,7 +59,7 @@ table! {
             limit: f64,
         }
         reason "not-converged";
-        says "not circular after {step} steps: the largest residual is {residual}, limit {limit}";
+        says "the grid is not circular after {step} steps: largest residual {residual}, limit {limit}";
 
         /// A grid made circular is no longer the surface that was given.
         ShapeLost {
@@ -77,8 +77,8 @@ table! {
             second: usize,
         }
         reason "collapsed-on-curve";
-        says "vertices {first} and {second} fall together on the curve of their side: let it run along the whole \
-            side";
+        says "vertices {first} and {second} coincide on the curve of their side: use a curve that runs along the \
+            whole side";
 
         /// Two curves on which the sides of a grid slide do not meet at the corner between them.
         BorderCurvesApart {
@@ -90,6 +90,6 @@ table! {
             limit: f64,
         }
         reason "border-curves-apart";
-        says "the curves of the two sides at vertex {vertex} do not meet near it: {distance} apart, limit {limit}";
+        says "the curves of the two sides at vertex {vertex} do not meet near it: distance {distance}, limit {limit}";
     }
 }

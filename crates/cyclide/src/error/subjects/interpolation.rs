@@ -18,8 +18,8 @@ table! {
             given: usize,
         }
         reason "even-point-count";
-        says "{given} conditions given: a curve of degree n takes an odd number, 2n + 1; add or leave out a point, \
-            or take a Moebius spline, which takes any number";
+        says "{given} conditions given, but a curve of degree n needs an odd number, 2n + 1; add or remove a point, \
+            or use a Moebius spline, which takes any number";
 
         /// Two points, or two poses, are asked for at one parameter.
         RepeatedParameter {
@@ -32,7 +32,7 @@ table! {
         }
         reason "repeated-parameter";
         at *second;
-        says "parameters {first} and {second} are both {value}";
+        says "parameters {first} and {second} are both {value}; they must differ";
 
         /// The only curve of the degree that fits the other points, at their parameters, misses these.
         UnattainablePoint {
@@ -45,8 +45,8 @@ table! {
         }
         reason "unattainable-point";
         at points.first().copied();
-        says "{} cannot be attained: the others lie, at their parameters, on a curve of lower degree that misses \
-            them ({measured}, limit {limit}); move a point or change the parameters", points_in_words(&points);
+        says "{} cannot be reached: at their parameters, the other points lie on a curve of lower degree that misses \
+            them (measured {measured}, limit {limit}); move a point or change the parameters", points_in_words(&points);
 
         /// The circular arcs that leave two points along their tangents run in opposite directions: no direction is halfway.
         OppositeArcs {
@@ -56,7 +56,7 @@ table! {
             limit: f64,
         }
         reason "opposite-arcs";
-        says "the circles along both tangents run in opposite directions ({measured} of a common one, at least \
-            {limit} needed): turn a tangent, or put a point between";
+        says "the circles along the two tangents run in opposite directions (common part {measured}, minimum \
+            {limit}): turn a tangent, or add a point in between";
     }
 }

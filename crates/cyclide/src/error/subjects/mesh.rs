@@ -32,7 +32,7 @@ table! {
         }
         reason "no-such-vertex";
         at *triangle;
-        says "triangle {triangle} names vertex {vertex}, but there are {count} vertices, counted from 0";
+        says "triangle {triangle} refers to vertex {vertex}, but there are {count} vertices, counted from 0";
 
         /// More than two triangles share an edge.
         NonManifoldEdge {
@@ -45,8 +45,8 @@ table! {
         }
         reason "non-manifold-edge";
         at *triangle;
-        says "{count} triangles, among them triangle {triangle}, share the edge from vertex {} to vertex {}, at \
-            most 2 can", vertices[0], vertices[1];
+        says "{count} triangles, one of them triangle {triangle}, share the edge from vertex {} to vertex {}, \
+            maximum 2", vertices[0], vertices[1];
 
         /// Two neighbouring triangles are seen from different sides.
         InconsistentOrientation {
@@ -57,8 +57,8 @@ table! {
         }
         reason "inconsistent-orientation";
         at triangles[1];
-        says "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over, or left \
-            out if it is there twice", triangles[0], triangles[1], vertices[0], vertices[1];
+        says "triangles {} and {} both run from vertex {} to vertex {}: reverse one of them, or remove it if it is a \
+            duplicate", triangles[0], triangles[1], vertices[0], vertices[1];
 
         /// The faces around a vertex lie back to back.
         UndefinedNormal {
@@ -71,8 +71,8 @@ table! {
         }
         reason "undefined-normal";
         at *vertex;
-        when *limit <= 0.0, says "vertex {vertex} has no normal: the one given for it is zero";
-        says "vertex {vertex} has no normal: those of its faces cancel, or the one given runs along its circle: the \
-            length {length} is left, limit {limit}";
+        when *limit <= 0.0, says "vertex {vertex} has no normal: the given one is zero";
+        says "vertex {vertex} has no normal: the normals of its faces cancel, or the given one runs along its circle \
+            (length {length}, limit {limit})";
     }
 }

@@ -62,7 +62,7 @@ subjects! {
     /// Why a piece of input was refused, by subject: the item at fault, what was measured of it, and the limit that it broke.
     ///
     /// A variant of a subject without a field for the limit names it in its sentence, where it could be no other: finite, positive,
-    /// not zero, not the same point. Or nothing is measured, because what is wrong is how things hang together (a loop that is no
+    /// not zero, not the same point. Or nothing is measured, because what is wrong is how things are connected (a loop that is no
     /// face, a side that is one point, a curve that comes back to itself): the fields say where.
     ///
     /// ```

@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(error.reason(), "study-form-vanishes");
     /// ```
     pub enum MotionError: Error {
-        /// No motion of this kind takes a pose at its time together with the others.
+        /// No motion of this kind passes through a pose at its time and through the other poses.
         UnattainablePose {
             /// Which pose, from 0.
             index: usize,
@@ -24,12 +24,12 @@ table! {
         }
         reason "unattainable-pose";
         at *index;
-        when *share > *limit, says "no motion of this degree takes all poses: pose {index} is missed by {share} of \
-            the size, limit {limit}";
-        says "no motion of this degree takes pose {index} with the others: its factor against the largest is \
-            {share}, limit {limit}; take a spline, or another time for it";
+        when *share > *limit, says "no motion of this degree passes through all poses: it misses pose {index} by \
+            {share} of the size, limit {limit}";
+        says "no motion of this degree passes through pose {index} and the other poses: its relative factor is \
+            {share}, limit {limit}; use a spline, or another time for it";
 
-        /// On its way a motion comes to where a dual quaternion is no displacement: the body would go through infinity.
+        /// A motion comes to where a dual quaternion is no displacement: the body would go through infinity.
         ThroughExceptionalPoint {
             /// When.
             time: f64,
@@ -42,24 +42,24 @@ table! {
             limit: f64,
         }
         reason "motion-through-exceptional-point";
-        when *share <= *limit, says "the motion of least degree runs out to infinity at {time}: the share of the \
-            rotation there is {share}, limit {limit}; take a spline, or other times";
-        says "the motion of least degree has no pose at {time}: its terms cancel there, what is left of them is \
-            {remainder} of their squares, limit {limit}; take a spline, or other times";
+        when *share <= *limit, says "the motion of lowest degree passes through infinity at time {time}: the \
+            rotation has a share of {share} there, limit {limit}; use a spline, or other times";
+        says "the motion of lowest degree has no pose at time {time}: its terms cancel to {remainder} of their \
+            squares there, limit {limit}; use a spline, or other times";
 
         /// Between two poses the rotation is so large that its direction is lost.
         RotationTooLarge {
             /// Which span, from 0.
             span: usize,
-            /// Smallest length of the quaternion on the way.
+            /// Smallest length of the quaternion in the span.
             length: f64,
             /// Lengths up to this are refused.
             limit: f64,
         }
         reason "rotation-too-large";
         at *span;
-        says "span {span} turns so far that its direction is lost: the quaternion gets as short as {length}, limit \
-            {limit}; insert a pose";
+        says "span {span} rotates so far that its direction is undefined: the quaternion shrinks to length {length}, \
+            limit {limit}; insert a pose";
 
         /// No motion of degree 3 takes the four poses one after the other (at the cross-ratio asked for).
         NoCubicMotion {
@@ -69,10 +69,10 @@ table! {
             roots: Vec<f64>,
         }
         reason "no-cubic-motion";
-        when roots.is_empty(), says "no motion of degree 3 takes these four poses, at whatever times: the \
-            discriminant of its equation is {discriminant}, at least 0 is needed";
-        says "no motion of degree 3 takes these four poses one after the other at this cross-ratio of times: there \
-            are some at {} only, and between 0 and 1 is needed", joined(&roots);
+        when roots.is_empty(), says "no motion of degree 3 passes through these four poses at any times: the \
+            discriminant is {discriminant}, must be at least 0";
+        says "no motion of degree 3 passes through these four poses in order at this cross-ratio of times: motions \
+            exist only at {}; use one between 0 and 1", joined(&roots);
 
         /// Poses are planar, spherical or translated against each other: what should follow from how they screw is not determined.
         StudyFormVanishes {
@@ -82,43 +82,44 @@ table! {
             limit: f64,
         }
         reason "study-form-vanishes";
-        says "the poses are planar, spherical or moved without a turn against each other (Study form {measured}, \
-            limit {limit}): motions of degree 3 are not determined by them; take a spline";
+        says "the relative motions of the poses are planar, spherical or translations (Study form {measured}, limit \
+            {limit}), so they do not determine a motion of degree 3; use a spline";
 
         /// What needs a rational motion is asked of one that is not: the points of a screw motion run on helices.
         NotRational
         reason "motion-not-rational";
-        says "the points of a screw motion run on helices, which no rational curve is; take a spline";
+        says "the motion is not rational: the points of a screw motion move on helices; use a spline";
 
-        /// A time law by the way of a point is asked of a motion that does not move it.
+        /// A time law by the path length of a point is asked of a motion that does not move it.
         AtRest {
-            /// Length of the whole way.
+            /// Length of the whole path.
             length: f64,
             /// Lengths up to this are refused.
             limit: f64,
         }
         reason "motion-at-rest";
-        says "the motion is at rest: the way that should be gone is {length} long, which must be above {limit}: \
-            name a point that moves, or an arm";
+        says "the motion is at rest: path length {length} must exceed {limit}; name a point that moves, or give an \
+            `arm`";
 
-        /// A time law by the way of a point, or times by it, have no time for a span on which the body turns on the spot, or rests.
+        /// A time law by the path length of a point, or times by it, have no time for a span in which the body turns in place, or rests.
         SpanWithoutWay {
             /// Which span, from 0.
             span: usize,
             /// By how much the body turns there, radians.
             turn: f64,
-            /// Length of the way.
+            /// Length of the path.
             length: f64,
             /// Lengths up to this are refused.
             limit: f64,
         }
         reason "span-without-way";
         at *span;
-        when *turn > 0.0, says "span {span}, from pose {span} to the next, turns by {} degrees on the spot: its way \
-            is {length} long, which must be above {limit}, and what goes by the way has no time for it: give an \
-            `arm`, the length by which a turn counts as way, or name a `tool` that moves", degrees(*turn);
-        says "span {span}, from pose {span} to the next, rests: its way is {length} long, which must be above \
-            {limit}, and what goes by the way has no time for it: give times";
+        when *turn > 0.0, says "span {span}, from pose {span} to the next, rotates by {} degrees in place: its path \
+            length {length} must exceed {limit}, or a law by path length gives it no time; give an `arm`, the \
+            characteristic length that weights rotation against translation, or name a `tool` that moves",
+            degrees(*turn);
+        says "span {span}, from pose {span} to the next, is at rest: its path length {length} must exceed {limit}, \
+            or a law by path length gives it no time; give times";
     }
 }
 

@@ -47,7 +47,7 @@ table! {
         reason "tolerance-not-positive";
         says "the tolerance {tolerance} is not positive";
 
-        /// A radius is zero relative to the position of its centre.
+        /// A radius is zero relative to the position of its center.
         ZeroRadius {
             /// The radius found.
             radius: f64,
@@ -105,7 +105,7 @@ table! {
             max: f64,
         }
         reason "angle-out-of-range";
-        when *angle == 0.0, says "the angle is 0, and must be another one of up to {max:#} radians ({} degrees)",
+        when *angle == 0.0, says "the angle is 0, must be nonzero and at most {max:#} radians ({} degrees)",
             ShortNumber(max.to_degrees());
         says "the angle of {angle:#} radians ({} degrees) is outside {min:#} to {max:#} radians ({} to {} degrees)",
             ShortNumber(angle.to_degrees()),
@@ -125,7 +125,7 @@ table! {
         when *what == ErrorItem::Radius, says "{given} radii given for {needed} points";
         when *what == ErrorItem::Knot, says "{given} knots given, {needed} needed";
         when *what == ErrorItem::Weight, says "{given} weights given for {needed} control points";
-        when *what == ErrorItem::Normal, says "{given} normals given, one for each of {needed} vertices needed";
+        when *what == ErrorItem::Normal, says "{given} normals given for {needed} vertices";
         says "{given} {what}s given for {needed} points";
 
         /// A refinement would need more pieces than its cap on work and memory.
@@ -143,9 +143,9 @@ table! {
         }
         reason "too-many-pieces";
         at *segment;
-        when segment.is_some(), says "{what} {segment} needs {} pieces, at most {cap} are made: {remedy}",
+        when segment.is_some(), says "{what} {segment} needs {} pieces, the limit is {cap}: {remedy}",
             at_least(*needed);
-        says "{what} needs {} pieces, at most {cap} are made: {remedy}", at_least(*needed);
+        says "{what} needs {} pieces, the limit is {cap}: {remedy}", at_least(*needed);
     }
 }
 

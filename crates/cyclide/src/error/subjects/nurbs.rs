@@ -22,7 +22,7 @@ table! {
         }
         reason "knots-decrease";
         at *index;
-        says "knot {index} is {}, less than the one before, {}: knots must not decrease", *knot, *before;
+        says "knot {index} is {}, less than the previous one, {}: knots must not decrease", *knot, *before;
 
         /// A knot is repeated so often that the curve falls apart there, or a control point counts for nothing.
         KnotMultiplicity {
@@ -35,7 +35,8 @@ table! {
         }
         reason "knot-multiplicity";
         at *index;
-        says "the knot at {index} is there {multiplicity} times, {limit} at most: the curve would fall apart there";
+        says "the knot at {index} has multiplicity {multiplicity}, maximum {limit}: the curve would be disconnected \
+            there";
 
         /// The knots, weights and points of a spline do not fit together.
         NotASpline {
@@ -43,7 +44,7 @@ table! {
             detail: &'static str,
         }
         reason "not-a-spline";
-        says "not a spline: {detail}";
+        says "not a valid spline: {detail}";
 
         /// A rational weight that must be positive is not.
         WeightNotPositive {
@@ -69,9 +70,9 @@ table! {
         }
         reason "weights-uneven";
         at *second;
-        says "weights {first} and {second} differ by a factor of {ratio}, at most {limit}: double precision cannot \
-            resolve the curve between them; reduce the ratio (weights far above their neighbors pull the curve \
-            onto the control polygon: write that as segments)";
+        says "weights {first} and {second} differ by a factor of {ratio}, maximum {limit}: double precision cannot \
+            resolve the curve between them; reduce the ratio (weights far above their neighbours pull the curve onto \
+            the control polygon: use segments for that)";
 
         /// A surface of so high a degree that no program would read it.
         DegreeTooHigh {
@@ -81,7 +82,7 @@ table! {
             limit: usize,
         }
         reason "degree-too-high";
-        says "the degree would be {degree}, limit {limit}: take fewer points, or curves of lower degrees (segments \
+        says "the degree would be {degree}, maximum {limit}: use fewer points, or curves of lower degrees (segments \
             have 1, arcs 2, fair splines 4)";
     }
 }

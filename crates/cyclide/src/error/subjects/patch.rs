@@ -20,7 +20,7 @@ table! {
             limit: f64,
         }
         reason "not-concircular";
-        says "the corners are not on one circle: off by {measured} of the size, limit {limit}";
+        says "the corners do not lie on one circle: relative distance {measured}, limit {limit}";
 
         /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
         CrossingQuad {
@@ -29,7 +29,7 @@ table! {
         }
         reason "crossing-quad";
         says "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position \
-            {position}, should be 0 to 1)";
+            {position}, must be 0 to 1)";
 
         /// The directions of a frame, which may have any length but zero, are not perpendicular.
         FrameNotOrthonormal {
@@ -39,8 +39,7 @@ table! {
             limit: f64,
         }
         reason "frame-not-orthonormal";
-        says "the directions of the frame are not perpendicular: the cosine between them is {measured}, limit \
-            {limit}";
+        says "the directions of the frame are not perpendicular: cosine {measured}, limit {limit}";
 
         /// The weights do not put the surface into three-space.
         NotInSpace {
@@ -50,7 +49,7 @@ table! {
             limit: f64,
         }
         reason "not-in-space";
-        says "the weights leave three-space: defect {defect} of the size, limit {limit}";
+        says "the weights take the patch out of three-space: relative defect {defect}, limit {limit}";
 
         /// The patch contains the point at infinity.
         ThroughInfinity {
@@ -89,8 +88,8 @@ table! {
             limit: f64,
         }
         reason "ambiguous-frame";
-        says "the edges of the net determine no frame: give one at the first vertex (their second direction stands \
-            out by {measured} of the first, limit {limit})";
+        says "the edges of the net do not determine a frame (relative strength of their second direction {measured}, \
+            limit {limit}): give a frame at the first vertex";
 
         /// A construction needs four real sides and met one that is a single point.
         CollapsedSide {
@@ -100,7 +99,7 @@ table! {
             cannot: &'static str,
         }
         reason "collapsed-side";
-        says "the side {side} of the net is one point: {cannot}";
+        says "the side {side} of the net is a single point: {cannot}";
 
         /// An offset that is no surface.
         OffsetOnFocalSet {
@@ -112,23 +111,23 @@ table! {
             limit: f64,
         }
         reason "offset-on-focal-set";
-        says "the offset at distance {distance} lies on the focal set: all centres of curvature of one family of \
-            lines are at that distance, and the surface shrinks to a curve or a point (lines keep {measured} of \
-            their speed, limit {limit})";
+        says "the offset at distance {distance} lies on the focal set: all centers of curvature of one family of \
+            lines are at that distance, so the surface shrinks to a curve or a point (relative speed of the lines \
+            {measured}, limit {limit})";
 
-        /// A solid between a surface and its offset would run through itself.
+        /// A solid between a surface and its offset would self-intersect.
         OffsetNotRegular {
             /// Signed distance of the offset.
             distance: f64,
-            /// Signed distance of the first centre of curvature on that side: less is accepted. 0 where the surface itself runs against
+            /// Signed distance of the first center of curvature on that side: less is accepted. 0 where the surface itself runs against
             /// its normal, or through a singular point.
             limit: f64,
         }
         reason "offset-not-regular";
-        when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would run \
-            through itself: the surface itself is singular or folded there, limit 0";
-        says "a solid between the surface and its offset at distance {distance} would run through itself: a centre \
-            of curvature lies between them, or on one of them, limit {}",
+        when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would \
+            self-intersect: the surface itself is singular or folded there, limit 0";
+        says "a solid between the surface and its offset at distance {distance} would self-intersect: a center of \
+            curvature lies between them, or on one of them, limit {}",
             ShortNumber(nearer(*limit));
     }
 }
@@ -145,7 +144,7 @@ fn speed_ratio(stretch: f64, limit: f64) -> String {
         return String::new();
     }
     let sign = if stretch < 0.0 { '-' } else { '+' };
-    format!(" and the speed of the lines across by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
+    format!(" and the speed of the transversal lines by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
 }
 
 /// A limit as it is shown, rounded towards zero unless it is as short as that: what is read can be taken.

@@ -26,8 +26,8 @@ table! {
         }
         reason "bend-does-not-fit";
         at *corner;
-        says "the bend at point {corner} does not fit: with the radius {radius} and that of its neighbour the arcs \
-            take {} of a leg of length {length}; take smaller radii or move the points apart", at_least(*needed);
+        says "the bend at point {corner} does not fit: with radius {radius} and that of its neighbour the arcs need \
+            {} of a leg of length {length}; use smaller radii or move the points apart", at_least(*needed);
 
         /// A pipe is as wide as an arc that it follows.
         TooWide {
@@ -40,8 +40,8 @@ table! {
         }
         reason "pipe-too-wide";
         at *piece;
-        says "the pipe's radius {radius} is not below that of piece {piece} of its curve, {limit}: the inner side \
-            would fold; take a thinner pipe or wider bends";
+        says "the pipe's radius {radius} must be below the radius of piece {piece} of its curve, {limit}, or the \
+            inner side folds; use a thinner pipe or wider bends";
 
         /// A corner of a pipe that no mitre joins: it is next to an arc, or turns back.
         CornerNotMitred {
@@ -56,12 +56,11 @@ table! {
         }
         reason "corner-not-mitred";
         at *joint;
-        when *limit <= *smooth, says "the tube's curve has a corner of {turn} rad before piece {joint}: tubes \
-            follow curves whose joints are smooth, up to {smooth} rad; round it (polyline with radius), take a \
-            smooth curve, or a pipe, which has mitres";
-        says "the pipe's curve has a corner of {turn} rad before piece {joint}: only corners between segments are \
-            mitred, up to {limit} rad, and joints are smooth up to {smooth} rad; round it (polyline with radius), \
-            or take a smooth curve";
+        when *limit <= *smooth, says "the tube's curve has a corner of {turn} rad before piece {joint}, maximum \
+            {smooth} rad; round it (polyline with radius), use a smooth curve, or a pipe, which has mitres";
+        says "the pipe's curve has a corner of {turn} rad before piece {joint}: corners between segments are mitred \
+            up to {limit} rad, other joints must be smooth to {smooth} rad; round it (polyline with radius), or use \
+            a smooth curve";
 
         /// A segment of a pipe is shorter than its mitres need.
         MitreDoesNotFit {
@@ -74,8 +73,8 @@ table! {
         }
         reason "mitre-does-not-fit";
         at *piece;
-        says "segment {piece} of the pipe's curve has the length {length}, its mitres need more than {needed}; take \
-            a thinner pipe or round the corners";
+        says "segment {piece} of the pipe's curve has length {length}, but its mitres need more than {needed}; use a \
+            thinner pipe or round the corners";
 
         /// Parts of a pipe that are no neighbours run into each other.
         MeetsItself {
@@ -92,12 +91,12 @@ table! {
         }
         reason "pipe-meets-itself";
         at *second;
-        when *distance > CROSSING * *limit, says "the pipe meets itself at {point}: parts {first} and {second} of \
-            it, of the arcs and segments along it, come as near as {distance} from center to center, and the sum \
-            of their radii is {limit}; take a thinner pipe or move the curve apart";
-        says "the pipe meets itself at {point}: parts {first} and {second} of it, of the arcs and segments along \
-            it, come as near as {distance} from center to center, and the sum of their radii is {limit}; they \
-            cross: move the curve apart";
+        when *distance > CROSSING * *limit, says "the pipe intersects itself at {point}: the arcs or segments \
+            {first} and {second} along it are {distance} apart from center to center, minimum {limit}, the sum of \
+            their radii; use a thinner pipe or move the curve apart";
+        says "the pipe intersects itself at {point}: the arcs or segments {first} and {second} along it are \
+            {distance} apart from center to center, minimum {limit}, the sum of their radii; they cross: move the \
+            curve apart";
 
         /// The ends of a pipe are not in order.
         EndsReversed {
@@ -109,18 +108,18 @@ table! {
             end: f64,
         }
         reason "pipe-ends-reversed";
-        says "the ends of pipe {pipe} are at {start} and {end}: the lower place comes first";
+        says "the ends of pipe {pipe} are at {start} and {end}: the lower one must come first";
 
         /// A cone has its apex before the last place where something of it is needed: its radius there would not be positive.
         ConeReachesApex {
             /// Where the apex is along its axis; within a wall, that of the bore.
             apex: f64,
-            /// The place along its axis that it is needed as far as.
+            /// The position along its axis up to which it is needed.
             reached: f64,
         }
         reason "radius-not-positive";
-        says "the cone, within its wall if it has one, comes to its apex at {apex} along its axis, and is needed as \
-            far as {reached}; take a smaller taper, a larger radius, or a shorter pipe";
+        says "the cone (its bore, if it has a wall) reaches its apex at {apex} along its axis, but is needed up to \
+            {reached}; use a smaller taper, a larger radius, or a shorter pipe";
 
         /// A ball that is to roll inside a pipe is as large as the pipe.
         BallDoesNotFit {
@@ -130,20 +129,20 @@ table! {
             limit: f64,
         }
         reason "ball-does-not-fit";
-        says "a ball of radius {radius} does not fit into the pipe or the hole: its radius must be below {limit}";
+        says "a ball of radius {radius} does not fit into the pipe or the hole: the radius must be below {limit}";
 
-        /// A solid with the neck of a ball larger than the bends of its way: its surface would run through itself.
+        /// A solid with the neck of a ball larger than the bends of its path: its surface would self-intersect.
         NeckFolds {
             /// Radius of the ball.
             radius: f64,
-            /// Smallest radius of curvature of the way of its centre.
+            /// Smallest radius of curvature of the path of its center.
             limit: f64,
         }
         reason "neck-folds";
-        says "the neck runs through itself on the side to which the pipe leans and bounds no solid: a ball of \
-            radius {radius} rolls through bends of radius {limit}; take a smaller ball";
+        says "the neck self-intersects on the side to which the pipe leans, so it bounds no solid: the ball has \
+            radius {radius}, but its path bends with radius {limit}; use a smaller ball";
 
-        /// A plate that ends within what is to stand on it.
+        /// A plate that ends within the neck or bore at it.
         PlateTooSmall {
             /// What it must reach beyond: neck or bore.
             what: ErrorItem,
@@ -153,7 +152,7 @@ table! {
             needed: f64,
         }
         reason "plate-too-small";
-        says "the plate is too small: it reaches {reach} from the axis of the pipe, the {what} {needed}";
+        says "the plate is too small: it extends {reach} from the axis of the pipe, the {what} {needed}";
     }
 }
 

@@ -36,8 +36,7 @@ table! {
         reason "coincident-points";
         at *second;
         when *limit <= 0.0, says "points {first} and {second} coincide";
-        says "points {first} and {second} coincide (distance {distance}, at most {limit} is allowed to be called \
-            equal)";
+        says "points {first} and {second} are coincident (distance {distance}, tolerance {limit})";
 
         /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
         BelowRoundingOfPlace {
@@ -51,12 +50,12 @@ table! {
             limit: f64,
         }
         reason "below-rounding-of-place";
-        when *what == ErrorItem::Cells, says "cells are as short as {size} at coordinates of up to {place}, which \
-            are rounded: below {limit} their ends are one point; take fewer, or lengths that differ less";
-        when *size > 0.0, says "the {what} is {size} large at coordinates of up to {place}, which are rounded: \
-            below {limit} it has no shape of its own; make it larger, or move it to the origin";
-        says "the {what} is one single point at coordinates of up to {place}, which are rounded: below {limit} it \
-            has no shape of its own; make it larger, or move it to the origin";
+        when *what == ErrorItem::Cells, says "cells are as short as {size} at coordinates of up to {place}, minimum \
+            {limit}: rounding makes their ends coincident; use fewer cells, or lengths that differ less";
+        when *size > 0.0, says "the {what} has size {size} at coordinates of up to {place}, minimum {limit}: \
+            rounding destroys its shape; make it larger, or move it to the origin";
+        says "the {what} is a single point at coordinates of up to {place}, minimum size {limit}: rounding destroys \
+            its shape; make it larger, or move it to the origin";
 
         /// A tangent or direction vector is zero.
         ZeroTangent {
@@ -81,7 +80,7 @@ table! {
         reason "zero-axis";
         at *index;
         when *limit <= 0.0, says "the {what} is zero";
-        says "the {what} runs along the chord: {length} of it is across, limit {limit}";
+        says "the {what} runs along the chord: its perpendicular part is {length}, limit {limit}";
 
         /// Something goes to infinity, or so near it that its digits are lost: a third point on the line of the other two, outside the
         /// segment; a point that a map takes there.
@@ -98,10 +97,9 @@ table! {
         reason "point-at-infinity";
         at *index;
         when *limit <= 0.0, says "a point is at infinity: it lies on the line through the ends outside the segment, \
-            or maps there";
-        says "the {what} comes within {distance} of the point that goes to infinity, where its image loses its \
-            digits (at least {limit} is needed there); move that point, the centre of an inversion, away from the \
-            {what}";
+            or is mapped there";
+        says "the {what} comes within {distance} of the point that is mapped to infinity, minimum {limit}, and its \
+            image loses precision; move that point (of an inversion its center) away from the {what}";
 
         /// A matrix of quaternions does not map three-space to itself.
         NotMobius {

@@ -36,9 +36,9 @@ table! {
         }
         reason "not-closed";
         when *forward + *back == 2, says "the faces do not close: {forward} of them run from point {first} to point \
-            {second} and {back} the other way, where one and one should: one of the two is to be turned over";
+            {second} and {back} the other way; there must be one each: reverse one of the two";
         says "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the \
-            other way, where one and one should";
+            other way; there must be one each";
 
         /// A corner of a face of a polyhedron is off its plane.
         NonPlanarFace {
@@ -53,7 +53,7 @@ table! {
         }
         reason "non-planar-face";
         at *face;
-        says "face {face} is not planar: point {vertex} is {distance} off, limit {limit}";
+        says "face {face} is not planar: point {vertex} is {distance} off its plane, limit {limit}";
 
         /// A polyhedron with an edge at which its faces turn towards each other.
         NotConvex {
@@ -69,11 +69,12 @@ table! {
             edges: usize,
         }
         reason "not-convex";
-        when *reflex == *edges, says "not convex: {reflex} of {edges} edges are reflex, most of all that between \
-            the points {first} and {second}, by {} radians, limit 0; are the faces clockwise, seen from outside?",
+        when *reflex == *edges, says "not convex: {reflex} of {edges} edges are reflex, the worst between points \
+            {first} and {second}, by {} radians, limit 0; reverse the faces if they are clockwise as seen from \
+            outside",
             ShortNumber(-*angle);
-        says "not convex: {reflex} of {edges} edges are reflex, most of all that between the points {first} and \
-            {second}, by {} radians, limit 0", ShortNumber(-*angle);
+        says "not convex: {reflex} of {edges} edges are reflex, the worst between points {first} and {second}, by {} \
+            radians, limit 0", ShortNumber(-*angle);
 
         /// Points in one plane, which bound no body.
         Flat {
@@ -83,8 +84,7 @@ table! {
             limit: f64,
         }
         reason "flat-polyhedron";
-        says "the points bound no body: all are within {thickness} of one plane, and what is within {limit} of a \
-            plane is taken for it";
+        says "the points bound no body: all lie within {thickness} of one plane, must be more than {limit}";
 
         /// Directions that are not the corners of a convex polygon in an open half of the sphere.
         NotInOpenHemisphere {
@@ -96,10 +96,10 @@ table! {
             limit: f64,
         }
         reason "not-in-open-hemisphere";
-        when side.is_some(), says "the corners are not in an open half of the sphere, counter-clockwise: side \
-            {side} runs round the middle by {measured} radians, not between 0 and pi";
-        says "the corners are not in an open half of the sphere, counter-clockwise: all sides run round the middle \
-            by {measured} radians, not by 2 pi";
+        when side.is_some(), says "the corners do not lie counter-clockwise in an open half of the sphere: side \
+            {side} turns by {measured} radians about the middle, must be between 0 and pi";
+        says "the corners do not lie counter-clockwise in an open half of the sphere: all sides together turn by \
+            {measured} radians about the middle, must be 2 pi";
 
         /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
         PlanesMissPoint {
@@ -112,7 +112,6 @@ table! {
         }
         reason "planes-miss-point";
         at *vertex;
-        says "with faces that are near to one plane made one, the surface is {distance} off at point {vertex}, \
-            limit {limit}";
+        says "after merging nearly coplanar faces, the surface is {distance} off at point {vertex}, limit {limit}";
     }
 }

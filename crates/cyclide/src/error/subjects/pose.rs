@@ -18,7 +18,7 @@ table! {
         }
         reason "zero-rotation";
         at *index;
-        says "rotation {index} is zero: it has no direction";
+        says "rotation {index} is zero, must be a nonzero quaternion";
 
         /// A matrix that should be a displacement is none: its columns are not orthonormal and right-handed, or its last row is not
         /// `0 0 0 1`.
@@ -29,9 +29,9 @@ table! {
             limit: f64,
         }
         reason "not-a-rotation";
-        says "the matrix is no displacement: its first three columns have to be orthonormal and right-handed and \
-            its last row 0 0 0 1, and they are off by {off}, limit {limit} (with more decimals they are nearer; \
-            one that scales or mirrors is none)";
+        says "the matrix is not a displacement: its first three columns must be orthonormal and right-handed and its \
+            last row 0 0 0 1; they are off by {off}, limit {limit}; write more decimals, without scaling or \
+            mirroring";
 
         /// A dual quaternion is no displacement: its parts are not perpendicular.
         NotOnStudyQuadric {
@@ -41,8 +41,8 @@ table! {
             limit: f64,
         }
         reason "not-on-study-quadric";
-        says "the dual quaternion is no displacement: its parts are not perpendicular, their product over both \
-            lengths is {product}, limit {limit}";
+        says "the dual quaternion is not a displacement: its parts are not perpendicular, relative product \
+            {product}, limit {limit}";
 
         /// A motion needs another number of poses.
         WrongPoseCount {
@@ -54,7 +54,7 @@ table! {
             or_more: bool,
         }
         reason "wrong-pose-count";
-        when *or_more, says "{given} poses given, {needed} or more needed";
+        when *or_more, says "{given} poses given, at least {needed} needed";
         says "{given} poses given, {needed} needed";
 
         /// A pose is not after the one before it in time.
@@ -68,6 +68,6 @@ table! {
         }
         reason "parameters-not-increasing";
         at *index;
-        says "the parameters do not rise: number {index} is {value} after {before}";
+        says "the parameters do not increase: number {index} is {value}, the previous one {before}";
     }
 }

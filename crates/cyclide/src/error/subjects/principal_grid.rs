@@ -21,7 +21,7 @@ table! {
         }
         reason "not-a-surface";
         at *index;
-        says "the mesh is not one piece of a surface with a border: {}", fault.words(*index);
+        says "the mesh is not one connected surface with a border: {}", fault.words(*index);
 
         /// A surface has no lines of curvature: it is a plane or a sphere.
         FlatSurface {
@@ -33,11 +33,11 @@ table! {
             noise: Option<f64>,
         }
         reason "flat-surface";
-        when noise.is_some(), says "the surface is flat, or a sphere, but for noise of {noise}: its principal \
-            curvatures differ by {difference} (median), and more than {limit} is needed to tell lines of curvature \
-            from noise; smooth the mesh first, or take one with longer edges";
-        says "the surface is flat, or a sphere: its principal curvatures differ by {difference} (median), and more \
-            than {limit} is needed to tell lines of curvature; any grid of a plane or a sphere has circles as it is";
+        when noise.is_some(), says "the surface is flat or spherical, except for noise of {noise}: its principal \
+            curvatures differ by {difference} (median), must be more than {limit} to distinguish lines of curvature \
+            from noise; smooth the mesh first, or use one with longer edges";
+        says "the surface is flat or spherical: its principal curvatures differ by {difference} (median), must be \
+            more than {limit} to determine lines of curvature; every curve on a plane or a sphere is one";
 
         /// However much the directions are smoothed, umbilics are left.
         UmbilicsRemain {
@@ -51,22 +51,22 @@ table! {
             smoothing: f64,
         }
         reason "umbilics-remain";
-        says "{count} umbilic(s) are left after smoothing by {smoothing}, the first at ({at}) (index {}): one grid \
-            has no room for them: lay several grids beside them, join one mesh round them with a border inside the \
-            surface or in steps, or cut a hole round them", index_of_halves(*halves);
+        says "{count} umbilic(s) remain after smoothing by {smoothing}, the first at ({at}) (index {}), which a \
+            single grid cannot contain: use several grids beside them, one mesh joined round them with a border \
+            inside the surface or in steps, or cut a hole round them", index_of_halves(*halves);
 
         /// One mesh of quads does not go through an umbilic.
         UmbilicsNotJoined {
             /// Where it is.
             at: [f64; 3],
-            /// What stands against it.
+            /// What prevents it.
             fault: JoinFault,
         }
         reason "umbilics-not-joined";
-        says "no mesh of quads goes on through the umbilic at ({at}): {}; separate grids can be laid beside \
-            it", fault.words();
+        says "no single mesh of quads continues through the umbilic at ({at}): {}; use separate grids beside it",
+            fault.words();
 
-        /// Lines of curvature come back turned over after a way round a hole: no coordinates follow them all round.
+        /// Lines of curvature come back reversed after a path round a hole: no coordinates follow them all round.
         FieldNotOrientable {
             /// A place on the border of the hole.
             at: [f64; 3],
@@ -74,7 +74,7 @@ table! {
             halves: i32,
         }
         reason "field-not-orientable";
-        says "lines of curvature come back turned over after a way round the hole at ({at}) (index {}): lay \
+        says "the lines of curvature come back reversed after one loop round the hole at ({at}) (index {}): use \
             separate grids beside it", index_of_halves(*halves);
 
         /// The lines of curvature of a tube come back so much higher that closing them would be a shape of its own.
@@ -85,8 +85,8 @@ table! {
             edge: f64,
         }
         reason "spiral-lines";
-        says "the lines of curvature are spirals, which come back {shift} higher or lower (an edge is {edge}): \
-            closing them gives the surface another shape; close them all the same, or leave the grid open";
+        says "the lines of curvature are spirals that come back {shift} higher or lower (edge length {edge}): \
+            closing them changes the shape of the surface; close them anyway, or leave the grid open";
 
         /// No grid finds room on a surface.
         NoGrid {
@@ -96,7 +96,7 @@ table! {
             least: usize,
         }
         reason "no-grid";
-        says "no grid of {least} by {least} cells with edges of {edge} finds room on the surface: take shorter edges";
+        says "no grid of {least} by {least} cells with edges of {edge} fits on the surface: use shorter edges";
     }
 }
 

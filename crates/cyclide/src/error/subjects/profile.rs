@@ -22,8 +22,8 @@ table! {
         }
         reason "crosses-axis";
         at *piece;
-        says "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before \
-            (distance {distance}): cut it there, and turn one half, or each part for itself";
+        says "piece {piece} of the profile meets the axis, or lies on the other side of it from the pieces before \
+            (distance {distance}): cut it there, and turn one half, or each part separately";
 
         /// All of a profile lies along the axis that it is to turn about, and sweeps nothing.
         OnAxis {
@@ -33,8 +33,8 @@ table! {
             limit: f64,
         }
         reason "profile-on-axis";
-        says "the profile lies along the axis and sweeps nothing: it is {distance} off it at most, and up to \
-            {limit} are on it";
+        says "the profile lies on the axis and sweeps nothing: its largest distance from the axis is {distance}, \
+            must be above {limit}";
 
         /// The meridian of a profile meets itself, and with it what it sweeps.
         MeetsItself {
@@ -49,8 +49,8 @@ table! {
         }
         reason "profile-meets-itself";
         at *second;
-        says "the profile meets itself: pieces {first} and {second} at the distance {radius} from the axis, height \
-            {height}; a solid needs a profile that goes round once";
+        says "the profile intersects itself: pieces {first} and {second} at distance {radius} from the axis, height \
+            {height}; a solid needs a profile that encloses its area once";
 
         /// A profile in a plane across its axis that sweeps a part of the plane twice.
         Folded {
@@ -61,9 +61,9 @@ table! {
         }
         reason "folded-profile";
         at *piece;
-        says "piece {piece} of the profile turns back at the distance {distance} from the axis, in a plane across \
-            it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights \
-            along the axis";
+        says "piece {piece} of the profile turns back at distance {distance} from the axis, in a plane perpendicular \
+            to it, so the surface folds; use an axis in the plane of the profile, or a profile with heights along \
+            the axis";
 
         /// A section leaves the plane that it should be in.
         SectionNotPlane {
@@ -75,7 +75,7 @@ table! {
             limit: f64,
         }
         reason "section-not-plane";
-        says "contour {contour} of the section is up to {distance} off the plane of sections, limit {limit}";
+        says "contour {contour} of the section is up to {distance} off the section plane, limit {limit}";
 
         /// The contours of a section meet themselves or each other, or go round no area.
         SectionMeetsItself {
@@ -83,7 +83,7 @@ table! {
             contour: usize,
         }
         reason "section-meets-itself";
-        says "contour {contour} of the section meets itself or another contour, or encloses no area: a solid needs \
-            contours that go once round an area";
+        says "contour {contour} of the section intersects itself or another contour, or encloses no area: a solid \
+            needs contours that enclose an area once";
     }
 }

@@ -23,7 +23,7 @@ table! {
         }
         reason "not-a-shell";
         at *index;
-        says "not a shell: {item} {index}: {detail}";
+        says "not a valid shell: {item} {index}: {detail}";
 
         /// An edge that other programs would take for a point.
         ShortEdge {
@@ -35,7 +35,7 @@ table! {
             limit: f64,
         }
         reason "short-edge";
-        says "edge {edge} of the faces for a file is {length} long, shorter than {limit}: the surface is too close \
-            to a singular one; move its points or its radii apart, or leave out the part that is so thin";
+        says "edge {edge} of the faces for a file is {length} long, minimum {limit}: the surface is nearly singular \
+            there; move its points or its radii apart, or leave out the thin part";
     }
 }

@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(error.reason(), "tee-hole-folds");
     /// ```
     pub enum TeeError: Error {
-        /// A branch of a tee reaches beyond the breadth of its main pipe, or up to it.
+        /// A branch of a tee extends beyond the width of its main pipe, or up to it.
         BranchTooWide {
             /// Which branch, from 0.
             branch: usize,
@@ -27,10 +27,10 @@ table! {
             offset: f64,
         }
         reason "tee-branch-too-wide";
-        says "branch {branch} reaches {reach} sideways from the axis of the main pipe, whose radius is {limit}: {}",
+        says "branch {branch} extends {reach} sideways from the axis of the main pipe, whose radius is {limit}: {}",
             room_for_branch(*reach, *limit, *rest, *offset);
 
-        /// The balls of the plainest blend of a tee are infinite in a crotch.
+        /// The balls of the quartic blend of a tee are infinite at an inner corner.
         BlendTooLarge {
             /// Which branch, from 0.
             branch: usize,
@@ -40,12 +40,12 @@ table! {
             limit: f64,
         }
         reason "tee-blend-too-large";
-        when *limit > 0.0, says "the blend of branch {branch}, of one quartic with the radius {radius} at its \
-            flank, has an infinite one in a crotch: its radius must be below {limit}, or give one radius for all \
-            of it";
-        says "the blend of branch {branch}, of one quartic with the radius {radius} at its flank, has an infinite \
-            one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: \
-            give one radius for all of it";
+        when *limit > 0.0, says "the quartic blend of branch {branch} with radius {radius} at its flank is too \
+            large: its inner-corner radius would be infinite; use a radius below {limit}, or one radius for the \
+            whole blend";
+        says "the quartic blend of branch {branch} with radius {radius} at its flank is impossible: its inner-corner \
+            radius would be infinite at any flank radius, since the difference of the pipe radii exceeds the offset \
+            by too little; use one radius for the whole blend";
 
         /// A branch as wide as its main pipe has a blend whose radius changes.
         LawOnEqualPipes {
@@ -55,8 +55,8 @@ table! {
             radii: [f64; 2],
         }
         reason "tee-law-on-equal-pipes";
-        says "branch {branch} is as wide as the main pipe, and its blend has one radius all round, not {} and {}: \
-            give one, or make the branch thinner", ShortNumber(radii[0]), ShortNumber(radii[1]);
+        says "branch {branch} is as wide as the main pipe, so its blend must have one radius all round, not {} and \
+            {}: give one radius, or make the branch thinner", ShortNumber(radii[0]), ShortNumber(radii[1]);
 
         /// A pipe of a tee ends within a blend.
         PipeTooShort {
@@ -70,27 +70,27 @@ table! {
             needed: f64,
         }
         reason "tee-pipe-too-short";
-        when *what == ErrorItem::Branch, says "branch {branch} ends within its blend: at {end} along its axis, \
-            which must be above {needed}";
-        says "the {what} ends within the blend of branch {branch}: at {end}, which must be beyond {needed}";
+        when *what == ErrorItem::Branch, says "branch {branch} ends within its blend: it ends at {end} along its \
+            axis and must extend beyond {needed}";
+        says "the {what} ends within the blend of branch {branch}: it ends at {end} and must extend beyond {needed}";
 
-        /// The blend of a tee runs through itself.
+        /// The blend of a tee self-intersects.
         BlendFolds {
             /// Which branch, from 0.
             branch: usize,
             /// Angle round the branch where that is.
             angle: f64,
-            /// Its width there as part of what it would be on a straight way: not positive.
+            /// Its width there as part of what it would be on a straight path: not positive.
             left: f64,
             /// Of a wall without which it would not: its balls on the inner side are larger by that.
             wall: Option<f64>,
         }
         reason "tee-blend-folds";
         when wall.is_some(), says "the blend of branch {branch} inside its wall of {wall}, where its balls are \
-            larger by that, runs through itself at {} round the branch: its width there is {left} of that on a \
-            straight way, which must be positive; take a thinner wall, or a smaller radius there", turn(*angle);
-        says "the blend of branch {branch} runs through itself at {} round the branch: its width there is {left} of \
-            that on a straight way, which must be positive; take a smaller radius there, or one that changes less",
+            larger by the wall, self-intersects at {} round the branch (width factor {left}, must be above 0); use a \
+            thinner wall, or a smaller radius there", turn(*angle);
+        says "the blend of branch {branch} self-intersects at {} round the branch (width factor {left}, must be \
+            above 0); use a smaller radius there, or one that changes less",
             turn(*angle);
 
         /// The contact of a blend with the main pipe of a tee turns back and forth.
@@ -101,10 +101,10 @@ table! {
             angle: f64,
         }
         reason "tee-hole-folds";
-        says "the blend of branch {branch} meets the main pipe in a line that turns back at {} round the branch: \
+        says "the blend of branch {branch} meets the main pipe in a curve that turns back at {} round the branch: \
             let the radius change less there", turn(*angle);
 
-        /// Two branches of a tee, or their blends, meet, or stand beside each other along the main pipe.
+        /// Two branches of a tee, or their blends, meet, or are beside each other along the main pipe.
         BranchesMeet {
             /// The first branch, from 0.
             first: usize,
@@ -118,18 +118,18 @@ table! {
             round: f64,
         }
         reason "tee-branches-meet";
-        when *distance < 0.0 && *round < 0.0, says "branches {first} and {second}, with their blends, overlap by {} \
-            along the main pipe and by {} radians round it: one has to be behind the other, by {needed} at least \
-            (`at` moves a branch), or both beside each other with room for their blends (`azimuth` turns one)",
+        when *distance < 0.0 && *round < 0.0, says "branches {first} and {second} with their blends overlap by {} \
+            along the main pipe and by {} radians round it: move one along the pipe (`at`) until the blends are \
+            {needed} apart, or turn one (`azimuth`) until both fit side by side",
             ShortNumber(-*distance),
             ShortNumber(-*round);
-        when *distance < 0.0, says "branches {first} and {second}, with their blends, overlap by {} along the main \
-            pipe and are only {} radians apart round it: one has to be behind the other, by {needed} at least \
-            (`at` moves a branch), or both beside each other with room for their blends (`azimuth` turns one)",
+        when *distance < 0.0, says "branches {first} and {second} with their blends overlap by {} along the main \
+            pipe and are only {} radians apart round it: move one along the pipe (`at`) until the blends are \
+            {needed} apart, or turn one (`azimuth`) until both fit side by side",
             ShortNumber(-*distance),
             ShortNumber(round.abs());
-        says "branches {first} and {second} meet, or their blends do: their distance is {distance}, which must be \
-            above {needed}";
+        says "branches {first} and {second} or their blends meet: their distance is {distance}, must be above \
+            {needed}";
 
         /// Two branches of a tee, or their blends, run into each other or come too near, farther out than where they begin.
         BranchesTooNear {
@@ -143,10 +143,10 @@ table! {
             needed: f64,
         }
         reason "tee-branches-meet";
-        says "branches {first} and {second}, or their blends, run into each other at {point}, or come nearer than \
-            {needed} there: take shorter ones, or turn or move one";
+        says "branches {first} and {second} or their blends meet at {point}, or come closer than {needed} there: \
+            shorten, turn or move one of them";
 
-        /// Two branches as wide as the main pipe of a tee stand beside each other, but not opposite.
+        /// Two branches as wide as the main pipe of a tee are beside each other, but not opposite.
         EqualBranchesNotOpposite {
             /// The first branch, from 0.
             first: usize,
@@ -156,19 +156,19 @@ table! {
             angle: f64,
             /// How far their places are apart along the main pipe.
             along: f64,
-            /// How far they have to be to stand one behind the other.
+            /// How far they have to be to be one behind the other.
             needed: f64,
         }
         reason "tee-equal-branches-not-opposite";
-        when *along > 0.0, says "branches {first} and {second} are as wide as the main pipe: two such stand exactly \
-            opposite each other at one place along it, and these are off that by {} degrees and by {along} along \
-            it; turn one (`azimuth`, 180 degrees from the other), or move them {needed} apart along the pipe (`at`)",
+        when *along > 0.0, says "branches {first} and {second} are as wide as the main pipe and must be exactly \
+            opposite each other, but are off by {} degrees and by {along} along the pipe; turn one (`azimuth`, 180 \
+            degrees from the other), or move them {needed} apart along the pipe (`at`)",
             ShortNumber(angle.to_degrees());
-        says "branches {first} and {second} are as wide as the main pipe: two such stand exactly opposite each \
-            other at one place along it, and these are off that by {} degrees; turn one (`azimuth`, 180 degrees \
-            from the other), or move them {needed} apart along the pipe (`at`)", ShortNumber(angle.to_degrees());
+        says "branches {first} and {second} are as wide as the main pipe and must be exactly opposite each other, \
+            but are off by {} degrees; turn one (`azimuth`, 180 degrees from the other), or move them {needed} apart \
+            along the pipe (`at`)", ShortNumber(angle.to_degrees());
 
-        /// Two branches of a tee stand so that no lines along the main pipe part what is beside them.
+        /// Two branches of a tee leave no free lines along the main pipe that divide it beside them.
         NoFreeLine {
             /// The first branch, from 0.
             first: usize,
@@ -176,8 +176,8 @@ table! {
             second: usize,
         }
         reason "tee-no-free-line";
-        says "no lines along the main pipe part it beside branches {first} and {second}: each has to be free of \
-            holes, and less than half a turn from the branches next to it; move one along the pipe (`at`) or turn \
+        says "no lines along the main pipe divide it beside branches {first} and {second}: such a line must miss all \
+            holes and be less than half a turn from the branches next to it; move one along the pipe (`at`) or turn \
             it (`azimuth`)";
     }
 }
@@ -188,33 +188,33 @@ fn turn(angle: f64) -> String {
     format!("{} degrees", ShortNumber(degrees.rem_euclid(360.0)))
 }
 
-/// How narrow a branch has to be to stand on its main pipe, and what else will do.
+/// How narrow a branch must be for its main pipe, and what else helps.
 fn room_for_branch(reach: f64, limit: f64, rest: f64, offset: f64) -> String {
     if reach < limit {
         // Thinner, but by too little.
         let remedy = match offset {
             0.0 => format!(
-                "make it {} at most, or of one radius with the main pipe, both cylinders whose axes meet",
+                "make its radius at most {}, or equal to that of the main pipe, both cylinders with intersecting axes",
                 ShortNumber(limit - 2.0 * rest)
             ),
             _ => "make it thinner, or its offset smaller".to_owned(),
         };
         return format!(
-            "less than {} is left between them, in which a blend has no digits; {remedy}",
+            "the clearance between them is below {}, too small for a blend in double precision; {remedy}",
             ShortNumber(rest)
         );
     }
     let room = limit - (reach - offset.abs());
     let remedy = if offset == 0.0 || room <= 0.0 {
-        "let the wider pipe be the main one".to_owned()
+        "make the wider pipe the main one".to_owned()
     } else {
         format!(
-            "its offset less than {}; a pipe that goes on past the other, its axis farther off than the radii differ, is a `pipe-crossing`, at any angle",
+            "its offset less than {}; a pipe that passes the other, with an offset above the difference of the radii, is a `pipe-crossing`, at any angle",
             ShortNumber(room)
         )
     };
     format!(
-        "a branch stands within its breadth, thinner and offset by less than the radii differ, or is of one radius with it, a cylinder whose axis meets the other; \
+        "a branch needs an offset below the difference of the radii, or an equal radius, both cylinders with intersecting axes; \
          make it thinner, or {remedy}"
     )
 }

@@ -20,8 +20,8 @@ table! {
             minor: f64,
         }
         reason "not-a-ring-torus";
-        says "no ring torus: the radius {minor} of the tube must be above 0 and below the radius {major} of its \
-            middle";
+        says "not a ring torus: the radius {minor} of the tube must be above 0 and below the radius {major} of its \
+            center circle";
 
         /// A complex coordinate of a point of a torus is zero.
         ZeroCoordinate {
@@ -30,7 +30,7 @@ table! {
         }
         reason "zero-coordinate";
         at *index;
-        says "complex coordinate {index} of a point of the torus is zero";
+        says "complex coordinate {index} of a point on the torus is zero, must be nonzero";
 
         /// A point on the axis of a torus: every longitude is equally near.
         PointOnAxis {
@@ -43,7 +43,7 @@ table! {
         }
         reason "point-on-axis";
         at *index;
-        says "point {index} is on the axis of the torus, where no longitude is the nearest: distance {distance}, \
+        says "point {index} is on the axis of the torus, where the longitude is undefined: distance {distance}, \
             limit {limit}";
 
         /// A point on the circle along the middle of the tube of a torus: its whole meridian is equally near.
@@ -57,8 +57,8 @@ table! {
         }
         reason "point-on-core-circle";
         at *index;
-        says "point {index} is in the middle of the tube, where no side is the nearest: distance {distance}, limit \
-            {limit}";
+        says "point {index} is on the center circle of the tube, where the angle round the tube is undefined: \
+            distance {distance}, limit {limit}";
 
         /// A point that should lie on a torus does not.
         PointOffTorus {
@@ -73,7 +73,7 @@ table! {
         at *index;
         says "point {index} is {distance} off the torus, limit {limit}";
 
-        /// A coordinate that can run in one direction only is asked to turn back, or to stand still at an end of a step.
+        /// A coordinate that can run in one direction only is asked to turn back, or to stop at an end of a step.
         NotMonotone {
             /// Which of the two coordinates, from 0.
             coordinate: usize,
@@ -83,8 +83,8 @@ table! {
             slopes: [f64; 2],
         }
         reason "not-monotone";
-        says "coordinate {coordinate} would have to turn back or stand still: step {step}, slopes {} and {} at its \
-            ends", ShortNumber(slopes[0]), ShortNumber(slopes[1]);
+        says "coordinate {coordinate} would have to turn back or stop: step {step}, slopes {} and {} at its ends",
+            ShortNumber(slopes[0]), ShortNumber(slopes[1]);
 
         /// A coordinate is asked to go farther than half round within one span.
         SpanTooLarge {
@@ -96,7 +96,7 @@ table! {
             limit: f64,
         }
         reason "span-too-large";
-        says "coordinate {coordinate} goes {step} radians in one span, which must be below {limit}: put a point \
+        says "coordinate {coordinate} changes by {step} radians in one span, must be below {limit}: add a point in \
             between";
 
         /// No two pieces of the given types join the ends of a segment.
@@ -109,9 +109,9 @@ table! {
         reason "no-two-type-solution";
         at *segment;
         when cosine.abs() > 1.0 && cosine.is_finite(), says "no two pieces of these types join the ends of segment \
-            {segment}: the cosine of their middle would be {cosine}, at most 1 is one";
-        says "no two pieces of these types join the ends of segment {segment} in the directions given: on the way \
-            each coordinate of a type runs in one direction, that of its speeds at both ends";
+            {segment}: the cosine of their middle would be {cosine}, maximum 1";
+        says "no two pieces of these types join the ends of segment {segment} in the given directions: each \
+            coordinate of a type must keep one direction, that of its speeds at both ends";
 
         /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.
         NotCoprime {
@@ -121,8 +121,8 @@ table! {
             divisor: u32,
         }
         reason "not-coprime";
-        says "{} and {} turns have the greatest common divisor {divisor}, not 1: the curve would run over itself, \
-            or not at all", turns[0], turns[1];
+        says "{} and {} turns have greatest common divisor {divisor}, must be 1: the curve would retrace itself, or \
+            not move at all", turns[0], turns[1];
 
         /// A seam along a curve of a torus is wider than a bend of the curve allows.
         SeamTooWide {
@@ -136,8 +136,8 @@ table! {
             limit: f64,
         }
         reason "seam-too-wide";
-        says "the seam is {width} wide, and folds on the inner side of the bend of its curve at {point}, in piece \
-            {piece}: it may be {limit} wide; take a narrower seam, or a curve that bends less along the torus";
+        says "the seam is {width} wide, maximum {limit}: it folds on the inner side of the bend of its curve at \
+            {point}, in piece {piece}; use a narrower seam, or a curve that bends less along the torus";
 
         /// Parts of a seam along a curve of a torus that are no neighbours share space.
         SeamMeetsItself {
@@ -154,7 +154,7 @@ table! {
         }
         reason "seam-meets-itself";
         at *second;
-        says "the seam runs through itself at {point}: pieces {first} and {second} of its curve are {distance} \
-            apart there, and it is {width} wide; take a narrower seam, or a curve that keeps away from itself";
+        says "the seam intersects itself at {point}: pieces {first} and {second} of its curve are {distance} apart \
+            there, and it is {width} wide; use a narrower seam, or a curve that stays away from itself";
     }
 }

@@ -23,7 +23,7 @@ table! {
         says "the corners of the triangle lie on one line: twice its area is {area} of its longest edge squared, \
             limit {limit}";
 
-        /// No sphere is told by a control point on the circle through the corners of its triangle.
+        /// No sphere is determined by a control point on the circle through the corners of its triangle.
         ControlPointOnCircumcircle {
             /// The corner whose sphere it is, from 0.
             corner: usize,
@@ -33,8 +33,8 @@ table! {
             limit: f64,
         }
         reason "control-point-on-circumcircle";
-        says "control point {corner} lies on the circle through the corners: it is {distance} off it, relative to \
-            its distance, limit {limit}";
+        says "control point {corner} lies on the circle through the corners: relative distance {distance}, limit \
+            {limit}";
 
         /// Spheres that cancel each other where they are blended.
         OppositeSpheres {
@@ -46,8 +46,8 @@ table! {
             limit: f64,
         }
         reason "opposite-spheres";
-        says "the spheres of the corners oppose each other near lambda = {}, {}: their blend has the length \
-            {length}, limit {limit}", ShortNumber(at[0]), ShortNumber(at[1]);
+        says "the spheres of the corners cancel near lambda = {}, {}: their blend has length {length}, limit {limit}",
+            ShortNumber(at[0]), ShortNumber(at[1]);
 
         /// A normal along the edge that shall be perpendicular to it.
         NormalAlongEdge {
@@ -59,8 +59,8 @@ table! {
             limit: f64,
         }
         reason "normal-along-edge";
-        says "the normal at corner {corner} runs along an edge or a line across its triangle: {across} of that line \
-            is across the normal, limit {limit}";
+        says "the normal at corner {corner} runs along an edge or a transversal line of its triangle: relative \
+            perpendicular part {across}, limit {limit}";
 
         /// The normals at the ends of an edge cancel each other between them.
         OppositeNormals {
@@ -72,7 +72,7 @@ table! {
             limit: f64,
         }
         reason "opposite-normals";
-        says "the normals at the ends of the side opposite to corner {corner} oppose each other: between them \
-            {length} is left, limit {limit}";
+        says "the normals at the ends of the side opposite to corner {corner} cancel between them: length {length}, \
+            limit {limit}";
     }
 }

@@ -11,21 +11,21 @@ table! {
     /// assert_eq!(error.reason(), "tube-turns-back");
     /// ```
     pub enum TubeError: Error {
-        /// One of two neighbouring balls of a tube holds the other.
+        /// One of two neighbouring balls of a tube contains the other.
         BallsNested {
             /// Which ball, from 0.
             first: usize,
             /// Its neighbour.
             second: usize,
-            /// Distance of their centres.
+            /// Distance of their centers.
             distance: f64,
             /// Difference of their radii.
             limit: f64,
         }
         reason "balls-nested";
         at *second;
-        says "of the balls {first} and {second} one holds the other: their centres are {distance} apart, their \
-            radii differ by {limit}; move them apart or take radii that are nearer to each other";
+        says "one of balls {first} and {second} contains the other: their centers are {distance} apart, their radii \
+            differ by {limit}; move them apart, or use more similar radii";
 
         /// No smooth tube goes on from a ball to its neighbours.
         TurnsBack {
@@ -34,8 +34,8 @@ table! {
         }
         reason "tube-turns-back";
         at *ball;
-        says "no smooth tube goes on at ball {ball}: its neighbours lie on one side, or the radii change too fast \
-            for the turn; put balls between";
+        says "no smooth tube continues at ball {ball}: its neighbours lie on one side, or the radii change too fast \
+            for the turn; add balls in between";
 
         /// Between two balls with positive radii that of a tube is none.
         RadiusVanishes {
@@ -46,37 +46,36 @@ table! {
         }
         reason "tube-radius-vanishes";
         at *piece;
-        says "between ball {piece} and the next one the radius of the tube falls to {radius}, though both have a \
-            positive one: put a ball between them, or let the radii change less";
+        says "the radius of the tube falls to {radius} between ball {piece} and the next one, though both radii are \
+            positive: add a ball in between, or let the radii change less";
 
-        /// A tube is wider than the bends of its way, or than the swings of its radius, allow.
+        /// A tube is wider than the bends of its path, or the changes of its radius, allow.
         Folds {
             /// Which piece of its spine, or which pair of balls, from 0.
             piece: usize,
             /// Where in it or in one of its arcs, 0 to 1.
             at: f64,
-            /// Its width there on the inner side of the bend as part of what it would be on a straight way: not positive.
+            /// Its width there on the inner side of the bend as part of what it would be on a straight path: not positive.
             left: f64,
         }
         reason "tube-folds";
         at *piece;
-        says "the tube folds in piece {piece} at {at}, where it bends or its radius swings faster than its width \
-            allows: {left} of the width is left, it must be above 0; take smaller radii, wider bends or a slower \
-            change of the radius";
+        says "the tube folds in piece {piece} at {at}, where it bends or changes its radius too fast for its width \
+            (width factor {left}, must be above 0); use smaller radii, wider bends or a slower change of the radius";
 
-        /// The radius of a tube changes as fast as the way goes on: its balls hold each other.
+        /// The radius of a tube changes as fast as the path length: its balls contain each other.
         RadiusGrowsTooFast {
             /// Which piece of its spine, from 0.
             piece: usize,
-            /// Change of the radius by the length of the way.
+            /// Change of the radius per unit of path length.
             rate: f64,
             /// It has to be below.
             limit: f64,
         }
         reason "radius-grows-too-fast";
         at *piece;
-        says "the radius changes by {rate} for each length of the way in piece {piece}, it must be below {limit}: \
-            the balls would hold each other; spread the change over more of the length";
+        says "the radius changes by {rate} per unit of path length in piece {piece}, must be below {limit}: the \
+            balls would contain each other; spread the change over more of the length";
 
         /// A closed tube begins with another radius than it ends with.
         RadiusNotClosed {
@@ -86,6 +85,6 @@ table! {
             last: f64,
         }
         reason "radius-not-closed";
-        says "the curve is closed, but the radius begins with {first} and ends with {last}: make both equal";
+        says "the curve is closed, but the radius starts at {first} and ends at {last}: make both equal";
     }
 }

@@ -21,9 +21,8 @@ table! {
             limit: f64,
         }
         reason "concircular-cube";
-        says "the first corner and its three neighbours are on one circle, so that the eighth corner is not \
-            determined: the triangle of the neighbours, inverted at the first corner, has the area {measured}, \
-            limit {limit}";
+        says "the first corner and its three neighbours lie on one circle, so the eighth corner is not determined: \
+            the triangle of the neighbours, inverted at the first corner, has area {measured}, limit {limit}";
 
         /// A face of a volume crosses itself: one of its sides runs backwards.
         CrossingFace {
@@ -37,8 +36,8 @@ table! {
             limit: f64,
         }
         reason "crossing-face";
-        says "two faces cross themselves: their common side along {} at {} = {}, {} = {} runs backwards (speed \
-            {speed}, limit {limit}); move the corners nearer to those of a box",
+        says "two faces self-intersect: their common side along {} at {} = {}, {} = {} runs backwards (speed \
+            {speed}, limit {limit}); move the corners closer to those of a box",
             parameters(*axis)[0],
             parameters(*axis)[1],
             ShortNumber(at[0]),
@@ -51,8 +50,8 @@ table! {
             at: [f64; 3],
         }
         reason "volume-through-infinity";
-        says "the volume passes through infinity near s = {}, t = {}, u = {}: its sides are arcs of nearly whole \
-            circles there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "the volume passes through infinity near s = {}, t = {}, u = {}: its sides are nearly full circles \
+            there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
         /// Lines of a volume run backwards in a part of it, where that is asked for which must not.
         Folded {
@@ -60,7 +59,7 @@ table! {
             at: [f64; 3],
         }
         reason "folded-volume";
-        says "lines run backwards near s = {}, t = {}, u = {}: what folds bounds no solid; take a frame nearer to \
-            the sides, or none", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "lines of the volume run backwards near s = {}, t = {}, u = {}, so it folds and bounds no solid; use a \
+            frame closer to the sides, or none", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
     }
 }

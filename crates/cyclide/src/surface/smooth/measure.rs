@@ -205,7 +205,7 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
         }
         for (k, what) in [(0, "an area by quadrature"), (1, "a volume by quadrature")] {
             if (k == 0 || self.closed) && !(errors[k] <= UNKNOWN * absolute[k]) {
-                let remedy = "the surface goes too far, or folds: look at its normals";
+                let remedy = "the surface extends too far, or folds: check its normals";
                 return Err(NumberError::TooManyPieces {
                     what,
                     segment: None,

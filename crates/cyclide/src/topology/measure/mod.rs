@@ -280,7 +280,7 @@ impl<E: Element> Quadrature<E> {
         if !self.is_wild && self.size.is_finite() && self.error <= UNKNOWN * self.size {
             return Ok(self.sum());
         }
-        let remedy = "its patches near infinity or next to singular points are too many";
+        let remedy = "too many of its patches are near infinity or next to singular points";
         Err(NumberError::TooManyPieces { what, segment: None, needed: f64::INFINITY, cap: self.parts.len(), remedy }
             .into())
     }

@@ -12,18 +12,18 @@ table! {
     /// assert_eq!(warning.reason(), "open-body");
     /// ```
     pub enum BodyWarning {
-        /// The neck of a ball that is larger than the bends of its way: it runs through itself.
+        /// The neck of a ball that is larger than the bends of its path: it self-intersects.
         NeckFolds {
             /// Radius of the ball.
             radius: f64,
-            /// Smallest radius of curvature of the way of its centre.
+            /// Smallest radius of curvature of the path of its center.
             limit: f64,
         }
         reason "neck-folds";
-        says "the neck runs through itself on the side to which the pipe leans: a ball of radius {radius} rolls \
-            through bends of radius {limit}; take a smaller ball";
+        says "the neck self-intersects on the side to which the pipe leans: the ball has radius {radius}, but its \
+            path bends with radius {limit}; use a smaller ball";
 
-        /// A bridge between ellipses that cross: it runs through itself beside the places where they do.
+        /// A bridge between ellipses that cross: it self-intersects beside the places where they do.
         EllipsesCross {
             /// By how much the second ellipse is wider along x.
             along_x: f64,
@@ -31,8 +31,8 @@ table! {
             along_y: f64,
         }
         reason "ellipses-cross";
-        says "the ellipses cross: the second is wider by {along_x} along x and by {along_y} along y, and the bridge \
-            runs through itself beside the places where they do; take one inside the other";
+        says "the ellipses cross: the semi-axes of the second are larger by {along_x} along x and by {along_y} along \
+            y, and the bridge self-intersects beside the crossings; put one ellipse inside the other";
 
         /// The ends of a profile were near the axis that it turns about, and were moved onto it.
         MovedToAxis {
@@ -42,8 +42,8 @@ table! {
             limit: f64,
         }
         reason "moved-to-axis";
-        says "the profile ends up to {distance} off the axis (up to {limit} counts as meant to be on it): its ends \
-            were moved onto the axis; write more digits, or start farther out for a bore";
+        says "the ends of the profile, up to {distance} off the axis, were snapped to it (tolerance {limit}); write \
+            more digits, or start farther out for a bore";
 
         /// A part of a turn of a profile that goes round an area, but has no end faces.
         OpenPart {
@@ -51,8 +51,8 @@ table! {
             angle: f64,
         }
         reason "open-body";
-        says "the body is open at both ends of its turn by {} degrees: end faces are made of contours in one plane \
-            with the axis that meet neither themselves nor each other; a whole turn is a solid", degrees(*angle);
+        says "the body is open at both ends of its turn by {} degrees: end faces need contours in one plane with the \
+            axis that intersect neither themselves nor each other; a whole turn is a solid", degrees(*angle);
 
         /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
         OpenProfile {
@@ -75,15 +75,14 @@ table! {
             height: f64,
         }
         reason "pinched";
-        says "the closed profile touches the axis at the height {height}, and the solid is pinched there: all \
-            around it meets itself in one point, which many programs take for no solid; keep the profile off the \
-            axis, or run it along the axis";
+        says "the closed profile touches the axis at height {height}, where the solid meets itself in a single point \
+            and many programs reject it; keep the profile off the axis, or run it along the axis";
 
         /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
         FlatRevolution
         reason "flat-revolution";
-        says "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights \
-            along the axis (points [r, 0, z] for the axis z), or take an axis in its plane";
+        says "the profile lies in a plane perpendicular to the axis, so the surface is flat; for a body give it \
+            heights along the axis (points [r, 0, z] for the axis z), or use an axis in its plane";
 
         /// A surface between two curves bends sharply where pieces of the curves join smoothly.
         KinksAtJoints {
@@ -98,23 +97,23 @@ table! {
         }
         reason "kinks-at-joints";
         at *joint;
-        says "the surface has kinks at {count} joint(s) where both curves run smoothly, the largest of {} degrees \
-            at joint {joint} (above {}): speeds jump there from piece to piece by different factors; take curves \
-            with pieces of like lengths on both sides, or of one piece", degrees(*angle), degrees(*limit);
+        says "the surface has kinks at {count} joint(s) where both curves are smooth, the largest of {} degrees at \
+            joint {joint} (limit {}): the speeds of the two curves jump there by different factors; use curves with \
+            pieces of similar lengths on both sides, or of one piece", degrees(*angle), degrees(*limit);
 
         /// Arcs between two curves that start nearly against their chords, so that they are nearly full circles of many chords' radius.
         NearlyFullArcs {
             /// The piece of the curves where that is so most, from 0.
             piece: usize,
-            /// The angle between tangent and the way back along the chord there, radians.
+            /// The angle between the tangent and the direction back along the chord there, radians.
             angle: f64,
             /// Angles below this are reported, radians.
             limit: f64,
         }
         reason "nearly-full-arcs";
         at *piece;
-        says "the arcs of piece {piece} start {angle} radians from the way back along their chords (reported below \
-            {limit}): nearly full circles, ten chords and more in radius, off whose faces readers of files may \
-            find their edges; lean the tangent farther to a side";
+        says "the arcs of piece {piece} start {angle} radians from the direction back along their chords (limit \
+            {limit}): they are nearly full circles with radii of ten chords and more, and other programs may find \
+            their edges off the faces; lean the tangent farther to one side";
     }
 }

@@ -20,8 +20,8 @@ table! {
             limit: f64,
         }
         reason "across-curvature-lines";
-        says "the grid lines run {} degrees off the curvature lines of the surface on average (more than {} is \
-            across them): quads with circles follow curvature lines", degrees(*angle), degrees(*limit);
+        says "the grid lines are {} degrees off the curvature lines of the surface on average (limit {}): circular \
+            quads follow curvature lines", degrees(*angle), degrees(*limit);
 
         /// The shape of a grid changed when it was made circular.
         ShapeChanged {
@@ -42,8 +42,7 @@ table! {
         }
         reason "moved-far";
         at *vertex;
-        says "vertex {vertex} moved by {distance} (more than {limit} is far): align the grid with the curvature \
-            lines first";
+        says "vertex {vertex} moved by {distance} (limit {limit}): align the grid with the curvature lines first";
 
         /// A vertex left the surface of its grid when it was made circular.
         LeftSurface {
@@ -56,7 +55,7 @@ table! {
         }
         reason "left-surface";
         at *vertex;
-        says "vertex {vertex} is {distance} off the input surface (more than {limit} is far)";
+        says "vertex {vertex} is {distance} off the input surface (limit {limit})";
 
         /// Grid lines turn to and fro from vertex to vertex: a noisy or too coarse grid, better smoothed first.
         Zigzag {
@@ -66,7 +65,7 @@ table! {
             turn: f64,
         }
         reason "zigzag";
-        says "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {:.2}; smooth or refine \
+        says "the grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {:.2}; smooth or refine \
             the grid first", turn.to_degrees(), *agreement;
     }
 }

@@ -21,7 +21,7 @@ table! {
         }
         reason "cusp";
         at *node;
-        says "point {node}: the curve turns back on itself (cusp), joint only connected";
+        says "point {node}: the curve turns back on itself (cusp), so the joint is connected but not smooth";
 
         /// The velocity of a curve vanishes within a piece or at a joint, and its direction jumps there.
         CuspInside {
@@ -35,8 +35,8 @@ table! {
             angle: f64,
         }
         reason "cusp";
-        says "the curve comes to a stand and turns by {} degrees in {count} place(s), the first is t = {t}, point \
-            {at} (cusp)", degrees(*angle);
+        says "the curve stops and turns by {} degrees (cusp) at {count} location(s), the first at t = {t}, point \
+            {at}", degrees(*angle);
 
         /// A turn close to half a turn: the circle through the node is very large.
         SharpTurn {
@@ -49,8 +49,8 @@ table! {
         }
         reason "sharp-turn";
         at *node;
-        says "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): the circle through it \
-            and its neighbours is very large, and the curve swings out; if a corner is meant, mark it",
+        says "point {node}: the points turn back by {:.2} degrees (limit {:.0}): the circle through it and its \
+            neighbours is very large, and the curve swings out; if a corner is intended, mark it",
             angle.to_degrees(),
             limit.to_degrees();
 
@@ -65,8 +65,8 @@ table! {
         }
         reason "sharp-turn-cut";
         at *node;
-        says "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): a smooth curve would \
-            swing out, so the point is made a corner", angle.to_degrees(), limit.to_degrees();
+        says "point {node}: the points turn back by {:.2} degrees (limit {:.0}): a smooth curve would swing out, so \
+            the point became a corner", angle.to_degrees(), limit.to_degrees();
 
         /// Segments of a fair spline that are less fair than asked for, because the fairest curve does not exist or swings out
         /// far there; its curvature is continuous all the same.
@@ -78,14 +78,14 @@ table! {
         at segments.first().map(|(segment, _)| *segment);
         says "{}", relaxed(&segments);
 
-        /// The blend takes the long way round between its two circles.
+        /// The blend takes the longer path between its two circles.
         LongWay {
             /// Segment, from 0; it starts at the point of the same index.
             segment: usize,
         }
         reason "long-way";
         at *segment;
-        says "segment {segment}: the blend takes the long way between its circles";
+        says "segment {segment}: the blend takes the longer path between its circles";
 
         /// The two circles of a segment run in opposite directions: a small change of the data moves the curve a lot.
         OppositeCircles {
@@ -94,7 +94,7 @@ table! {
         }
         reason "opposite-circles";
         at *segment;
-        says "segment {segment}: its circles run in opposite directions, small changes move the curve a lot";
+        says "segment {segment}: its circles run in opposite directions, so small changes move the curve a lot";
 
         /// A curve through a point hardly reaches it: it runs there and back in a needle of the parameter.
         SpikeNearPoint {
@@ -107,8 +107,8 @@ table! {
         }
         reason "spike-near-point";
         at *point;
-        says "the curve reaches point {point} in a needle only, over {width} of its parameter: the other points \
-            hardly leave it the way; change the parameters or take a Moebius spline";
+        says "the curve reaches point {point} only in a spike, over {width} of its parameter: the other points lie \
+            nearly on a curve that misses it; change the parameters or use a Moebius spline";
 
         /// A curve through points runs far away from them in between.
         LargeExcursion {
@@ -120,8 +120,8 @@ table! {
             limit: f64,
         }
         reason "large-excursion";
-        says "near the parameter {t} the curve is {reach} times as far from the middle of its points as these are \
-            (above {limit} is said); change the parameters or take a Moebius spline";
+        says "near parameter {t} the curve is {reach} times as far from the middle of its points as they are (limit \
+            {limit}); change the parameters or use a Moebius spline";
 
         /// A curve through points turns right back between two of them: they are nearly on a curve of lower degree, along which it
         /// runs to and fro.
@@ -136,9 +136,9 @@ table! {
             limit: f64,
         }
         reason "turns-back";
-        says "in {count} place(s), the first near the parameter {t}, the curve turns right back, on less than \
-            {limit} of the spacing of the points: they are nearly on a curve of lower degree, and it runs to and \
-            fro along that; change the parameters or take a Moebius spline";
+        says "at {count} location(s), the first near parameter {t}, the curve turns back within {limit} of the \
+            spacing of the points: they lie nearly on a curve of lower degree, along which it runs to and fro; \
+            change the parameters or use a Moebius spline";
 
         /// A curve changes between left and right far more often than its data.
         Wavers {
@@ -153,11 +153,11 @@ table! {
         }
         reason "wavers";
         when *explained > *data, says "the curve changes {} between left and right, its points {} ({explained} with \
-            the ends of their straight runs): it wavers between them (the comb of a picture shows where); {}",
+            the ends of their straight runs), so it wiggles between them (the comb of a picture shows where); {}",
             times(*curve),
             times(*data),
             remedy.advice();
-        says "the curve changes {} between left and right, its points {}: it wavers between them (the comb of a \
+        says "the curve changes {} between left and right, its points {}, so it wiggles between them (the comb of a \
             picture shows where); {}", times(*curve), times(*data), remedy.advice();
 
         /// The data themselves change between left and right as noise does, and a curve through all of them must.
@@ -168,8 +168,8 @@ table! {
             nodes: usize,
         }
         reason "data-waver";
-        says "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the \
-            curve passes through all of them: a fit within a tolerance is smoother";
+        says "the points change {changes} times between left and right at {nodes} nodes, like noise, and the curve \
+            passes through all of them; a fit within a tolerance is smoother";
 
         /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
         CornerNotMarked {
@@ -184,14 +184,14 @@ table! {
         }
         reason "corner-not-marked";
         at *node;
-        says "{count} point(s) turn between straight runs, by up to {:.1} degrees, the first is point {node}: the \
-            curve goes round and leaves the runs by up to {distance}; if corners are meant, mark them (a corner \
+        says "{count} point(s) turn by up to {:.1} degrees between straight runs, the first is point {node}: the \
+            curve rounds them and leaves the runs by up to {distance}; if corners are intended, mark them (a corner \
             angle)", angle.to_degrees();
 
         /// Ends were asked for, but a closed curve has none.
         EndsWithoutEffect
         reason "no-effect";
-        says "a closed curve has no ends: what was asked for them has no effect";
+        says "a closed curve has no ends: the settings for its ends have no effect";
     }
 }
 
@@ -204,16 +204,16 @@ fn times(count: usize) -> String {
 fn relaxed(segments: &[(usize, f64)]) -> String {
     let place = match segments {
         [] => return "no segment is relaxed".to_owned(),
-        [(one, _)] => format!("behind point {one}"),
+        [(one, _)] => format!("after point {one}"),
         [(first, _), .., (last, _)] => {
-            format!("on {} segments, behind the points {first} to {last},", segments.len())
+            format!("on {} segments, after points {first} to {last},", segments.len())
         }
     };
     let least = ShortNumber(segments.iter().map(|(_, e)| *e).fold(1.0, f64::min));
     let largest = ShortNumber(segments.iter().map(|(_, e)| *e).fold(0.0, f64::max));
     let blends = if least == largest { least.to_string() } else { format!("{least} to {largest}") };
     format!(
-        "{place} the fairest curve would swing out, so it is less fair there (blend {blends} where 1 is the fairest); \
-         if the points turn sharply on purpose, mark them as corners"
+        "{place} the fairest curve would swing out, so it is less fair there (blend {blends}, 1 is the fairest); \
+         if the points are intended to turn sharply, mark them as corners"
     )
 }

@@ -36,8 +36,8 @@ table! {
             limit: f64,
         }
         reason "samples-too-coarse";
-        says "median sagitta of the edges is {sagitta}, an arc over two of them allows {limit}: if the points are \
-            samples of a smooth curve, use the target `points`";
+        says "the median sagitta of the edges is {sagitta}, the limit for an arc over two edges is {limit}: if the \
+            points are samples of a smooth curve, use the target `points`";
 
         /// Arcs of a fit are much tighter than any circle of the data near them: a corner may be hidden in them.
         TightArc {
@@ -56,8 +56,8 @@ table! {
         }
         reason "tight-arc";
         at *vertex;
-        says "{count} arc(s) much tighter than the data, the tightest is piece {piece} at point {vertex}: radius \
-            {radius}, the tightest circle of the data there has {data} (below {limit} is tight)";
+        says "{count} arc(s) are much tighter than the data, the tightest is piece {piece} at point {vertex}: radius \
+            {radius}, the tightest circle of the data there has {data} (limit {limit})";
 
         /// A fit turns more than its data do within the tolerance: it swings to and fro between the points.
         TurnsMoreThanData {
@@ -67,7 +67,7 @@ table! {
             limit: f64,
         }
         reason "turns-more-than-data";
-        says "the fit turns by {:.2} radians in all, its data by at most {:.2}: smooth the points or raise the \
+        says "the fit turns by {:.2} radians in total, its data by at most {:.2}: smooth the points or raise the \
             tolerance", *turning, *limit;
 
         /// A smooth curve within the tolerance needs nearly as many nodes as there are points.
@@ -78,8 +78,8 @@ table! {
             points: usize,
         }
         reason "many-nodes";
-        says "{nodes} nodes for {points} points, which are too few, or the tolerance too small, to be described by \
-            fewer; corners are followed with few nodes only if they are given (a corner angle)";
+        says "{nodes} nodes for {points} points: the points are too few, or the tolerance too small, for fewer \
+            nodes; corners take few nodes only if they are marked (a corner angle)";
 
         /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
         WideTolerance {
@@ -89,9 +89,9 @@ table! {
             used: f64,
         }
         reason "wide-tolerance";
-        when *used >= *tolerance, says "the tolerance {tolerance} is wide against the figure: bends and corners \
-            smaller than it may be gone";
-        says "the tolerance {tolerance} is wide against the figure: the curve keeps within {used}, where it is \
+        when *used >= *tolerance, says "the tolerance {tolerance} is large against the figure: bends and corners \
+            smaller than it may be lost";
+        says "the tolerance {tolerance} is large against the figure: the curve stays within {used}, where it is \
             fairer or swings out less";
 
         /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
@@ -102,7 +102,8 @@ table! {
             data: f64,
         }
         reason "shape-smoothed-away";
-        says "the curve is {curve} long, its points say {data}: bends or loops smaller than the tolerance are gone";
+        says "the curve is {curve} long, but its points indicate {data}: bends or loops smaller than the tolerance \
+            are lost";
 
         /// A fair fit has more nodes than were asked for, or fewer.
         NodesNotReached {
@@ -115,7 +116,7 @@ table! {
             why: &'static str,
         }
         reason "nodes-not-reached";
-        says "{asked} nodes were asked for, {reached} it has: {}", what_decided(&why);
+        says "{asked} nodes were requested, the curve has {reached}: {}", what_decided(&why);
 
         /// A fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
         SwingsOut {
@@ -130,11 +131,11 @@ table! {
             has_target: bool,
         }
         reason "swings-out";
-        says "between the points the curve {} up to {distance} from their polyline (more than {limit} is far){}; {}",
+        says "between the points the curve {} up to {distance} from their polyline (limit {limit}){}; {}",
             if *held { "would swing out" } else { "swings out" },
-            if *held { ": it is held to places on the edges too" } else { "" },
+            if *held { ", so it is held to locations on the edges too" } else { "" },
             if *has_target {
-                    "if the edges are meant, the target `polyline` keeps to all of them; points that scatter are smoothed first"
+                    "if the edges are intended, the target `polyline` keeps all of them; smooth points first that scatter"
                 } else {
                     "if the points have corners, give a corner angle"
                 };
@@ -150,10 +151,10 @@ table! {
         }
         reason "long-edges";
         at *point;
-        says "{count} {} far longer than those round {}: {}; if that is wrong, measure points there",
+        says "{count} {} far longer than the edges near {}: {}; if that is wrong, measure points there",
             if *count == 1 { "edge from here is" } else { "edges, the first from here, are" },
             if *count == 1 { "it" } else { "them" },
-            if *held { "taken for straight sides, which the curve keeps to" } else { "taken for gaps, over which nothing holds the curve" };
+            if *held { "treated as straight sides, which the curve follows" } else { "treated as gaps, where the curve is free" };
 
         /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
         ReadAsCurve {
@@ -168,10 +169,10 @@ table! {
         }
         reason "read-as-curve";
         when *has_target, says "{count} points that turn by up to {:.1} degrees are read as samples of a curve, \
-            which leaves their polyline by {distance}: if its edges are meant, the target `polyline` keeps to all \
-            of them, a smaller corner angle to those between larger turns", turn.to_degrees();
+            which leaves their polyline by {distance}: if its edges are intended, the target `polyline` keeps all of \
+            them, a smaller corner angle those between larger turns", turn.to_degrees();
         says "{count} points that turn by up to {:.1} degrees are read as samples of a curve, which leaves their \
-            polyline by {distance}: if its edges are meant, a smaller corner angle keeps the larger turns as \
+            polyline by {distance}: if its edges are intended, a smaller corner angle keeps the larger turns as \
             corners", turn.to_degrees();
     }
 }
@@ -185,10 +186,10 @@ fn turns_from(least: f64, most: f64) -> String {
 /// What decided on the number of nodes.
 fn what_decided(why: &str) -> &'static str {
     match why {
-        "tolerance" => "the points need them within the tolerance",
-        "budget" => "fewer would cost more fairness than the budget allows: raise it",
-        "max-fits" => "the fits for taking nodes out are spent: allow more",
-        "first-fit" => "the tolerance is reached with as few",
+        "tolerance" => "the tolerance needs them",
+        "budget" => "fewer would exceed the fairness budget: raise it",
+        "max-fits" => "the limit on fits for removing nodes was reached: allow more",
+        "first-fit" => "these reach the tolerance",
         _ => "a curve cannot have fewer",
     }
 }

@@ -25,9 +25,9 @@ table! {
         }
         reason "folds-back";
         at *triangle;
-        says "the surface folds back at {count} edge(s), most of all at that between the vertices {} and {}, in \
-            triangle {triangle}: its normal turns by {:.0} degrees there; `crease_angle` keeps edges, a finer or \
-            smoother mesh has no folds", vertices[0], vertices[1], angle.to_degrees();
+        says "the surface folds back at {count} edge(s), the worst between vertices {} and {} in triangle \
+            {triangle}: its normal turns by {:.0} degrees there; use `crease_angle` to keep edges, or a finer or \
+            smoother mesh", vertices[0], vertices[1], angle.to_degrees();
 
         /// Sharp edges of a mesh that became smooth, since no angle of creases was given.
         SharpEdgesSmoothed {
@@ -41,8 +41,8 @@ table! {
             limit: f64,
         }
         reason "sharp-edges-smoothed";
-        says "{count} edge(s) that bend by more than {:.0} degrees are smoothed away, by up to {:.1} degrees, \
-            between the vertices {} and {}: `crease_angle` keeps them",
+        says "{count} edge(s) that bend by more than {:.0} degrees were smoothed, by up to {:.1} degrees, between \
+            vertices {} and {}: `crease_angle` keeps them",
             limit.to_degrees(),
             angle.to_degrees(),
             vertices[0],
@@ -60,9 +60,9 @@ table! {
             gap: f64,
         }
         reason "open-seam";
-        says "{count} of {borders} border edges lie within {gap} of another one, the first between the vertices {} \
-            and {}: points that are meant to be one are apart, weld them; or a vertex is inside an edge of a \
-            neighbour, cut this there", vertices[0], vertices[1];
+        says "{count} of {borders} border edges lie within {gap} of another one, the first between vertices {} and \
+            {}: weld points that should be one, or cut an edge where a vertex of its neighbour lies inside it",
+            vertices[0], vertices[1];
 
         /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
         NormalFacesBackward {
@@ -75,9 +75,8 @@ table! {
         }
         reason "normal-faces-backward";
         at *triangle;
-        says "{count} normal(s) point to the back of a triangle beside them, first that of vertex {vertex} in \
-            triangle {triangle}: the surface folds over there; turn the normals or the triangles, or refine the \
-            mesh";
+        says "{count} normal(s) point to the back of an adjacent triangle, the first at vertex {vertex} in triangle \
+            {triangle}, so the surface folds over; reverse the normals or the triangles, or refine the mesh";
 
         /// Spheres at the corners of a triangle nearly oppose each other: between them the patch swings round within a small part
         /// of the triangle.
@@ -88,8 +87,7 @@ table! {
             limit: f64,
         }
         reason "spheres-nearly-opposite";
-        says "the spheres at the corners nearly oppose each other: where {length} of the blended one is left \
-            (reported up to {}) the patch swings round, far out and within a small part of the triangle, and \
-            meshes of it need many triangles", *limit;
+        says "the spheres at the corners nearly cancel: where the blended one has length {length} (limit {}) the \
+            patch swings far out within a small part of the triangle, and meshes of it need many triangles", *limit;
     }
 }

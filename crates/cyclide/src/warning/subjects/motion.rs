@@ -30,10 +30,10 @@ table! {
         }
         reason "speed-spike";
         at *span;
-        says "span {span}: {time} seconds from its start the body {} {ratio} times as fast as on average over the \
-            span: the motion has a spike there; {}", if *turning { "turns" } else { "runs" }, remedy.advice();
+        says "span {span}: {time} seconds from the start of the motion the body {} {ratio} times as fast as on \
+            average over the span; {}", if *turning { "rotates" } else { "moves" }, remedy.advice();
 
-        /// Under a law that goes by the way a body turns on a span with little way, which takes little time.
+        /// Under a law by path length a body turns in a span with a short path, which takes little time.
         TurnsNearlyInPlace {
             /// The span, from 0.
             span: usize,
@@ -48,11 +48,12 @@ table! {
         }
         reason "turns-nearly-in-place";
         at *span;
-        says "span {span}, from pose {span} to the next: the body turns by {} degrees within {seconds} seconds, \
-            {ratio} times as fast as on average, as its tool has hardly a way there, by which the law goes: give \
-            an `arm`, the length by which turns count as way, or a larger one", degrees(*turn);
+        says "span {span}, from pose {span} to the next: the body rotates by {} degrees within {seconds} seconds, \
+            {ratio} times as fast as on average, since the law goes by the path of the tool, which is very short \
+            there; give an `arm`, the characteristic length that weights rotation against translation, or a larger \
+            one", degrees(*turn);
 
-        /// Under a law that goes by the way a body does not rest between poses that are the same.
+        /// Under a law by path length a body does not rest between poses that are the same.
         RestsPassedOver {
             /// The first such span, from 0.
             span: usize,
@@ -61,11 +62,11 @@ table! {
         }
         reason "rests-passed-over";
         at *span;
-        says "in {count} span(s) the body rests, first from pose {span} to the next: a law that goes by the way has \
-            no time for that, and it does not stop there; go by the times of the poses (`as-given`), or make a \
+        says "the body rests in {count} span(s), the first from pose {span} to the next, but a law by path length \
+            gives no time to a rest and does not stop there; use the times of the poses (`as-given`), or make a \
             motion of each part";
 
-        /// Under a law that goes by the way a body runs on at its speed where the way turns back.
+        /// Under a law by path length a body keeps its speed where the path turns back.
         Reverses {
             /// The first such span, from 0.
             span: usize,
@@ -78,9 +79,9 @@ table! {
         }
         reason "motion-reverses";
         at *span;
-        says "in {count} place(s) the way of the tool turns back, first {time} seconds from its start, on span \
-            {span}: a law that goes by the way keeps its speed there, and the velocity jumps by {velocity_jump}; \
-            go by times of the poses that fit the ways (`as-given`), or change the poses";
+        says "the path of the tool turns back at {count} location(s), the first {time} seconds from the start of the \
+            motion, on span {span}: a law by path length keeps the speed, so the velocity jumps by {velocity_jump}; \
+            use times of the poses that fit the path lengths (`as-given`), or change the poses";
 
         /// A spline motion starts or ends a span much faster than it goes there on average: it runs beyond the poses and back in between.
         Swings {
@@ -99,13 +100,13 @@ table! {
         }
         reason "motion-swings";
         at *span;
-        when ratio.is_finite(), says "in {count} span(s) the motion runs beyond its poses and back, most from pose \
-            {span} to the next, where {} starts or ends {ratio} times as fast as it goes on average, and runs \
-            {beyond}{} beyond: the kind `linear` goes straight from pose to pose; or give times that fit the ways, \
-            or a pose more (the same pose twice is a rest)", part.words(), part.unit();
-        says "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, \
-            where {} goes on though it is the same at both, by {beyond}{}: the kind `linear` goes straight from \
-            pose to pose; or give times that fit the ways, or a pose more (the same pose twice is a rest)",
+        when ratio.is_finite(), says "the motion overshoots its poses in {count} span(s), most from pose {span} to \
+            the next, where {} starts or ends {ratio} times as fast as on average, and overshoots by {beyond}{}: use \
+            the kind `linear`, which goes straight from pose to pose, times that fit the path lengths, or an extra \
+            pose (the same pose twice is a rest)", part.words(), part.unit();
+        says "the motion overshoots its poses in {count} span(s), most from pose {span} to the next, where {} is the \
+            same at both poses but moves by {beyond}{} in between: use the kind `linear`, which goes straight from \
+            pose to pose, times that fit the path lengths, or an extra pose (the same pose twice is a rest)",
             part.words(),
             part.unit();
 
@@ -125,11 +126,11 @@ table! {
         }
         reason "leaves-chords";
         at *span;
-        says "in {count} span(s) the turns of the body carry its origin away from the straight line between the \
-            poses, most from pose {span} to the next, by {distance} on a distance of {chord}: the kind `linear` \
-            goes straight from pose to pose; or give poses in between";
+        says "the rotation of the body carries its origin off the straight line between the poses in {count} \
+            span(s), most from pose {span} to the next, by {distance} over a distance of {chord}: use the kind \
+            `linear`, which goes straight from pose to pose, or add poses in between";
 
-        /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the way to the next
+        /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the path to the next
         /// pose at most.
         BlendsShortened {
             /// The pose where the blend is the shortest, from 0.
@@ -143,10 +144,11 @@ table! {
         }
         reason "blends-shortened";
         at *pose;
-        says "the blends at {count} pose(s) are shorter than the radius of {asked}: they take half of the way to \
-            the next pose at most, at pose {pose} {radius}; give a smaller radius, or poses farther apart";
+        says "the blends at {count} pose(s) are shorter than the radius of {asked}, since a blend takes at most half \
+            of the path to the next pose: radius {radius} at pose {pose}; give a smaller radius, or move the poses \
+            apart";
 
-        /// A pose is turned by half a turn against the one before, for which both ways round are as short.
+        /// A pose is turned by half a turn against the one before, for which both directions are equally short.
         HalfTurn {
             /// The first such pose, from 0.
             pose: usize,
@@ -159,11 +161,11 @@ table! {
         }
         reason "half-turn";
         at *pose;
-        says "{count} pose(s), first pose {pose}, are turned by half a turn against the one before, up to rounding: \
-            both ways round are as short, and which one the body takes hangs on the sign or the last digit of what \
-            the pose is written with; give a pose in between";
+        says "{count} pose(s), the first is pose {pose}, differ from the previous one by half a turn, up to \
+            rounding: both directions are equally short, and the sign or the last digit of the input decides; add a \
+            pose in between";
 
-        /// Poses that are planar, spherical, translated or of one motion of degree 2 but for the digits they are written with were
+        /// Poses that are planar, spherical, translated or of one motion of degree 2 except for the rounding of their digits were
         /// taken for that.
         PosesRounded {
             /// What they are off, in their size.
@@ -172,7 +174,7 @@ table! {
             limit: f64,
         }
         reason "poses-rounded";
-        says "but for {off} of their size the poses are planar, spherical, moved without a turn or of one motion of \
-            degree 2, and are taken for that (Study forms of up to {limit} count as rounded digits)";
+        says "except for {off} of their size the poses are planar, spherical, translated or on one motion of degree \
+            2, and are treated as such (Study forms of up to {limit} count as rounding)";
     }
 }

@@ -23,10 +23,10 @@ table! {
             angle: f64,
         }
         reason "open-seam";
-        says "the first and the last {border} of the grid are at most an edge apart and the net is open there: the \
-            surface has a gap of up to {gap} and an angle of up to {} degrees there", degrees(*angle);
+        says "the first and the last {border} of the grid are at most an edge apart, but the net is open there: the \
+            surface has a gap of up to {gap} and an angle of up to {} degrees", degrees(*angle);
 
-        /// An offset beyond centres of curvature of its surface: lines run backwards there.
+        /// An offset beyond centers of curvature of its surface: lines run backwards there.
         BeyondFocalSet {
             /// The distance of the offset.
             distance: f64,
@@ -40,8 +40,8 @@ table! {
         reason "beyond-focal-set";
         at *first;
         says "the offset by {distance} goes beyond the focal set on {count} patch(es), the first is patch {first}: \
-            the surface bends towards that side with radii down to {}, and beyond them its lines run backwards; \
-            offsets by less do not", ShortNumber(rounded_down(*radius));
+            the surface has radii of curvature down to {} on that side, and its lines run backwards beyond them; use \
+            a smaller distance", ShortNumber(rounded_down(*radius));
 
         /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
         Folded {
@@ -69,15 +69,14 @@ table! {
         }
         reason "swept-surface-folds";
         at *face;
-        when *borders == 0, says "the surface folds back in {count} face(s), the first is face {face}: there the \
-            curve comes to move along itself";
-        says "the surface folds back in {count} face(s), {borders} of them at the border to the face before, the \
-            first is face {face}: there the curve comes to move along itself or back, and the surface lies on \
-            itself";
+        when *borders == 0, says "the surface folds back in {count} face(s), the first is face {face}: the curve \
+            moves along itself there";
+        says "the surface folds back in {count} face(s), {borders} of them at the border to the previous face, the \
+            first is face {face}: the curve moves along itself or back there, and the surface overlaps itself";
     }
 }
 
-/// Four digits of a positive value, not more than it is: a limit that is kept by what is said.
+/// Four digits of a positive value, not more than it is: so that the limit as shown can be kept.
 fn rounded_down(value: f64) -> f64 {
     let unit = 10.0_f64.powf(value.log10().floor() - 3.0);
     let down = (value / unit).floor() * unit;

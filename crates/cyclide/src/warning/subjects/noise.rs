@@ -19,8 +19,8 @@ table! {
             fraction: f64,
         }
         reason "tolerance-below-noise";
-        says "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise of the points, or they \
-            are too far apart for it", *fraction * 100.0;
+        says "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise of the points, or the \
+            points are too far apart for it", *fraction * 100.0;
 
         /// A smooth curve within the tolerance needs nearly as many nodes as there are points, which change between left and right
         /// as noise does.
@@ -33,8 +33,8 @@ table! {
             changes: usize,
         }
         reason "tolerance-below-noise";
-        says "{nodes} nodes for {points} points, which change between left and right {changes} times, as noise \
-            does: the tolerance is below their noise";
+        says "{nodes} nodes for {points} points, which change {changes} times between left and right, like noise: \
+            the tolerance is below their noise";
 
         /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
         /// measured from.
@@ -44,12 +44,12 @@ table! {
             /// Values above this are reported.
             limit: f64,
             /// How far the points scatter from one to the next about any smooth curve: the standard deviation of their noise.
-            /// `None` where there are too few points to a node to tell noise from shape.
+            /// `None` where there are too few points to a node to distinguish noise from shape.
             scatter: Option<f64>,
         }
         reason "leans-on-walls";
-        says "the curve leans on the bounds of the tolerance, as the fairest one does: the root mean square of the \
-            distances is {rms} (more than {limit} is much); {}", nearer_to_points(*scatter, *limit);
+        says "the curve lies along the bounds of the tolerance, as the fairest one does: the root mean square of the \
+            distances is {rms} (limit {limit}); {}", nearer_to_points(*scatter, *limit);
 
         /// A curve within a tolerance leaves out more of its points than their noise.
         BeyondNoise {
@@ -59,9 +59,9 @@ table! {
             noise: f64,
         }
         reason "beyond-noise";
-        says "the curve leaves out more than noise: the root mean square of the distances is {rms}, and the noise \
-            of the points has a standard deviation of about {noise}, so the curve may be farther from what was \
-            measured than the points are; a strength that follows the noise leaves out no more than that";
+        says "the curve removes more than noise: the root mean square of the distances is {rms}, and the noise of \
+            the points has a standard deviation of about {noise}, so the curve may be farther from the measured \
+            shape than the points are; use a strength that follows the noise";
 
         /// The noise that was given is not that of the points.
         Contradicted {
@@ -72,10 +72,10 @@ table! {
         }
         reason "noise-contradicted";
         when *given < *found, says "the noise is given as {given}, but the points scatter by {found}: the curve \
-            follows their noise; let them say it themselves, or give heights that are less certain a noise of \
-            their own";
-        says "the noise is given as {given}, but the points scatter by {found}: the curve may leave out bends that \
-            they show";
+            follows their noise; let it be estimated from the points, or give less certain heights a noise of their \
+            own";
+        says "the noise is given as {given}, but the points scatter by {found}: the curve may omit bends that they \
+            show";
 
         /// Few points were taken for noisy ones, though they may be corners as well.
         FewPoints {
@@ -87,8 +87,8 @@ table! {
             apart: f64,
         }
         reason "few-for-noise";
-        says "{points} points, usually {apart} apart, are read as measured with a noise of {noise}; so few may as \
-            well be the corners of an outline: if they are, give a tolerance or a corner angle";
+        says "{points} points, typically {apart} apart, are read as measured with a noise of {noise}; so few may \
+            also be the corners of an outline: if they are, give a tolerance or a corner angle";
 
         /// The feet of some points step back along the curve: distances are bounded one way only.
         FeetNotMonotone {
@@ -99,15 +99,15 @@ table! {
         }
         reason "feet-not-monotone";
         at *point;
-        says "point {point} lies behind the point before it, measured along the curve ({count} such points): the \
-            points are closer together than their noise, so only the distance from the curve to the polyline is \
-            bounded, not that from the polyline to the curve";
+        says "point {point} lies behind the previous point along the curve ({count} such points): the points are \
+            closer together than their noise, so only the distance from the curve to the polyline is bounded, not \
+            that from the polyline to the curve";
 
-        /// A point does not belong to the others: it is far from the curve of these.
+        /// A point does not belong to the other points: it is far from their curve.
         Outlier {
             /// The point.
             point: usize,
-            /// How far it is from the curve of the others.
+            /// How far it is from the curve of the other points.
             distance: f64,
             /// Standard deviation of the noise of these.
             noise: f64,
@@ -119,9 +119,9 @@ table! {
         reason "outlier";
         at *point;
         when *dropped, says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the \
-            others, whose noise has a standard deviation of {noise}; left out";
-        says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the others, whose \
-            noise has a standard deviation of {noise}; kept";
+            other points, whose noise has a standard deviation of {noise}; left out";
+        says "point {point} is an outlier ({count} in all): it is {distance} from the curve of the other points, \
+            whose noise has a standard deviation of {noise}; kept";
     }
 }
 
@@ -151,13 +151,13 @@ impl NoiseWarning {
 fn nearer_to_points(scatter: Option<f64>, limit: f64) -> String {
     match scatter {
         Some(scatter) if is_noisy(scatter, limit) => format!(
-            "the points scatter by {} from one to the next: if that is noise, a strength that follows it comes nearer to what was measured",
+            "the points scatter by {} from one to the next: if that is noise, a strength that follows it is closer to what was measured",
             ShortNumber(scatter)
         ),
         Some(scatter) => format!(
-            "the points scatter by no more than {} from one to the next: a smaller tolerance, or a centre of 1, comes nearer to them",
+            "the points scatter by at most {} from one to the next: use a smaller tolerance, or a `centre` of 1, to come closer to them",
             ShortNumber(scatter)
         ),
-        None => "a smaller tolerance, or a centre of 1, comes nearer to the points".to_owned(),
+        None => "use a smaller tolerance, or a `centre` of 1, to come closer to the points".to_owned(),
     }
 }

@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(warning.reason(), "closing-point-merged");
     /// ```
     pub enum PointWarning {
-        /// Chords are so short against their coordinates that these, rounded to doubles, do not tell their directions.
+        /// Chords are so short against their coordinates that these, rounded to doubles, do not determine their directions.
         RoundedDirections {
             /// The first of the segments, from 0.
             segment: usize,
@@ -27,7 +27,7 @@ table! {
         reason "rounded-directions";
         at *segment;
         says "{count} chord(s), the first is segment {segment}, are so short for coordinates this large that \
-            rounding turns them by up to {} degrees (above {}): move the points to the origin before they are \
+            rounding turns them by up to {} degrees (limit {}): move the points to the origin before they are \
             written, or merge them", degrees(*angle), degrees(*limit);
 
         /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
@@ -41,9 +41,9 @@ table! {
         }
         reason "uneven-spacing";
         at *node;
-        when *ratio >= NEARLY_REPEATED, says "point {node}: neighbouring chords differ by a factor {:.0}: two \
-            points nearly repeat each other there, and the curve may loop; remove one of them", *ratio;
-        says "point {node}: neighbouring chords differ by a factor {:.1} (above {}), the curve may bulge",
+        when *ratio >= NEARLY_REPEATED, says "point {node}: neighbouring chords differ by a factor of {:.0}: two \
+            points nearly coincide there, and the curve may loop; remove one of them", *ratio;
+        says "point {node}: neighbouring chords differ by a factor of {:.1} (limit {}), so the curve may bulge",
             *ratio,
             *limit;
 
@@ -62,8 +62,8 @@ table! {
         }
         reason "stop";
         at *first;
-        says "points {first} to {last} are a stop: {count} points within {radius} of {},{},{}, where nothing moved; \
-            they count as one point", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "points {first} to {last} are a stop: {count} points within {radius} of {},{},{} that were measured at \
+            a standstill; they count as one point", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
         /// Points closer than the limit to their neighbour were merged.
         PointsMerged {
@@ -76,8 +76,8 @@ table! {
         }
         reason "points-merged";
         at *first;
-        when *count == 1, says "point {first} repeats the one before it (closer than {limit}): left out";
-        says "{count} points repeat those before them (closer than {limit}): left out, the first is point {first}";
+        when *count == 1, says "point {first} repeats the previous one (closer than {limit}): left out";
+        says "{count} points repeat the previous ones (closer than {limit}): left out, the first is point {first}";
 
         /// The last points of a closed curve repeat its first one and were merged with it.
         ClosingPointMerged {

@@ -20,7 +20,7 @@ table! {
             used: f64,
         }
         reason "flatness-raised";
-        says "the points are not in planes within {asked}, 1e-9 of their diameter: {used} is taken, as of rounded \
+        says "the points do not lie in planes within {asked}, 1e-9 of their diameter: {used} is used, as for rounded \
             points; give the rounding of the points as `flatness`";
 
         /// Faces of a hull in planes within the distance asked for made no convex body, and a smaller one was taken: planes that
@@ -32,8 +32,8 @@ table! {
             used: f64,
         }
         reason "flatness-lowered";
-        says "faces in planes within {asked} make no convex body, which is hardly thicker there; within {used} they \
-            do, and that was taken";
+        says "faces in planes within {asked} form no convex body, since it is hardly thicker there; within {used} \
+            they do, and that is used";
 
         /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
         ShallowEdges {
@@ -49,9 +49,9 @@ table! {
             off: f64,
         }
         reason "shallow-edges";
-        says "{count} edge(s) bend by less than {limit} radians, least of all that between the points {} and {}, by \
-            {angle}: where their faces are meant to be in one plane, give the rounding of the points as \
-            `flatness`, about {}; corners are up to {off} off the plane beside them",
+        says "{count} edge(s) bend by less than {limit} radians, the least between points {} and {}, by {angle}: if \
+            their faces should be in one plane, give the rounding of the points as `flatness`, about {}; corners are \
+            up to {off} off the plane beside them",
             ends[0],
             ends[1],
             ShortNumber(IN_ONE_PLANE * *off);
@@ -68,9 +68,9 @@ table! {
             limit: f64,
         }
         reason "short-edges";
-        says "{count} edge(s) are not longer than {limit}, where points are one but for rounding, the shortest that \
-            between the points {} and {}, of length {length}: make their ends one point, or take the hull, which \
-            does", ends[0], ends[1];
+        says "{count} edge(s) are at most {limit} long, so that their ends differ only by rounding, the shortest \
+            between points {} and {}, of length {length}: merge their ends, or use the hull, which does",
+            ends[0], ends[1];
     }
 }
 

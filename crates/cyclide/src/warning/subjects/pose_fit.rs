@@ -24,11 +24,11 @@ table! {
             needed: f64,
         }
         reason "tolerance-below-noise";
-        says "the tolerance in {0} of {tolerance}{1} is below what the noise of the poses makes of the farthest \
-            one: its standard deviation is about {sigma}{1} in one direction, and single poses pull the motion to \
-            and fro; give {2}{1} or more", of(*turning), unit(*turning), ShortNumber::no_less(*needed);
+        says "the {0} tolerance of {tolerance}{1} is too small for the noise of the poses, whose standard deviation \
+            is about {sigma}{1} in one direction, and single poses pull the motion to and fro; give {2}{1} or more",
+            of(*turning), unit(*turning), ShortNumber::no_less(*needed);
 
-        /// A pose of a smoothed motion does not belong to the others: it is far from where these go on.
+        /// A pose of a smoothed motion does not belong to the other poses: it is far from their path.
         Outlier {
             /// The pose, from 0.
             pose: usize,
@@ -36,7 +36,7 @@ table! {
             turning: bool,
             /// How far it is off.
             distance: f64,
-            /// Standard deviation of the noise of the others in one direction.
+            /// Standard deviation of the noise of the other poses in one direction.
             noise: f64,
             /// It was left out, as asked for; else it counts.
             dropped: bool,
@@ -45,13 +45,13 @@ table! {
         }
         reason "outlier";
         at *pose;
-        when *dropped, says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from where the \
-            poses around it go on, whose noise has a standard deviation of {noise}{1}; left out",
+        when *dropped, says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from the path of \
+            the poses around it, whose noise has a standard deviation of {noise}{1}; left out",
             of(*turning),
             unit(*turning);
-        says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from where the poses around it \
-            go on, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within the \
-            tolerance", of(*turning), unit(*turning);
+        says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from the path of the poses \
+            around it, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within \
+            the tolerance", of(*turning), unit(*turning);
 
         /// A tolerance of a smoothed motion so large that its path is gone: it is less than 0.8 times as long as the poses say.
         SmoothedAway {
@@ -63,8 +63,8 @@ table! {
             poses: f64,
         }
         reason "shape-smoothed-away";
-        says "the path of the motion in {0} is {path}{1} long, its poses say {poses}{1}: what is smaller than the \
-            tolerance is gone; give a smaller one", of(*turning), unit(*turning);
+        says "the path of the motion in {0} is {path}{1} long, but its poses indicate {poses}{1}: details smaller \
+            than the tolerance are lost; give a smaller one", of(*turning), unit(*turning);
 
         /// A tolerance of a smoothed motion that is wide against the path, and not for its noise.
         WideTolerance {
@@ -76,14 +76,14 @@ table! {
             extent: f64,
         }
         reason "wide-tolerance";
-        says "the tolerance in {0} of {tolerance}{1} is wide against the path, which gets {extent}{1} away from its \
-            start: bends smaller than it may be gone", of(*turning), unit(*turning);
+        says "the {0} tolerance of {tolerance}{1} is large against the path, which extends {extent}{1} from its \
+            start: bends smaller than it may be lost", of(*turning), unit(*turning);
     }
 }
 
 /// What a tolerance of a motion is of.
 const fn of(turning: bool) -> &'static str {
-    if turning { "angle" } else { "place" }
+    if turning { "angle" } else { "position" }
 }
 
 /// The unit of an angle; lengths have none.

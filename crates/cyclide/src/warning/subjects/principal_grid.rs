@@ -21,7 +21,7 @@ table! {
             turn: f64,
         }
         reason "umbilics-smoothed";
-        says "{count} umbilic(s) were smoothed away, which turned the directions by {} degrees in the mean: a net \
+        says "{count} umbilic(s) were smoothed away, which turned the directions by {} degrees on average: a net \
             over the grid leaves the surface there", degrees(*turn);
 
         /// A surface is covered by several grids, or not as far as it could be by one.
@@ -39,7 +39,7 @@ table! {
         PartlyCovered {
             /// The part of the surface's area that they cover.
             coverage: f64,
-            /// The part below which it is said.
+            /// The part below which it is reported.
             limit: f64,
             /// Whether each grid is a rectangle, and not all whole cells.
             rectangles: bool,
@@ -47,13 +47,13 @@ table! {
             umbilics: usize,
         }
         reason "partly-covered";
-        when *rectangles, says "{} % of the surface is covered, less than {} %: a border in steps (`staircase`) and \
-            shorter edges cover more", percent(*coverage), ShortNumber(100.0 * *limit);
-        when *umbilics == 0, says "{} % of the surface is covered, less than {} %: shorter edges cover more, and \
-            the border `cover` all of it", percent(*coverage), ShortNumber(100.0 * *limit);
-        says "{} % of the surface is covered, less than {} %: other lengths of edges may cover more; umbilics \
-            `smooth` cover more and leave the surface around them; or model the parts around the umbilics as \
-            patches of their own", percent(*coverage), ShortNumber(100.0 * *limit);
+        when *rectangles, says "{} % of the surface is covered, less than {} %: use a border in steps (`staircase`) \
+            and shorter edges to cover more", percent(*coverage), ShortNumber(100.0 * *limit);
+        when *umbilics == 0, says "{} % of the surface is covered, less than {} %: use shorter edges to cover more, \
+            or the border `cover` to cover all of it", percent(*coverage), ShortNumber(100.0 * *limit);
+        says "{} % of the surface is covered, less than {} %: other edge lengths may cover more; umbilics `smooth` \
+            cover more but leave the surface around them; or model the parts around the umbilics as separate patches",
+            percent(*coverage), ShortNumber(100.0 * *limit);
 
         /// One mesh of quads round umbilics goes round some of them only.
         UmbilicsLeftOut {
@@ -63,8 +63,8 @@ table! {
             at: [f64; 3],
         }
         reason "umbilics-left-out";
-        says "{count} umbilic(s) are not in the mesh, the first at {at}: near the border, or where coordinates are \
-            folded, it ends before them";
+        says "{count} umbilic(s) are not in the mesh, the first at {at}: the mesh ends before them, near the border \
+            or where coordinates fold";
 
         /// A mesh of quads round umbilics runs across the lines of curvature on a part of its surface.
         OffCurvatureLines {
@@ -76,8 +76,8 @@ table! {
             limit: f64,
         }
         reason "off-curvature-lines";
-        says "on {} % of the surface (where its curvatures differ) the grid runs more than {} degrees off the lines \
-            of curvature: a net leaves the surface there", percent(*part), degrees(*angle);
+        says "on {} % of the surface (where its curvatures differ) the grid is more than {} degrees off the lines of \
+            curvature: a net leaves the surface there", percent(*part), degrees(*angle);
 
         /// The lines of curvature of a tube are spirals: a grid that is closed along them leaves them.
         SpiralLines {
@@ -87,7 +87,7 @@ table! {
             edge: f64,
         }
         reason "spiral-lines";
-        says "the lines of curvature are spirals, which come back {shift} higher or lower (an edge is {edge}): a \
+        says "the lines of curvature are spirals that come back {shift} higher or lower (edge length {edge}): a \
             closed net leaves the surface by about half of that";
 
         /// The edges of a grid along lines of curvature are of very different lengths.
@@ -101,8 +101,8 @@ table! {
         }
         reason "uneven-edges";
         at *piece;
-        says "edges of grid {piece} are {} to {} long, more than {limit} times apart: lines of curvature run \
-            together there", ShortNumber(edges[0]), ShortNumber(edges[1]);
+        says "the edges of grid {piece} are {} to {} long, which differ by more than a factor of {limit}: lines of \
+            curvature converge there", ShortNumber(edges[0]), ShortNumber(edges[1]);
     }
 }
 

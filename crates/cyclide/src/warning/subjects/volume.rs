@@ -19,13 +19,13 @@ table! {
             at: [f64; 3],
         }
         reason "volume-folds";
-        says "the block folds near s = {}, t = {}, u = {}: its parameter lines run backwards there, and cells have \
-            a negative volume; take a frame nearer to its sides, or corners nearer to those of a box",
+        says "the block folds near s = {}, t = {}, u = {}: its parameter lines run backwards there, and cells have a \
+            negative volume; use a frame closer to its sides, or corners closer to those of a box",
             ShortNumber(at[0]),
             ShortNumber(at[1]),
             ShortNumber(at[2]);
 
-        /// Whether a block folds is not proved: parameter lines of one direction come to a stand near a place, or nearly so.
+        /// Whether a block folds is not proved: parameter lines of one direction stop at a location, or nearly so.
         FoldUndecided {
             /// The place: s, t, u.
             at: [f64; 3],
@@ -33,14 +33,14 @@ table! {
             depth: u32,
         }
         reason "volume-fold-undecided";
-        says "whether the block folds near s = {}, t = {}, u = {} is not decided after {depth} quarterings: cells \
-            are flat there at best", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "it is undecided whether the block folds near s = {}, t = {}, u = {} after {depth} quarterings: at \
+            best, cells are flat there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
         /// Cells of a grid are inverted: the hexahedra with straight sides, or those of the block itself where it folds.
         CellsInverted {
             /// How many.
             count: usize,
-            /// Of so many.
+            /// The number of all cells.
             cells: usize,
             /// The block of the first one, from 0.
             block: usize,
@@ -50,7 +50,7 @@ table! {
             cause: InvertedCause,
         }
         reason "cells-inverted";
-        says "{count} of {cells} cells are inverted, first cell {}, {}, {} of block {block}: {}",
+        says "{count} of {cells} cells are inverted, the first is cell {}, {}, {} of block {block}: {}",
             at[0],
             at[1],
             at[2],

@@ -91,7 +91,7 @@ impl Faces {
             Some(index) => Err(ShellError::NotAShell {
                 item: ErrorItem::Vertex,
                 index,
-                detail: "parts of the surface touch in it alone",
+                detail: "parts of the surface touch only at it",
             }
             .into()),
             None => Ok(fans),
@@ -114,12 +114,10 @@ impl Faces {
             }
         }
         match reached.iter().position(|reached| !reached) {
-            Some(index) => Err(ShellError::NotAShell {
-                item: ErrorItem::Face,
-                index,
-                detail: "no chain of edges joins it to face 0",
+            Some(index) => {
+                Err(ShellError::NotAShell { item: ErrorItem::Face, index, detail: "it is not connected to face 0" }
+                    .into())
             }
-            .into()),
             None => Ok(()),
         }
     }

@@ -59,7 +59,7 @@ fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> 
             outline.push(next);
         }
         if pinched || outline.len() != sides.len() {
-            let detail = "the faces in its plane have a hole, or touch in a point: the surface is not convex";
+            let detail = "the faces in its plane have a hole, or touch at a point: the surface is not convex";
             return Err(super::convex::reflex_edge(points, faces, group)
                 .unwrap_or(Error::Shell(ShellError::NotAShell { item: ErrorItem::Face, index: first.face, detail })));
         }

@@ -334,7 +334,7 @@ fn cut([n, m]: [Vec3; 2], axis: Vec3, apexes: [Vec3; 2]) -> Result<Vec<Vec3>> {
                 segment: None,
                 needed: f64::INFINITY,
                 cap: MOST_PIECES,
-                remedy: "its faces are nearly one face, turned over",
+                remedy: "its faces nearly coincide, with opposite orientation",
             }
             .into());
         }

@@ -335,7 +335,7 @@ impl Maker<'_> {
         let wanted = Quat::from_axis_angle(piece.along, twist_before).rotate(start);
         let off = angle_about(piece.along, frame, wanted);
         if off.abs() > 1e-6 {
-            let what = "a corner turns the section about the path, if its y axis points up on both sides: the angle";
+            let what = "the angle by which a corner turns the section about the path, its y axis up on both sides,";
             return Err(CurveError::NoFrame { what, t, measured: off.abs(), limit: 1e-6 }.into());
         }
         Ok(angle_about(piece.tangent(t), piece.carried(start, t), now) + twisted)
