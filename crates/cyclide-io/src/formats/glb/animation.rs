@@ -114,10 +114,10 @@ pub(super) fn other_clocks(model: &Model) -> Option<String> {
 /// What makes a body slower that is too fast for its keys.
 fn slower(body: &MovingBody) -> &'static str {
     match body.law() {
-        TimeLaw::AsGiven => {
-            "give other times, or a `law` that goes by the way, with an `arm` if it is its turns that are fast"
+        TimeLaw::AsGiven => "give other times, or a `law` by path length, with an `arm` if the rotation is too fast",
+        _ => {
+            "give an `arm`, the characteristic length that weights rotation against translation, or a larger one, or other poses"
         }
-        _ => "give an `arm`, the length by which turns count as way, or a larger one, or other poses",
     }
 }
 

@@ -104,7 +104,7 @@ pub(crate) fn read_poses(
             && time <= before
         {
             let hint = clock.as_ref().map_or("", Clock::past_midnight);
-            let message = format!("the times do not rise: {time} seconds, after {before}{hint}");
+            let message = format!("the times do not increase: {time} seconds, after {before}{hint}");
             return Err(row.fields[column].refused(source, message).with_reason("parameters-not-increasing"));
         }
         // Lines are counted where they are told.

@@ -54,7 +54,7 @@ impl Digits {
 
     fn words(&self) -> String {
         let count = self.count;
-        format!("the coordinates carry about {count} digits, which explains it: give {ENOUGH_DIGITS} or more")
+        format!("the coordinates have about {count} digits only, which explains it: give {ENOUGH_DIGITS} or more")
     }
 }
 
@@ -71,7 +71,7 @@ pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &Ma
             let columns = given.quads()[0];
             let digits = Digits::of(given).filter(|d| measured <= d.reach(given, &[[quad % columns, quad / columns]]));
             Some(match digits {
-                None => "`make_circular` moves the vertices until they are".to_owned(),
+                None => "`make_circular` moves the vertices until they do".to_owned(),
                 Some(digits) => format!("{}; or `make_circular` moves the vertices by as little", digits.words()),
             })
         }
@@ -82,13 +82,13 @@ pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &Ma
             let digits = Digits::of(given).filter(|d| *angle <= d.reach(given, &strip) * strip.len() as f64);
             let border = if *direction == 0 { "column" } else { "row" };
             let open = format!(
-                "cut it open: repeat the first {border} as the last one and leave out `closed` (in a mesh file, points of \
-                 its own on both sides of the cut); a seam stays there"
+                "cut it open: repeat the first {border} as the last one and leave out `closed` (in a mesh file, use separate \
+                 points on both sides of the cut); a seam remains there"
             );
             let moves = if spec.options().is_none() {
                 "`make_circular` moves the vertices until it closes; or "
             } else if spec.border_is_pinned() {
-                "a pinned border that turns the frame can never close: let it be `free`, or slide on curves; or "
+                "a pinned border that turns the frame can never close: make it `free`, or let it slide on curves; or "
             } else {
                 ""
             };
@@ -128,9 +128,9 @@ pub(in crate::document) fn seam_words(
         let closed = if closes(grid, seam) {
             "let the grid close: `closed`, or common points in a mesh file"
         } else {
-            "as it is it does not close: `closed` takes `make_circular`, which moves the vertices until it does"
+            "as given it does not close: use `closed` with `make_circular`, which moves the vertices until it does"
         };
-        format!("they lie on each other, and the surface has {angle} there; {closed}")
+        format!("they are coincident, and the surface has {angle} there; {closed}")
     } else {
         let gap = ShortNumber(measure.gap);
         format!(
@@ -140,7 +140,7 @@ pub(in crate::document) fn seam_words(
         )
     };
     Some(format!(
-        "the first and the last {border} of the grid are at most an edge apart and the net is open there: {facts}"
+        "the first and the last {border} of the grid are at most an edge apart, but the net is open there: {facts}"
     ))
 }
 

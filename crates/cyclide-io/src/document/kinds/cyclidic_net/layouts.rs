@@ -118,7 +118,7 @@ impl Builder<'_> {
                 let corners = given.corners(*quad).map(|corners| points(&corners)).unwrap_or_default();
                 let hint = match **cause {
                     KernelError::Patch(PatchError::NotConcircular { .. }) if !moves => {
-                        "; `make_circular` moves the vertices until they are"
+                        "; `make_circular` moves the vertices until they do"
                     }
                     _ => "",
                 };

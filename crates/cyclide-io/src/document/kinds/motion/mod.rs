@@ -495,7 +495,7 @@ impl Builder<'_> {
         let counts = spec.law != TimeLaw::AsGiven || spec.times.is_some_and(|times| times != PoseTimes::Uniform);
         if spec.arm.is_some_and(|arm| arm > 0.0) && !counts {
             let message =
-                "`arm` has no effect: without a `law`, or `times`, that go by the way the times are those of the poses";
+                "`arm` has no effect: without a `law` or `times` by path length, the times are those of the poses";
             self.remark(NO_EFFECT, None, None, self.place_of([Step::from("arm")]), message.to_owned());
         }
         for warning in made.warnings() {
@@ -524,7 +524,7 @@ impl Builder<'_> {
         };
         let words = match error {
             cyclide::Error::Pose(PoseError::ParametersNotIncreasing { index, value, before }) => {
-                format!("the times do not rise: that of pose {index} is {value}, after {before}")
+                format!("the times do not increase: that of pose {index} is {value}, after {before}")
             }
             cyclide::Error::Interpolation(InterpolationError::RepeatedParameter { first, second, value }) => {
                 format!("the poses {first} and {second} have one time, {value}")

@@ -48,7 +48,7 @@ impl Builder<'_> {
             total => format!(", and write `\"shift\": {total}`"),
         };
         Some(format!(
-            "the second curve runs the other way: take a `transform` of it with the steps `[\"reverse\"]`{start}, so that it begins at ({x}, {y}, {z})"
+            "the second curve runs the other way: use a `transform` of it with the steps `[\"reverse\"]`{start}, so that it begins at ({x}, {y}, {z})"
         ))
     }
 
