@@ -1,7 +1,7 @@
-//! What is refused of revolutions, pipes, tees, necks, bridges, surfaces between two curves, and polyhedra.
+//! Errors about revolutions, pipes, tees, necks, bridges, surfaces between two curves, and polyhedra.
 //!
 //! # `crosses-axis`
-//! A profile crosses the axis that it is to turn about.
+//! A profile crosses the axis about which it is turned.
 //! ```
 //! use cyclide::{Arc, Point3, Revolution, Vec3};
 //! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
@@ -21,7 +21,7 @@
 //! ```
 //!
 //! # `profile-meets-itself`
-//! A closed profile runs through itself, and the solid with it.
+//! A closed profile intersects itself, and so would the solid.
 //! ```
 //! use cyclide::{Arc, EdgeCurve, Point3, Revolution, Vec3};
 //! let eight = [[10.0, 0.0, 0.0], [30.0, 0.0, 30.0], [30.0, 0.0, 0.0], [10.0, 0.0, 30.0]].map(Point3::from);
@@ -57,7 +57,7 @@
 //! ```
 //!
 //! # `folded-profile`
-//! A profile in a plane across the axis goes out and comes back.
+//! A profile in a plane perpendicular to the axis goes out and comes back.
 //! ```
 //! use cyclide::{Arc, Point3, Revolution, Vec3};
 //! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
@@ -68,7 +68,7 @@
 //! ```
 //!
 //! # `bend-does-not-fit`
-//! The arc of a corner takes more of its legs than they have.
+//! The arc of a corner needs more of its legs than they have.
 //! ```
 //! use cyclide::{ArcPath, Point3};
 //! let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
@@ -107,7 +107,7 @@
 //! ```
 //!
 //! # `pipe-meets-itself`
-//! Parts of a pipe that are no neighbours run into each other.
+//! Parts of a pipe that are not neighbours intersect.
 //! ```
 //! use cyclide::{ArcPath, Pipe, Point3};
 //! let hairpin = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 30.0, 0.0], [40.0, 30.0, 0.0], [40.0, -20.0, 0.0]];
@@ -128,7 +128,7 @@
 //! ```
 //!
 //! # `seam-meets-itself`
-//! Parts of a seam along a curve of a torus that are no neighbours share space.
+//! Parts of a seam along a curve of a torus that are not neighbours share space.
 //! ```
 //! use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
 //! let turns = TorusSpline::knot(&Torus::new(Frame::WORLD, 40.0, 15.0)?, [9, 2], Default::default())?;
@@ -138,7 +138,7 @@
 //! ```
 //!
 //! # `balls-nested`
-//! One of two neighbouring balls of a tube holds the other.
+//! One of two neighbouring balls of a tube contains the other.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [Ball::new(Point3::ORIGIN, 3.0), Ball::new(Point3::new(1.0, 0.0, 0.0), 1.0)];
@@ -146,7 +146,7 @@
 //! ```
 //!
 //! # `tube-turns-back`
-//! No smooth tube goes on from a ball to its neighbours.
+//! No smooth tube continues from a ball to its neighbours.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [0.0, 3.0, 1.0].map(|x| Ball::new(Point3::new(x, 0.0, 0.0), 0.5));
@@ -154,7 +154,7 @@
 //! ```
 //!
 //! # `tube-radius-vanishes`
-//! A tube through balls swings between two of them to a radius below zero.
+//! The radius of a tube through balls falls below zero between two of them.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [[-3.0, 3.0, 0.2], [-1.0, 3.0, 2.0], [4.0, 3.0, 0.1], [3.0, -6.0, 2.0]].map(|[x, y, r]| Ball::new(Point3::new(x, y, 0.0), r));
@@ -163,7 +163,7 @@
 //! ```
 //!
 //! # `tube-folds`
-//! A tube is wider than its way bends.
+//! A tube is too wide for the bends of its path.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]].map(|[x, y]| Ball::new(Point3::new(x, y, 0.0), 3.0));
@@ -172,7 +172,7 @@
 //! ```
 //!
 //! # `radius-grows-too-fast`
-//! The radius of a tube changes as fast as the way goes on.
+//! The radius of a tube changes as fast as the path length or faster.
 //! ```
 //! use cyclide::{ArcPath, Point3, RadiusLaw, Tube};
 //! let spine = ArcPath::rounded_polyline(&[[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from), false, &[0.0; 2])?;
@@ -182,7 +182,7 @@
 //! ```
 //!
 //! # `radius-not-closed`
-//! A closed tube begins with another radius than it ends with.
+//! A closed tube starts with another radius than it ends with.
 //! ```
 //! use cyclide::{ArcPath, Circle, Point3, RadiusLaw, Tube, Vec3};
 //! let ring = ArcPath::new(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 9.0)?.to_arcs().to_vec(), true)?;
@@ -192,7 +192,7 @@
 //! ```
 //!
 //! # `not-of-arcs`
-//! What follows arcs was given a curve of another kind, and no tolerance for arcs in its place.
+//! A construction along arcs was given a curve of another kind, and no tolerance for replacing it by arcs.
 //! ```
 //! use cyclide::{CircleSpline, CircleSplineOptions, CurveObject, Pipe, Point3};
 //! let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 1.0], [0.0, 5.0, 1.0]].map(Point3::from);
@@ -210,7 +210,7 @@
 //! ```
 //!
 //! # `neck-folds`
-//! A solid with a neck that runs through itself: its ball is larger than the bends that it rolls through.
+//! The neck of a solid self-intersects: its ball is larger than the bends of its path.
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(1.0, 5.0, 1.0, NeckSide::Outside, NeckVariant::Pipe)?;
@@ -220,7 +220,7 @@
 //! ```
 //!
 //! # `plate-too-small`
-//! A plate ends within the neck that stands on it.
+//! A plate ends within the neck that rises from it.
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
@@ -230,7 +230,7 @@
 //! ```
 //!
 //! # `tee-branch-too-wide`
-//! A branch of a tee reaches beyond the breadth of its main pipe.
+//! A branch of a tee extends beyond the width of its main pipe.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -240,7 +240,7 @@
 //! ```
 //!
 //! # `tee-blend-too-large`
-//! The plainest blend of a wide branch has no finite ball in its crotches.
+//! The quartic blend of a wide branch would have an infinite radius at its inner corners.
 //! ```
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -270,7 +270,7 @@
 //! ```
 //!
 //! # `tee-blend-folds`
-//! A blend of a tee runs through itself: in the sharp crotch of a branch that leans far its ball is too large.
+//! A blend of a tee self-intersects: its ball is too large for the sharp inner corner of a strongly inclined branch.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-40.0, 40.0] };
@@ -280,7 +280,7 @@
 //! ```
 //!
 //! # `tee-hole-folds`
-//! The radius of a blend changes so much that its contact with the main pipe turns back and forth.
+//! The radius of a blend changes so much that its contact curve on the main pipe turns back and forth.
 //! ```
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -292,7 +292,7 @@
 //! ```
 //!
 //! # `pipe-ends-reversed`
-//! The ends of a pipe, places along its axis, are not in order.
+//! The ends of a pipe, positions along its axis, are not in order.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [12.0, -12.0] };
@@ -311,7 +311,7 @@
 //! ```
 //!
 //! # `crossing-ball-too-large`
-//! A ball that is to round the edge of what two pipes have in common is larger than half of what they overlap.
+//! A ball that is to round the edge of the common part of two pipes is larger than half of their overlap.
 //! ```
 //! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
 //! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
@@ -321,7 +321,7 @@
 //! ```
 //!
 //! # `crossing-pipes-apart`
-//! One of two pipes is to be cut by the other, which passes it without meeting it.
+//! One of two pipes is to be cut by the other, but they do not meet.
 //! ```
 //! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
 //! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
@@ -331,7 +331,7 @@
 //! ```
 //!
 //! # `crossing-needs-cylinders`
-//! Of pipes with a taper the ball of a crossing has one radius, and rolls outside or inside both.
+//! Tapered pipes can be crossed only with a ball of constant radius, outside or inside both.
 //! ```
 //! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
 //! let pipe = CrossingPipe { radius: 2.0, taper: 0.1, ends: [-9.0, 9.0] };
@@ -341,7 +341,7 @@
 //! ```
 //!
 //! # `no-center-surface`
-//! Only pipes that pass each other, with balls outside both or inside both, have a surface of centres.
+//! A surface of ball centers exists only for pipes that pass each other, with balls outside both or inside both.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -361,7 +361,7 @@
 //! ```
 //!
 //! # `crossing-hole-too-wide`
-//! A thin pipe lies so deep in a thick one that the blend goes nearly all round it.
+//! A thin pipe lies so deep in a thick one that the blend runs nearly all round it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
 //! let pipes = [6.0, 1.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
@@ -370,7 +370,7 @@
 //! ```
 //!
 //! # `crossing-hole-turns-back`
-//! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
+//! The blend of two skew pipes with a large ball meets a pipe in a curve that turns back along it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
 //! let pipes = [1.0, 0.92].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
@@ -380,7 +380,7 @@
 //! ```
 //!
 //! # `crossing-folds`
-//! The ball of a crossing is too large to roll between its pipes, and the blend runs through itself.
+//! The ball of a crossing is too large to roll between its pipes, and the blend self-intersects.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
 //! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -389,7 +389,7 @@
 //! ```
 //!
 //! # `contact-loop-open`
-//! A tube that passes beside the sphere that it should stand on.
+//! A tube passes beside the sphere that it should meet.
 //! ```
 //! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
 //! let tube = BlendTube { through: Point3::new(0.0, 5.5, 0.0), direction: Vec3::Z, radius: 1.0, taper: 0.0, length: 9.0 };
@@ -399,7 +399,8 @@
 //! ```
 //!
 //! # `contact-loop-turns-back`
-//! A cone that widens nearly fills its sphere on one side: where both come close, great circles from the far pole meet the contact twice.
+//! A widening cone nearly fills its sphere on one side: where both come close, great circles from the far pole meet the contact
+//! twice.
 //! ```
 //! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
 //! let through = Point3::new(0.232, 0.0, -0.296);
@@ -410,7 +411,7 @@
 //! ```
 //!
 //! # `contact-blend-folds`
-//! The ball in the narrow corner of a tube that leans is too large to roll on.
+//! The ball is too large to roll in the narrow corner of an inclined tube.
 //! ```
 //! use cyclide::{BlendBase, BlendTube, ContactBlend, PlateShape, Point3, Vec3};
 //! let direction = Vec3::new(0.0, 1.2, 1.0);
@@ -431,7 +432,7 @@
 //! ```
 //!
 //! # `tee-branches-meet`
-//! Two branches of a tee are nearer to each other than their blends allow.
+//! Two branches of a tee are closer to each other than their blends allow.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -441,7 +442,7 @@
 //! ```
 //!
 //! # `tee-equal-branches-not-opposite`
-//! Two branches as wide as the main pipe of a tee are beside each other, but not exactly opposite, or not at one place.
+//! Two branches as wide as the main pipe of a tee are beside each other, but not exactly opposite, or not at one position.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -451,7 +452,7 @@
 //! ```
 //!
 //! # `tee-no-free-line`
-//! Two branches of a tee are apart, but others between them leave no line along the main pipe free.
+//! Two branches of a tee do not overlap, but others between them leave no free line along the main pipe.
 //! ```
 //! use cyclide::{PipeTee, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
@@ -472,7 +473,7 @@
 //! ```
 //!
 //! # `piece-counts-differ`
-//! Two curves whose pieces are to be joined one by one do not have as many.
+//! Two curves whose pieces are to be joined one by one have different numbers of pieces.
 //! ```
 //! use cyclide::{Arc, Body, EdgeCurve, Point3};
 //! let segment = |x: f64, y: f64| Arc::segment(Point3::new(x, y, 0.0), Point3::new(x + 1.0, y, 0.0)).map(EdgeCurve::from);
@@ -504,7 +505,7 @@
 //! ```
 //!
 //! # `opposite-tangents`
-//! The directions of arcs at two joints oppose each other, so that there is none between them.
+//! The directions of arcs at two joints are opposite, so that none is defined between them.
 //! ```
 //! use cyclide::{Arc, Body, Point3, Vec3};
 //! let rail = |y: f64| Arc::segment(Point3::new(0.0, y, 0.0), Point3::new(1.0, y, 0.0));
@@ -525,7 +526,7 @@
 //! ```
 //!
 //! # `not-a-face`
-//! A loop of vertices is no face: here one of its points does not exist.
+//! A loop of vertices is not a face: here one of its points does not exist.
 //! ```
 //! use cyclide::{ConvexPolyhedron, Point3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
@@ -553,7 +554,8 @@
 //! ```
 //!
 //! # `planes-miss-point`
-//! The four planes of a sharp tip are pulled outwards by points beside its base, and meet farther from the tip than the flatness.
+//! The four planes of a sharp tip are tilted outwards by points beside its base, and meet farther from the tip than the
+//! flatness.
 //! ```
 //! use cyclide::{ConvexPolyhedron, Point3};
 //! let ring = [[0.0, 0.0, 10.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
@@ -565,7 +567,7 @@
 //! ```
 //!
 //! # `not-convex`
-//! Faces turn towards each other at an edge: here all of them, being clockwise.
+//! Faces form a reflex angle at an edge: here all of them, being clockwise.
 //! ```
 //! use cyclide::{ConvexPolyhedron, Point3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);

@@ -1,7 +1,7 @@
-//! What is refused of arcs, circles, splines and fits.
+//! Errors about arcs, circles, splines and fits.
 //!
 //! # `pole-on-segment`
-//! The weights make an arc that runs through infinity.
+//! The weights make an arc that passes through infinity.
 //! ```
 //! use cyclide::{Arc, Point3, Quat};
 //! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, -Quat::ONE).unwrap_err();
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! # `nearly-full-circle`
-//! An arc turns so nearly round that its points lose their digits.
+//! An arc turns by so nearly a full circle that its points lose precision.
 //! ```
 //! use cyclide::{Arc, Point3, Vec3};
 //! let error = Arc::from_bulge(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::Z, 1e9).unwrap_err();
@@ -17,7 +17,7 @@
 //! ```
 //!
 //! # `not-in-im-h`
-//! A weight is not perpendicular to the chord: the arc would leave space for the quaternions.
+//! A weight is not perpendicular to the chord: the arc would leave three-space.
 //! ```
 //! use cyclide::{Arc, Point3, Quat};
 //! let along = Quat::new(1.0, 1.0, 0.0, 0.0);
@@ -68,7 +68,7 @@
 //! ```
 //!
 //! # `arc-through-infinity`
-//! A circle of a blend leaves its chord backwards.
+//! A circle of a blend starts opposite to its chord.
 //! ```
 //! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
 //! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
@@ -77,7 +77,7 @@
 //! ```
 //!
 //! # `ambiguous-half-turn`
-//! Two circles with opposite tangents along the chord, but for rounding: the half turn between them may go through any plane.
+//! Two circles have opposite tangents along the chord, except for rounding: the half-turn between them may go through any plane.
 //! ```
 //! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
 //! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
@@ -87,7 +87,7 @@
 //! ```
 //!
 //! # `disconnected`
-//! A piece of a path does not begin where the one before ends.
+//! A piece of a path does not start where the previous one ends.
 //! ```
 //! use cyclide::{Arc, ArcPath, Point3};
 //! let segment = |from: f64, to: f64| Arc::segment(Point3::new(from, 0.0, 0.0), Point3::new(to, 0.0, 0.0));
@@ -97,7 +97,7 @@
 //! ```
 //!
 //! # `knots-decrease`
-//! A knot is less than the one before.
+//! A knot is less than the previous one.
 //! ```
 //! use cyclide::{NurbsCurve, Point3};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
@@ -107,7 +107,7 @@
 //! ```
 //!
 //! # `knot-multiplicity`
-//! A knot is repeated so often that the curve falls apart there.
+//! A knot has so high a multiplicity that the curve is disconnected there.
 //! ```
 //! use cyclide::{NurbsCurve, Point3};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]].map(Point3::from).to_vec();
@@ -136,7 +136,7 @@
 //! ```
 //!
 //! # `no-frame`
-//! What a frame would be made from vanishes: here the curvature of a straight line has no direction.
+//! The direction that defines a frame vanishes: here the curvature of a straight line has no direction.
 //! ```
 //! use cyclide::{Arc, CurveFrames, FrameRule, Point3};
 //! let line = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
@@ -146,7 +146,7 @@
 //! ```
 //!
 //! # `no-g1-spline-in-tube`
-//! The search for tangent arcs within the tolerance of a polyline finds no way past a vertex.
+//! The search for tangent arcs within the tolerance of a polyline does not get past a vertex.
 //! ```
 //! use cyclide::{ArcFit, ArcFitOptions, FitTarget, Point3};
 //! let points = [
@@ -203,7 +203,7 @@
 //! ```
 //!
 //! # `outliers`
-//! Points far from all others keep a fair curve from its tolerance.
+//! Points far from all other points keep a fair curve from reaching its tolerance.
 //! ```
 //! use cyclide::{FairFit, FairFitOptions, Point3};
 //! let at = |k: u32| {
@@ -221,7 +221,7 @@
 //! ```
 //!
 //! # `even-point-count`
-//! A curve of degree n takes 2n + 1 conditions.
+//! A curve of degree n needs 2n + 1 conditions.
 //! ```
 //! use cyclide::{NodeParameters, Point3, QbInterpolation};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
@@ -230,7 +230,7 @@
 //! ```
 //!
 //! # `repeated-parameter`
-//! Two points are asked for at one parameter.
+//! Two points have the same parameter.
 //! ```
 //! use cyclide::{NodeParameters, Point3, QbInterpolation};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
@@ -239,7 +239,7 @@
 //! ```
 //!
 //! # `unattainable-point`
-//! Four points are on a line, evenly, and so is the curve: it misses the fifth.
+//! Four points lie evenly on a line, and so does the curve: it misses the fifth.
 //! ```
 //! use cyclide::{NodeParameters, Point3, QbInterpolation};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
@@ -258,7 +258,7 @@
 //! ```
 //!
 //! # `opposite-arcs`
-//! Both tangents stand across the chord, to the same side.
+//! Both tangents are perpendicular to the chord, on the same side.
 //! ```
 //! use cyclide::{Point3, QbCurve, Vec3};
 //! let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);

@@ -1,7 +1,7 @@
-//! What is refused of triangles and of meshes of them.
+//! Errors about triangles and of meshes of them.
 //!
 //! # `degenerate-triangle`
-//! The corners of a triangle are on a line.
+//! The corners of a triangle lie on a line.
 //! ```
 //! use cyclide::{Point3, SphereBlend};
 //! let line = [0.0, 1.0, 3.0].map(|x| Point3::new(x, 0.0, 0.0));
@@ -20,7 +20,7 @@
 //! ```
 //!
 //! # `opposite-spheres`
-//! The spheres of two corners cancel each other half way between them.
+//! The spheres of two corners cancel halfway between them.
 //! ```
 //! use cyclide::{Point3, SphereBlend};
 //! let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
@@ -30,7 +30,7 @@
 //! ```
 //!
 //! # `normal-along-edge`
-//! A normal runs along an edge that it should be across.
+//! A normal runs along an edge to which it should be perpendicular.
 //! ```
 //! use cyclide::{Point3, SmoothTriangle, Vec3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -39,7 +39,7 @@
 //! ```
 //!
 //! # `opposite-normals`
-//! The normals at the ends of an edge cancel each other between them.
+//! The normals at the ends of an edge cancel between them.
 //! ```
 //! use cyclide::{Point3, SmoothTriangle, Vec3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -48,7 +48,7 @@
 //! ```
 //!
 //! # `undefined-normal`
-//! A normal has no length, or the faces round a vertex lie back to back.
+//! A normal has no length, or the normals of the faces round a vertex cancel.
 //! ```
 //! use cyclide::{Point3, SmoothMesh, VertexNormals};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -65,7 +65,7 @@
 //! ```
 //!
 //! # `no-such-vertex`
-//! A triangle names a vertex that is not there.
+//! A triangle refers to a vertex that does not exist.
 //! ```
 //! use cyclide::{Point3, SmoothMesh, VertexNormals};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -84,7 +84,7 @@
 //! ```
 //!
 //! # `inconsistent-orientation`
-//! Two neighbouring triangles are seen from different sides.
+//! Two neighbouring triangles have opposite orientations.
 //! ```
 //! use cyclide::{Point3, SmoothMesh, VertexNormals};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);

@@ -1,7 +1,7 @@
-//! What is refused of displacements and motions.
+//! Errors about displacements and motions.
 //!
 //! # `zero-rotation`
-//! A quaternion of length 0 is no rotation.
+//! A quaternion of length 0 is not a rotation.
 //! ```
 //! use cyclide::{Pose, Quat, Vec3};
 //! assert_eq!(Pose::new(Quat::ZERO, Vec3::ZERO).unwrap_err().reason(), "zero-rotation");
@@ -24,17 +24,16 @@
 //! ```
 //!
 //! # `wrong-pose-count`
-//! A motion of degree 2 takes three poses.
+//! A motion of degree 2 needs three poses.
 //! ```
 //! use cyclide::RationalMotion;
 //! assert_eq!(RationalMotion::conic(&[]).unwrap_err().reason(), "wrong-pose-count");
 //! ```
 //!
 //! # `parameters-not-increasing`
-//! A spline goes from pose to pose, and time does not run backwards: a pose is not after the one before it, whose times are told. So of the
-//! knots of a Moebius spline; of
-//! other curves it is an interval that is at fault, [`empty-interval`](super::tori#empty-interval); where poses may come in any order, only
-//! `repeated-parameter`.
+//! The times of the poses of a spline, or the knots of a Moebius spline, do not increase. Of other curves an interval is named
+//! instead, [`empty-interval`](super::tori#empty-interval); where poses may come in any order, only `repeated-parameter` is an
+//! error.
 //! ```
 //! use cyclide::{Pose, RationalMotion, TimedPose};
 //! let poses = [0.0, 2.0, 1.0].map(|time| TimedPose { time, pose: Pose::IDENTITY });
@@ -42,7 +41,7 @@
 //! ```
 //!
 //! # `unattainable-pose`
-//! Two poses differ by a translation: then a motion of degree 2 does not take the third.
+//! Two poses differ by a translation: a motion of degree 2 then misses the third.
 //! ```
 //! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
 //! let at = |time: f64, q: [f64; 4], x: [f64; 3]| TimedPose { time, pose: Pose::new(q.into(), x.into()).unwrap() };
@@ -55,7 +54,7 @@
 //! ```
 //!
 //! # `motion-through-exceptional-point`
-//! On one axis the body turns there and back, and slides on: between, it goes through infinity.
+//! The body turns forth and back about one axis while it slides on: in between it passes through infinity.
 //! ```
 //! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
 //! let at = |time: f64, q: [f64; 4], z: f64| TimedPose { time, pose: Pose::new(q.into(), Vec3::Z * z).unwrap() };
@@ -64,7 +63,7 @@
 //! ```
 //!
 //! # `rotation-too-large`
-//! Times are so uneven that the spline swings out: half way it comes to zero, where no direction is left.
+//! Times are so uneven that the spline swings out: halfway its quaternion vanishes, and the direction is undefined.
 //! ```
 //! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
 //! let cosine = 40_f64.to_radians().cos();
@@ -79,7 +78,7 @@
 //! ```
 //!
 //! # `no-cubic-motion`
-//! These poses are taken by motions of degree 3 at certain cross-ratios of the times only, of which 1/3 is none.
+//! Motions of degree 3 pass through these poses only at certain cross-ratios of the times; 1/3 is not one of them.
 //! ```
 //! use cyclide::{CubicMotions, Pose, Quat, Vec3};
 //! let pose = |w: f64, y: f64, x: f64, z: f64| Pose::new(Quat::new(w, 0.3, y, 0.1), Vec3::new(x, 1.0, z));
@@ -90,7 +89,7 @@
 //! ```
 //!
 //! # `study-form-vanishes`
-//! Poses that are moved without a turn say nothing about screws.
+//! Poses that differ only by translations do not determine screws.
 //! ```
 //! use cyclide::{CubicMotions, Pose, Quat, Vec3};
 //! let poses = [0.0, 1.0, 4.0, 9.0].map(|x| Pose::new(Quat::ONE, Vec3::X * x).unwrap());
@@ -98,7 +97,7 @@
 //! ```
 //!
 //! # `motion-not-rational`
-//! A helix is no rational curve.
+//! A helix is not a rational curve.
 //! ```
 //! use cyclide::{Motion, Pose, Quat, ScrewMotion, TimedPose, Vec3};
 //! let end = Pose::new(Quat::new(1.0, 0.0, 0.0, 1.0), Vec3::Z)?;
@@ -108,7 +107,7 @@
 //! ```
 //!
 //! # `motion-at-rest`
-//! A body turns about its origin, which goes no way at all.
+//! A body turns about its origin, whose path has no length.
 //! ```
 //! use cyclide::{Motion, Point3, Pose, Quat, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3};
 //! let end = Pose::new(Quat::new(1.0, 0.0, 0.0, 1.0), Vec3::ZERO)?;
@@ -121,7 +120,7 @@
 //! ```
 //!
 //! # `span-without-way`
-//! A body goes on, turns on the spot, and goes on again, at a constant speed of its origin: the turn would take no time.
+//! A body moves, turns in place, and moves on, at a constant speed of its origin: the turn would take no time.
 //! ```
 //! use cyclide::{Motion, Point3, Pose, Quat, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3};
 //! let at = |time: f64, x: f64, turned: f64| TimedPose { time, pose: Pose::new(Quat::new(1.0, 0.0, 0.0, turned), Vec3::X * x).unwrap() };

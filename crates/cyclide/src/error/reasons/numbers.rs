@@ -1,4 +1,4 @@
-//! What is refused of numbers, points, directions and lists, and of maps.
+//! Errors about numbers, points, directions and lists, and of maps.
 //!
 //! # `not-finite`
 //! A number is NaN or infinite.
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! # `parameter-out-of-range`
-//! A number is outside its interval, which the error has.
+//! A number is outside its interval, which the message names.
 //! ```
 //! use cyclide::{Arc, Point3};
 //! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
@@ -18,7 +18,7 @@
 //! ```
 //!
 //! # `below-rounding-of-place`
-//! Something is so small where it is that the rounding of its coordinates is its shape.
+//! Something is so small at its location that the rounding of its coordinates destroys its shape.
 //! ```
 //! use cyclide::{Circle, Point3, Vec3};
 //! let error = Circle::from_radius(Point3::new(1e9, 0.0, 0.0), Vec3::Z, 1e-9).unwrap_err();
@@ -35,7 +35,7 @@
 //! ```
 //!
 //! # `too-few-points`
-//! A list has too few points for what is to be made of it.
+//! A list has too few points for the construction.
 //! ```
 //! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
 //! let error = CircleSpline::from_points(&[Point3::ORIGIN], &CircleSplineOptions::default()).unwrap_err();
@@ -43,7 +43,7 @@
 //! ```
 //!
 //! # `coincident-points`
-//! Two points that must differ do not.
+//! Two points that must differ are coincident.
 //! ```
 //! use cyclide::{Arc, Point3, Vec3};
 //! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::ORIGIN, Vec3::X).unwrap_err();
@@ -51,7 +51,7 @@
 //! ```
 //!
 //! # `count-differs`
-//! A list that has one entry for each point or vertex does not have as many.
+//! A list does not have one entry for each point or vertex.
 //! ```
 //! use cyclide::{ArcPath, Point3};
 //! let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
@@ -68,7 +68,7 @@
 //! ```
 //!
 //! # `zero-axis`
-//! An axis or a normal has no length, or none across the chord.
+//! An axis or a normal has no length, or no part perpendicular to the chord.
 //! ```
 //! use cyclide::{Circle, Point3, Vec3};
 //! let error = Circle::from_radius(Point3::ORIGIN, Vec3::ZERO, 1.0).unwrap_err();
@@ -127,7 +127,7 @@
 //! ```
 //!
 //! # `order-out-of-range`
-//! A blend has an order that is not supported.
+//! The order of a blend is not supported.
 //! ```
 //! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
@@ -144,14 +144,14 @@
 //! ```
 //!
 //! # `angle-out-of-range`
-//! A turn or a slope is beyond what the construction has.
+//! A turn or a slope is outside the range of the construction.
 //! ```
 //! use cyclide::{Point3, Revolution, Vec3};
 //! assert_eq!(Revolution::new(Point3::ORIGIN, Vec3::Z, 7.0).unwrap_err().reason(), "angle-out-of-range");
 //! ```
 //!
 //! # `too-many-pieces`
-//! A refinement would take more pieces than its cap on work and memory.
+//! A refinement would need more pieces than its limit on work and memory.
 //! ```
 //! use cyclide::{Circle, Point3, Vec3, flatten_within};
 //! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
@@ -178,7 +178,7 @@
 //! ```
 //!
 //! # `not-a-similarity`
-//! A map that is no similarity would take the curve or surface out of its kind.
+//! A map that is not a similarity would change the kind of the curve or surface.
 //! ```
 //! use cyclide::{Circle, Mobius, Point3, Vec3};
 //! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;

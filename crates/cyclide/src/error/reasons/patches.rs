@@ -1,7 +1,7 @@
-//! What is refused of patches, nets, their offsets and shells, and of quads that are to be made circular.
+//! Errors about patches, nets, their offsets and shells, and of quads that are to be made circular.
 //!
 //! # `not-concircular`
-//! The corners of a quad are on no circle.
+//! The corners of a quad do not lie on one circle.
 //! ```
 //! use cyclide::{CyclidePatch, Point3, Vec3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.2]].map(Point3::from);
@@ -10,7 +10,7 @@
 //! ```
 //!
 //! # `crossing-quad`
-//! The corners of a quad are on a circle in another order.
+//! The corners of a quad lie on a circle in the wrong order.
 //! ```
 //! use cyclide::{CyclidePatch, Point3, Vec3};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -49,7 +49,7 @@
 //! ```
 //!
 //! # `net-does-not-close`
-//! The frame does not come back when it is carried round a closed net: here round a ring of points and its inverse.
+//! A frame carried round a closed net does not come back to itself: here round a ring of points and its inverse.
 //! ```
 //! use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid, Vec3};
 //! let ring = (0..8).map(|k| {
@@ -64,7 +64,7 @@
 //! ```
 //!
 //! # `ambiguous-frame`
-//! The edges of a net fit no frame better than others: here they are all on one line.
+//! No frame fits the edges of the net better than others: here they all lie on one line.
 //! ```
 //! use cyclide::{CyclidicNet, Error, NetFrame, PatchError, Point3, QuadGrid};
 //! let line = [0.0, 1.0, 3.0, 2.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
@@ -96,7 +96,7 @@
 //! ```
 //!
 //! # `offset-not-regular`
-//! A solid between a surface and its offset would run through itself.
+//! A solid between a surface and its offset would self-intersect.
 //! ```
 //! use cyclide::{DupinCyclide, Error, PartError, PatchError};
 //! let net = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?;
@@ -109,7 +109,7 @@
 //! ```
 //!
 //! # `not-a-shell`
-//! Vertices, edges and faces do not make a shell: here there are none.
+//! Vertices, edges and faces do not form a shell: here there are none.
 //! ```
 //! use cyclide::Shell;
 //! let error = Shell::new(Vec::new(), Vec::new(), Vec::new()).unwrap_err();
@@ -117,7 +117,7 @@
 //! ```
 //!
 //! # `short-edge`
-//! An edge of a face is so short that other programs take it for a point.
+//! An edge of a face is so short that other programs treat it as a point.
 //! ```
 //! use cyclide::DupinCyclide;
 //! let nearly_singular = DupinCyclide::new(5.0, 4.999_999_9, 4.999_999_95)?.to_shell()?;
@@ -140,7 +140,8 @@
 //! ```
 //!
 //! # `shape-lost`
-//! A grid made circular is another surface: here most of the bending of a wave is gone, whose curvature lines run across its lines.
+//! A grid made circular is another surface: here most of the bending of a wave is lost, whose curvature lines run across its
+//! grid lines.
 //! ```
 //! # #[cfg(feature = "circular-mesh")] {
 //! use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
@@ -154,7 +155,7 @@
 //! ```
 //!
 //! # `collapsed-on-curve`
-//! Vertices of a side fall together on the curve that they shall slide on: here all are nearest to its end.
+//! Vertices of a side coincide on the curve along which they slide: here all are nearest to its end.
 //! ```
 //! # #[cfg(feature = "circular-mesh")] {
 //! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
@@ -169,7 +170,7 @@
 //! ```
 //!
 //! # `border-curves-apart`
-//! Two curves do not meet near the corner of the grid that shall be on both.
+//! Two curves do not meet near the corner of the grid that should be on both.
 //! ```
 //! # #[cfg(feature = "circular-mesh")] {
 //! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};

@@ -1,7 +1,7 @@
-//! What is refused of tori, and of points and curves on them.
+//! Errors about tori, and of points and curves on them.
 //!
 //! # `not-a-ring-torus`
-//! The tube is not thinner than the circle that its middle follows.
+//! The radius of the tube is not below that of its center circle.
 //! ```
 //! use cyclide::{Frame, Torus};
 //! assert_eq!(Torus::new(Frame::WORLD, 1.0, 2.0).unwrap_err().reason(), "not-a-ring-torus");
@@ -16,7 +16,7 @@
 //! ```
 //!
 //! # `point-on-axis`
-//! No point of the torus is nearest to a point of its axis.
+//! The longitude of a point on the axis of the torus is undefined.
 //! ```
 //! use cyclide::{Frame, Point3, Torus};
 //! let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
@@ -26,7 +26,7 @@
 //! ```
 //!
 //! # `point-on-core-circle`
-//! No point of the torus is nearest to a point in the middle of the tube.
+//! The angle round the tube is undefined for a point on its center circle.
 //! ```
 //! use cyclide::{Frame, Point3, Torus};
 //! let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
@@ -46,7 +46,7 @@
 //! ```
 //!
 //! # `not-monotone`
-//! A coordinate that runs in one direction only should turn back.
+//! A coordinate that runs in one direction only would have to turn back.
 //! ```
 //! use cyclide::ProjectiveBiarc;
 //! let error = ProjectiveBiarc::new(0.0, 1.0, [1.0, -1.0], [1.0, 1.0]).unwrap_err();
@@ -54,7 +54,7 @@
 //! ```
 //!
 //! # `span-too-large`
-//! A coordinate should go half round, or farther, in one span.
+//! A coordinate would change by half a turn or more in one span.
 //! ```
 //! use cyclide::ProjectiveBiarc;
 //! let error = ProjectiveBiarc::new(0.0, 3.2, [1.0, 1.0], [1.0, 1.0]).unwrap_err();
@@ -62,8 +62,8 @@
 //! ```
 //!
 //! # `empty-interval`
-//! An interval of a curve's parameter has no length, or one that is lost beside the whole: a length that is given is not positive, or knots
-//! or places repeat or go back. It is counted by intervals; of poses, which are counted themselves, see
+//! An interval of a curve's parameter has no length, or one lost in rounding: a given length is not positive, or knots or
+//! parameters repeat or decrease. The index counts intervals; for poses, which are counted themselves, see
 //! [`parameters-not-increasing`](super::motions#parameters-not-increasing).
 //! ```
 //! use cyclide::ProjectiveBiarc;
@@ -72,7 +72,7 @@
 //! ```
 //!
 //! # `no-two-type-solution`
-//! No two pieces of the given types join two places with their speeds: here the types share no coordinate.
+//! No two pieces of the given types join two points with their speeds: here the types share no coordinate.
 //! ```
 //! use cyclide::{CircleFamily, Point2, QuarticType, TwoTypeBiarc, Vec2};
 //! let [one, other] = [[0, 1], [2, 3]].map(|pair| pair.map(|i: usize| CircleFamily::ALL[i]));
@@ -83,7 +83,7 @@
 //! ```
 //!
 //! # `not-coprime`
-//! A torus knot with turns that have a common divisor would run over itself.
+//! A torus knot whose turns have a common divisor would retrace itself.
 //! ```
 //! use cyclide::{Frame, Torus, TorusSpline};
 //! let error = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 4], Default::default()).unwrap_err();
@@ -92,14 +92,14 @@
 //! ```
 //!
 //! # `not-timelike-pair`
-//! The balls between two skew cylinders form a torus only if one axis keeps out of the other cylinder's offset.
+//! The balls between two skew cylinders form a torus only if one axis stays outside the offset of the other cylinder.
 //! ```
 //! use cyclide::SkewCylinders;
 //! assert_eq!(SkewCylinders::new([1.0, 3.0], 1.0).unwrap_err().reason(), "not-timelike-pair");
 //! ```
 //!
 //! # `degenerate-pair`
-//! Two surfaces with a common axis.
+//! Two surfaces have a common axis.
 //! ```
 //! use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
 //! let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::Z, 1.0)?;
@@ -108,7 +108,7 @@
 //! ```
 //!
 //! # `sphere-at-infinity`
-//! On the border of the places of balls the ball is a plane.
+//! On the border of the region of balls the ball is a plane.
 //! ```
 //! use cyclide::{Point2, SkewCylinders};
 //! let error = SkewCylinders::new([1.0, 1.0], 2.0)?.ball(Point2::new(0.5, 0.5)).unwrap_err();
@@ -135,7 +135,7 @@
 //! ```
 //!
 //! # `parallel-contact`
-//! A ball at a point whose tangent plane is parallel to the plane that it should touch.
+//! At this point the tangent plane is parallel to the plane that the ball should touch.
 //! ```
 //! use cyclide::{ContactPartner, Point3, RollingBall, Vec3};
 //! let plane = ContactPartner::Plane { normal: Vec3::Z, offset: 0.0 };
@@ -144,7 +144,7 @@
 //! ```
 //!
 //! # `radius-too-small`
-//! A ball that is smaller than half the gap between two cylinders.
+//! A ball is smaller than half the gap between two cylinders.
 //! ```
 //! use cyclide::SkewCylinders;
 //! let error = SkewCylinders::new([1.0, 1.0], 2.0)?.place_of_radius(0.5, 0.0).unwrap_err();

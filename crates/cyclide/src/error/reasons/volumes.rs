@@ -1,7 +1,7 @@
-//! Reasons of spherical cubes and volumes.
+//! Errors about spherical cubes and volumes.
 //!
 //! # `concircular-cube`
-//! The first corner and its three neighbours are on one circle: no eighth corner follows.
+//! The first corner and its three neighbours lie on one circle, so the eighth corner is not determined.
 //! ```
 //! use cyclide::{Error, Point3, SphericalCube, VolumeError};
 //! let flat = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.]].map(Point3::from);
@@ -11,7 +11,7 @@
 //! ```
 //!
 //! # `crossing-face`
-//! A face of a volume crosses itself: here the last corner is outside the triangle of the neighbours of the first.
+//! A face of a volume self-intersects: here the last corner is outside the triangle of the neighbours of the first.
 //! ```
 //! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeError, VolumeFrame};
 //! let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);
@@ -34,7 +34,7 @@
 //! ```
 //!
 //! # `folded-volume`
-//! The outer boundary of a block whose frame is far from its sides.
+//! The outer boundary of a block folds because its frame is far from its sides.
 //! ```
 //! use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
 //! let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z])?;
