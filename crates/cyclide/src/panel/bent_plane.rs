@@ -69,8 +69,14 @@ fn unbent(c: f64, z: f64, r2: f64) -> (f64, f64) {
 }
 
 impl BentPlane {
-    /// Signed distance of a point, positive on the side of the third axis.
-    pub(super) fn distance(&self, p: Vec3) -> f64 {
+    /// Signed distances of points, positive on the side of the third axis.
+    pub(super) fn distances(self) -> impl Fn(Vec3) -> f64 {
+        // Once, not for each point.
+        let turn = self.tilt.sin_cos();
+        move |p| self.distance(p, turn)
+    }
+
+    fn distance(&self, p: Vec3, (sin, cos): (f64, f64)) -> f64 {
         let p = p - self.origin;
         let [x, y, z] = self.axes.map(|axis| axis.dot(p));
         match self.bend {
@@ -78,7 +84,6 @@ impl BentPlane {
             Bend::Cylinder => unbent(self.across, z, y * y + z * z).0,
             Bend::Sphere => unbent(self.across, z, x * x + y * y + z * z).0,
             Bend::Cone | Bend::Torus => {
-                let (sin, cos) = self.tilt.sin_cos();
                 let (w, h) = (cos * z - sin * y, sin * z + cos * y);
                 let u = unbent(self.along, w, x * x + w * w).0;
                 let (mz, my) = (u * cos + h * sin, h * cos - u * sin);
@@ -87,8 +92,13 @@ impl BentPlane {
         }
     }
 
-    /// The signed distance with its derivatives.
-    pub(super) fn residual(&self, p: Vec3) -> Residual {
+    /// Signed distances with their derivatives.
+    pub(super) fn residuals(self) -> impl Fn(Vec3) -> Residual {
+        let turn = self.tilt.sin_cos();
+        move |p| self.residual(p, turn)
+    }
+
+    fn residual(&self, p: Vec3, turn: (f64, f64)) -> Residual {
         let p = p - self.origin;
         let [x, y, z] = self.axes.map(|axis| axis.dot(p));
         let (value, gradient, shape) = match self.bend {
@@ -105,7 +115,7 @@ impl BentPlane {
                 let gradient = (Vec3::Z - Vec3::new(x, y, z) * self.across) / root;
                 (d, gradient, [0.5 * (d * d - r2) / root, 0.0, 0.0])
             }
-            Bend::Cone | Bend::Torus => self.twice_unbent(x, y, z),
+            Bend::Cone | Bend::Torus => self.twice_unbent([x, y, z], turn),
         };
         let turn = Vec3::new(x, y, z).cross(gradient);
         let by = [-turn.x, -turn.y, -turn.z, -gradient.x, -gradient.y, -gradient.z, shape[0], shape[1], shape[2]];
@@ -113,8 +123,7 @@ impl BentPlane {
     }
 
     /// Distance, gradient, and derivatives by `across`, `along` and `tilt` of a torus.
-    fn twice_unbent(&self, x: f64, y: f64, z: f64) -> (f64, Vec3, [f64; 3]) {
-        let (sin, cos) = self.tilt.sin_cos();
+    fn twice_unbent(&self, [x, y, z]: [f64; 3], (sin, cos): (f64, f64)) -> (f64, Vec3, [f64; 3]) {
         let (w, h) = (cos * z - sin * y, sin * z + cos * y);
         let c = self.along;
         let (u, root) = unbent(c, w, x * x + w * w);

@@ -154,12 +154,12 @@ impl PanelPoints {
     /// The simplest family that has a surface on which the panel lies: fits start with it.
     pub(super) fn exact(&self) -> Option<Bend> {
         let limit = self.rounding() / self.unit.size;
-        let is_on = |shape: &BentPlane| self.points.iter().all(|p| shape.distance(*p).abs() <= limit);
+        let is_on = |shape: &BentPlane| self.points.iter().copied().map(shape.distances()).all(|d| d.abs() <= limit);
         let mut all = [Bend::Plane, Bend::Cylinder, Bend::Cone, Bend::Sphere, Bend::Torus].into_iter();
         all.find(|bend| self.starts(*bend).map(BentPlane::tidy).any(|shape| shape.has_radii() && is_on(&shape)))
     }
 
-    /// The nearest surface of a family, if there is one with radii; anything if the least mean of distances is above `limit`.
+    /// The nearest surface of a family, if there is one with radii; anything or nothing if it is farther than `limit`.
     pub(super) fn fit(&self, bend: Bend, limit: f64) -> Option<PanelFit> {
         let mut best: Option<(BentPlane, f64)> = None;
         for start in self.starts(bend) {
@@ -170,7 +170,8 @@ impl PanelPoints {
                 best = Some(found);
             }
         }
-        let (shape, largest) = best?;
+        // Between the points it is no nearer.
+        let (shape, largest) = best.filter(|best| best.1 <= limit + ROUNDING)?;
         let sharp = self.sharpened(shape, largest, limit);
         sharp.shape.has_radii().then_some(sharp)
     }
@@ -185,7 +186,8 @@ impl PanelPoints {
             if distance <= ROUNDING || distance <= LEVEL * largest || largest > limit {
                 break;
             }
-            let far = peaks(&self.unit, |place| now.shape.distance(self.unit.at(place)));
+            let distance = now.shape.distances();
+            let far = peaks(&self.unit, |place| distance(self.unit.at(place)));
             points.extend(far.into_iter().map(|(_, place)| self.unit.at(place)));
             let (shape, at_points) = now.shape.levelled(&points, shape.bend.free(), [0.0, f64::INFINITY]);
             (now, largest) = (self.measured(shape), at_points);
@@ -206,7 +208,8 @@ impl PanelPoints {
 
     pub(super) fn measured(&self, shape: BentPlane) -> PanelFit {
         let shape = shape.tidy();
-        let far = peaks(&self.unit, |place| shape.distance(self.unit.at(place)));
+        let distance = shape.distances();
+        let far = peaks(&self.unit, |place| distance(self.unit.at(place)));
         let (distance, place) = far.first().copied().unwrap_or((0.0, (0.5, 0.5)));
         PanelFit { shape, max_distance: distance * self.unit.size, place: self.unit.place(place) }
     }
