@@ -1,6 +1,7 @@
 //! Flat patterns of panels that are bent from a flat sheet.
 
-use super::nearest::{EXACT, NearSurface, NearestSurfaces, PanelPoints};
+use super::bent_plane::Bend;
+use super::nearest::{EXACT, NearSurface, PanelPoints};
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
@@ -97,11 +98,14 @@ impl FlatPattern {
 
 /// The surface that a panel is unrolled from: the one that it lies on, else the first within the tolerance.
 fn unrolled_from(patch: &CyclidePatch, tolerance: f64) -> Option<NearSurface> {
-    let near = NearestSurfaces::new(patch);
-    let bent = [Some(near.plane), near.cylinder, near.cone];
-    let within = |limit: f64| bent.into_iter().flatten().find(|near| near.max_distance <= limit);
-    let exact = PanelPoints::new(patch).rounding().min(tolerance);
-    within(exact).or_else(|| within(tolerance))
+    let panel = PanelPoints::new(patch);
+    // Fits that miss `given_up` are left early; those below it are the same for every larger one.
+    let within = |limit: f64, given_up: f64| {
+        let fits = [Bend::Plane, Bend::Cylinder, Bend::Cone].into_iter().filter_map(|bend| panel.fit(bend, given_up));
+        fits.filter_map(|fit| panel.near_surface(&fit)).find(|near| near.max_distance <= limit)
+    };
+    let exact = panel.rounding().min(tolerance);
+    within(exact, 2.0 * exact / panel.unit.size).or_else(|| within(tolerance, f64::INFINITY))
 }
 
 /// The patch with the map of its surface to the plane, made so that the first corner is at the origin.
@@ -207,4 +211,45 @@ fn enclosed(sides: &[ArcPath; 4]) -> f64 {
         }
     }
     0.5 * doubled
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::panel::NearestSurfaces;
+    use crate::surface::DupinCyclide;
+
+    /// Fits that are left early choose the surface that whole fits choose, bit by bit.
+    #[test]
+    fn panels_are_unrolled_from_what_is_nearest() {
+        let whole = |patch: &CyclidePatch, tolerance: f64| {
+            let near = NearestSurfaces::new(patch);
+            let bent = [Some(near.plane), near.cylinder, near.cone];
+            let within = |limit: f64| bent.into_iter().flatten().find(|near| near.max_distance <= limit);
+            within(PanelPoints::new(patch).rounding().min(tolerance)).or_else(|| within(tolerance))
+        };
+        let at = |r: f64, angle: f64, z: f64| Point3::new(r * angle.cos(), r * angle.sin(), z);
+        // A frustum and a cylinder.
+        let revolved = [1.0, 0.7].map(|top| {
+            let corners = [at(1.0, 0.1, 0.0), at(1.0, 0.9, 0.0), at(top, 0.1, 0.8), at(top, 0.9, 0.8)];
+            let up = corners[2] - corners[0];
+            CyclidePatch::from_corners_and_frame(corners, Vec3::new(-0.1_f64.sin(), 0.1_f64.cos(), 0.0), up).unwrap()
+        });
+        let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([24, 16]).unwrap();
+        let panels: Vec<CyclidePatch> = revolved.into_iter().chain(ring[0].patches()).collect();
+        let mut kinds = [0; 4];
+        for patch in &panels {
+            for tolerance in [1e-13, 1e-2, 3e-2, 0.1, 10.0] {
+                let found = unrolled_from(patch, tolerance);
+                assert_eq!(found, whole(patch, tolerance));
+                kinds[match found.map(|near| near.surface) {
+                    None => 0,
+                    Some(PatchKind::Plane { .. }) => 1,
+                    Some(PatchKind::Cylinder { .. }) => 2,
+                    _ => 3,
+                }] += 1;
+            }
+        }
+        assert!(kinds.iter().all(|count| *count > 0), "{kinds:?}");
+    }
 }
