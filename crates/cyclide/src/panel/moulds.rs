@@ -1,6 +1,6 @@
 //! Panels that one mould makes.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 
 use super::bent_plane::Bend;
@@ -152,8 +152,8 @@ type KnownMembers = HashMap<(usize, [u64; 3]), Option<MouldMember>>;
 /// The panels with their surfaces within the tolerance.
 struct Workshop<'a> {
     panels: &'a [CyclidePatch],
-    /// By the places of [`KINDS`].
-    fits: Vec<[Option<PanelFit>; KINDS.len()]>,
+    /// By the places of [`KINDS`]; found when they are asked for first.
+    fits: Vec<[OnceCell<Option<PanelFit>>; KINDS.len()]>,
     /// The kind of the surface that a panel lies on to rounding.
     exact: Vec<Option<Bend>>,
     tolerance: f64,
@@ -195,30 +195,32 @@ impl Range<'_> {
 
 impl<'a> Workshop<'a> {
     fn new(panels: &'a [CyclidePatch], tolerance: f64) -> Self {
-        let strictest = ladder(panels, tolerance).into_iter().fold(tolerance, f64::min);
-        let fits = |panel: &CyclidePatch| {
-            let points = PanelPoints::new(panel);
-            let limit = tolerance / points.unit.size;
-            let exact = points.exact();
-            let mut is_found = false;
-            let fits = KINDS.map(|bend| {
-                // Of no use where a simpler one is within every tolerance for kinds, unless the panel lies on it.
-                let fit = if is_found && exact != Some(bend) { None } else { points.fit(bend, limit) };
-                is_found |= fit.is_some_and(|fit| fit.max_distance <= strictest);
-                fit.filter(|fit| fit.max_distance <= tolerance)
-            });
-            let exact = exact.filter(|exact| fits.iter().flatten().any(|fit| fit.shape.bend == *exact));
-            (fits, exact)
-        };
-        let (fits, exact) = panels.iter().map(fits).unzip();
+        let fits = panels.iter().map(|_| Default::default()).collect();
+        let exact = panels.iter().map(|panel| PanelPoints::new(panel).exact()).collect();
         Self { panels, fits, exact, tolerance, members: RefCell::default(), ranges: RefCell::default() }
+    }
+
+    /// The nearest surface of a kind, if it is within the tolerance.
+    fn fit(&self, panel: usize, bend: Bend) -> Option<&PanelFit> {
+        let find = || {
+            let points = PanelPoints::new(&self.panels[panel]);
+            let fit = points.fit(bend, self.tolerance / points.unit.size);
+            fit.filter(|fit| fit.max_distance <= self.tolerance)
+        };
+        self.fits[panel][bend as usize].get_or_init(find).as_ref()
     }
 
     /// The fewest moulds that the kinds of some rung of the ladder need.
     fn fewest_moulds(&self) -> Option<Moulds> {
-        let mut rungs: Vec<Vec<Option<Bend>>> = Vec::new();
+        let first = self.made_exact(&self.kinds(self.tolerance, usize::MAX)?);
+        let free = first.iter().filter(|kind| kind.is_none()).count();
+        // Surfaces of other kinds take most of the time. Where the first rung needs few moulds they are asked for only until it is seen
+        // that the other rungs need as many.
+        let mut best = self.moulds(&first, free + FIRST_ALLOWED).map(|made| (made, 0));
+        let enough = best.as_ref().map_or(usize::MAX, |(made, _)| made.count() - free);
+        let mut rungs = vec![first];
         for strict in ladder(self.panels, self.tolerance) {
-            let simplest = self.kinds(strict);
+            let Some(simplest) = self.kinds(strict, enough) else { continue };
             // Of as many moulds the earlier rung is taken: that without a deviation.
             for kinds in [self.made_exact(&simplest), simplest] {
                 if !rungs.contains(&kinds) {
@@ -231,10 +233,8 @@ impl<'a> Workshop<'a> {
         order.sort_by_key(|rung| (fewest(&rungs[*rung]), *rung));
         // All have the same free panels. Of the others a rung may need a mould for each, where another needs one for all: each is led
         // to few moulds first, and to twice as many as long as none is enough, so that none makes many more than the best needs.
-        let free = rungs.first().map_or(0, |kinds| kinds.iter().filter(|kind| kind.is_none()).count());
         let mut allowed = FIRST_ALLOWED;
-        let mut best: Option<(Moulds, usize)> = None;
-        while best.is_none() && !rungs.is_empty() {
+        loop {
             let most = if allowed > self.panels.len() { usize::MAX } else { free + allowed };
             for &rung in &order {
                 // Of as many moulds the earlier rung has the simpler ones.
@@ -243,31 +243,37 @@ impl<'a> Workshop<'a> {
                     best = Some((made, rung));
                 }
             }
-            if most == usize::MAX {
-                break;
+            if best.is_some() || most == usize::MAX {
+                return best.map(|best| best.0);
             }
             allowed *= 2;
         }
-        best.map(|best| best.0)
     }
 
-    /// The kind of each panel: the simplest within `strict`, or where there is none, the nearest.
-    fn kinds(&self, strict: f64) -> Vec<Option<Bend>> {
-        let kind = |fits: &[Option<PanelFit>; KINDS.len()]| {
-            let within = fits.iter().flatten().find(|fit| fit.max_distance <= strict);
-            let nearest = || fits.iter().flatten().min_by(|a, b| a.max_distance.total_cmp(&b.max_distance));
-            within.or_else(nearest).map(|fit| fit.shape.bend)
+    /// The kind of each panel: the simplest within `strict`, or where there is none, the nearest; `None` as soon as there are panels that
+    /// are made in `enough` ways, each of which needs a mould.
+    fn kinds(&self, strict: f64, enough: usize) -> Option<Vec<Option<Bend>>> {
+        let mut is_used = [false; 3];
+        let kind = |panel: usize| {
+            let fits = || KINDS.into_iter().filter_map(|bend| self.fit(panel, bend));
+            let within = fits().find(|fit| fit.max_distance <= strict);
+            let nearest = || fits().min_by(|a, b| a.max_distance.total_cmp(&b.max_distance));
+            let kind = within.or_else(nearest).map(|fit| fit.shape.bend);
+            kind.into_iter().for_each(|bend| is_used[usize::from(making(bend))] = true);
+            (is_used.iter().filter(|used| **used).count() < enough).then_some(kind)
         };
-        self.fits.iter().map(kind).collect()
+        (0..self.panels.len()).map(kind).collect()
     }
 
     /// The kinds with that of the surface that a panel lies on, where it is made in the same way.
     fn made_exact(&self, kinds: &[Option<Bend>]) -> Vec<Option<Bend>> {
-        let exact = |(kind, exact): (&Option<Bend>, &Option<Bend>)| match (kind, exact) {
-            (Some(kind), Some(exact)) if making(*kind) == making(*exact) => Some(*exact),
-            _ => *kind,
+        let exact = |(panel, kind): (usize, &Option<Bend>)| match (*kind, self.exact[panel]) {
+            (Some(kind), Some(exact)) if making(kind) == making(exact) && self.fit(panel, exact).is_some() => {
+                Some(exact)
+            }
+            (kind, _) => kind,
         };
-        kinds.iter().zip(&self.exact).map(exact).collect()
+        kinds.iter().enumerate().map(exact).collect()
     }
 
     /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.
@@ -278,10 +284,10 @@ impl<'a> Workshop<'a> {
         }
         let limit = limit - free.len();
         let mut moulds = Vec::new();
-        for (at, bend) in KINDS.into_iter().enumerate() {
+        for bend in KINDS {
             let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));
             let jobs = panels.filter_map(|panel| {
-                let fit = self.fits[panel][at].as_ref()?;
+                let fit = self.fit(panel, bend)?;
                 Some(Job { panel, fit, own: MouldShape::of(fit, self.panels[panel].size()) })
             });
             match bend {
@@ -494,17 +500,41 @@ mod tests {
     use crate::base::vector::{Point3, Vec3};
     use crate::surface::DupinCyclide;
 
+    /// The panels of a ring torus.
+    fn ring(a: f64, mu: f64, segments: [usize; 2]) -> Vec<CyclidePatch> {
+        DupinCyclide::new(a, 0.0, mu).unwrap().nets(segments).unwrap()[0].patches().collect()
+    }
+
     /// One torus makes all panels, each of which is near a sphere too: what spheres are good for them takes long, and is not asked for of all.
     #[test]
     fn a_kind_that_needs_more_moulds_is_left_before_all_its_panels_are_looked_at() {
-        let nets = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([24, 24]).unwrap();
-        let panels: Vec<CyclidePatch> = nets[0].patches().collect();
+        let panels = ring(3.0, 1.0, [24, 24]);
         let workshop = Workshop::new(&panels, 0.008);
-        assert!(workshop.fits.iter().all(|fits| fits[3].is_some()), "spheres");
+        assert!((0..panels.len()).all(|panel| workshop.fit(panel, Bend::Sphere).is_some()), "spheres");
+        assert!(workshop.moulds(&vec![Some(Bend::Sphere); panels.len()], 2).is_none());
+        let asked = workshop.ranges.borrow().len();
+        assert!(asked > 0 && asked * 4 < panels.len(), "{asked} of {}", panels.len());
         let moulds = workshop.fewest_moulds().unwrap();
         assert_eq!((moulds.count(), moulds.moulds[0].members.len()), (1, panels.len()));
-        let asked = workshop.ranges.borrow().len();
-        assert!(asked * 4 < panels.len(), "{asked} of {}", panels.len());
+    }
+
+    /// What is left early, and kinds that are not looked at, change nothing: the moulds are the fewest of all rungs, the first of these.
+    #[test]
+    fn the_fewest_moulds_of_all_rungs_are_taken() {
+        let panels = [ring(3.0, 1.0, [6, 4]), ring(9.0, 1.0, [20, 8])[..24].to_vec()].concat();
+        for tolerance in [2.0, 0.3, 0.05, 1e-3, 1e-9] {
+            let workshop = Workshop::new(&panels, tolerance);
+            let moulds = workshop.fewest_moulds();
+            let tori = workshop.fits.iter().filter(|fits| fits[Bend::Torus as usize].get().is_some()).count();
+            if tolerance > 1.0 {
+                assert_eq!(tori, 1, "of flat sheets one panel shows that no other kind needs fewer moulds");
+            }
+            let rungs = ladder(&panels, tolerance).into_iter().filter_map(|strict| workshop.kinds(strict, usize::MAX));
+            let rungs = rungs.flat_map(|kinds| [workshop.made_exact(&kinds), kinds]);
+            let all = rungs.filter_map(|kinds| workshop.moulds(&kinds, usize::MAX));
+            // Of equal ones the first.
+            assert_eq!(moulds, all.min_by_key(Moulds::count), "{tolerance}");
+        }
     }
 
     /// Radii of spheres that no sphere is between are counted, up to what is asked for.
@@ -518,7 +548,7 @@ mod tests {
         let panels: Vec<CyclidePatch> = [1.0, 1.001, 2.0, 2.001, 3.0, 5.0].map(sphere).to_vec();
         let workshop = Workshop::new(&panels, 1e-2);
         let job = |panel: usize| {
-            let fit = workshop.fits[panel][3].as_ref().unwrap();
+            let fit = workshop.fit(panel, Bend::Sphere).unwrap();
             Job { panel, fit, own: MouldShape::of(fit, panels[panel].size()) }
         };
         let jobs: Vec<Job<'_>> = (0..panels.len()).map(job).collect();
