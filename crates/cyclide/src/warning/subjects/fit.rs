@@ -129,13 +129,17 @@ table! {
             held: bool,
             /// It is an arc fit, which can take the edges as they are.
             has_target: bool,
+            /// Outliers among the points are kept, which pull it.
+            outliers: bool,
         }
         reason "swings-out";
         says "between the points the curve {} up to {distance} from their polyline (limit {limit}){}; {}",
             if *held { "would swing out" } else { "swings out" },
             if *held { ", so it is held to locations on the edges too" } else { "" },
             if *has_target {
-                    "if the edges are intended, the target `polyline` keeps all of them; smooth points first that scatter"
+                    "if the edges are intended, the target `polyline` keeps all of them; smooth scattered points first"
+                } else if *outliers {
+                    "the outliers may pull it there: leave them out"
                 } else {
                     "if the points have corners, give a corner angle"
                 };

@@ -47,7 +47,13 @@ pub(super) fn swing(
     let is_corner = |i: usize| corners.binary_search_by_key(&i, |corner| corner.0).is_ok();
     let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
     let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
-    (distance > limit).then_some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true }))
+    (distance > limit).then_some(Warning::Fit(FitWarning::SwingsOut {
+        distance,
+        limit,
+        held: false,
+        has_target: true,
+        outliers: false,
+    }))
 }
 
 /// The same edge by edge: no smooth curve leaves an edge by more than a part of its length.
@@ -62,7 +68,7 @@ pub(super) fn swing_over_edge(
     }
     let allowed = |edge: f64| options.tolerance + SAMPLE_SAGITTA * edge;
     let (distance, limit) = farthest_over_edge(pieces, trace, planar, allowed)?;
-    Some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true }))
+    Some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true, outliers: false }))
 }
 
 /// A tolerance of the size of the figure's own bends keeps no shape.
@@ -103,7 +109,13 @@ mod tests {
         let options = ArcFitOptions::new(0.001);
         let said = |distance: f64| swing(&points, &[(10, 1.6)], &options, distance);
         assert_eq!(said(0.026), None);
-        let Some(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: false, has_target: true })) = said(0.03)
+        let Some(Warning::Fit(FitWarning::SwingsOut {
+            distance,
+            limit,
+            held: false,
+            has_target: true,
+            outliers: false,
+        })) = said(0.03)
         else {
             panic!("nothing said")
         };

@@ -179,7 +179,8 @@ impl FairFit {
             }
             _ => return Err(PointError::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }.into()),
         };
-        warnings.extend(outliers_named(&found, &distinct.source, options.outliers == Outliers::Drop));
+        let dropped = options.outliers == Outliers::Drop;
+        warnings.extend(outliers_named(&found, &distinct.source, dropped));
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
             warnings.push(Warning::Noise(NoiseWarning::Contradicted { given, found }));
         }
@@ -234,6 +235,9 @@ impl FairFit {
         }
         fit.certificate.noise = Some(found.deviation);
         fit.certificate.noise_z = found.heights;
+        if !dropped && !found.outliers.is_empty() {
+            fit.pulled_by_outliers();
+        }
         warnings.append(&mut fit.warnings);
         fit.warnings = warnings;
         Ok(fit)

@@ -209,6 +209,9 @@ impl FairFit {
             // The curve has gone out of its way to reach these, and they are no corners of it.
             let is_corner = |i: &usize| fit.corners.binary_search(i).is_ok();
             found.outliers.retain(|(i, distance)| *distance > options.tolerance && !is_corner(i));
+            if !found.outliers.is_empty() {
+                fit.pulled_by_outliers();
+            }
             fit.warnings.extend(outliers_named(&found, &distinct.source, false));
         }
         fit.certificate.deviation_z = loose.map(|moved| moved + fit.certificate.deviation);
@@ -292,7 +295,13 @@ impl FairFit {
         };
         let has_held = held.is_some();
         let mut fit = held.unwrap_or(fit);
-        fit.warnings.push(Warning::Fit(FitWarning::SwingsOut { distance, limit, held: has_held, has_target: false }));
+        fit.warnings.push(Warning::Fit(FitWarning::SwingsOut {
+            distance,
+            limit,
+            held: has_held,
+            has_target: false,
+            outliers: false,
+        }));
         Ok(fit)
     }
 
@@ -317,6 +326,15 @@ impl FairFit {
             (!fit.is_left() && fit.is_near(tolerance)).then_some(fit)
         };
         finer.into_iter().find_map(fit).or_else(|| exact().and_then(fit))
+    }
+
+    /// Where it swings out, outliers that are kept may be why.
+    fn pulled_by_outliers(&mut self) {
+        for warning in &mut self.warnings {
+            if let Warning::Fit(FitWarning::SwingsOut { outliers, .. }) = warning {
+                *outliers = true;
+            }
+        }
     }
 
     /// The curve is near all edges.
