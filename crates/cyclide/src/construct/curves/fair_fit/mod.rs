@@ -285,10 +285,11 @@ impl FairFit {
             let options = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
             held = Self::within(distinct, &options, kept_to, measured).ok().filter(|held| held.swing.is_none());
         }
-        if fit.is_left() && !held.as_ref().is_some_and(|held| held.is_near(kept_to)) {
-            if let Some(details) = details(kept_to) {
-                return Ok(details);
-            }
+        if fit.is_left()
+            && !held.as_ref().is_some_and(|held| held.is_near(kept_to))
+            && let Some(details) = details(kept_to)
+        {
+            return Ok(details);
         }
         let Some((distance, limit)) = fit.swing else {
             return Ok(fit);
