@@ -54,6 +54,10 @@ const ROUNDING_MARGIN: f64 = 1e-9;
 /// A tolerance above this part of the figure's size is tried again with it where the search dies.
 const WIDE_TUBE: f64 = 0.05;
 
+/// A finer reading of an outline may take this many times as many pieces, and some more.
+const MORE_PIECES: f64 = 1.1;
+const FEW_PIECES: f64 = 8.0;
+
 /// With the limits of a machine a path that is outside the tolerance of its polyline may be this many times as far from it as without.
 const FARTHER: f64 = 1.5;
 
@@ -218,6 +222,7 @@ impl ArcFit {
             }
             // Details of an outline may be smaller than the tolerance, its sides are not.
             Ok(fit) if fit.is_left() && options.corner_angle.is_none() => {
+                let pieces = fit.path.arcs().len();
                 let finer = FINER.into_iter().filter_map(|part| {
                     let finer = read(part, Scattered::Noise);
                     let fit = outline
@@ -225,7 +230,9 @@ impl ArcFit {
                         .then(|| Self::of_outline(&distinct, &finer, way, options, effort))?
                         .ok()?;
                     let is_near = fit.certificate.polyline_deviation <= NEAR * options.tolerance;
-                    (!fit.is_left() && is_near).then_some(fit)
+                    // Corners of noise take more pieces than the curve through it.
+                    let is_short = fit.path.arcs().len() as f64 <= MORE_PIECES * pieces as f64 + FEW_PIECES;
+                    (!fit.is_left() && is_near && is_short).then_some(fit)
                 });
                 Ok({ finer }.next().unwrap_or(fit))
             }
