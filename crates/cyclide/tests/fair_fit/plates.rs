@@ -1,5 +1,5 @@
 //! Outlines that mix corners and sampled arcs, with details smaller than the tolerance: what is left of them is within the tolerance
-//! both ways, smoothed or as arcs (`docs/math/fair-fits.md#corners`, `docs/math/arc-fitting.md#outlines`).
+//! both ways, smoothed or as arcs (`docs/math/fair-fits.md#nodes`, `docs/math/arc-fitting.md#outlines`).
 
 use crate::data::*;
 use cyclide::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, ParamCurve, Point3, closest_point};
