@@ -230,7 +230,7 @@ fn noisy_motions_close_and_name_lost_poses() {
         let (found, _) = report(&document(fields, true));
         assert_eq!(reasons(&found), ["outlier"], "{found}");
         let text = found["warnings"][0]["message"].as_str().unwrap();
-        assert!(text.contains("pose 40 is an outlier in place (1 in all)"), "{text}");
+        assert!(text.contains("pose 40 is an outlier in position (1 in all)"), "{text}");
         assert_eq!(text.contains("left out"), dropped, "{text}");
         assert_eq!(found["length"].as_f64().unwrap() < 520.0, dropped, "{found}");
     }
