@@ -318,7 +318,7 @@ fn surfaces_below_the_rounding_of_their_place_are_named() {
         folder.write("m.json", &document(object));
         for command in ["report m.json", "build m.json -o m.step", "sample m.json --count 3"] {
             let error = folder.fails(1, command);
-            assert!(error.contains("objects.o: the surface is "), "{object}: {error}");
+            assert!(error.contains("objects.o: the surface "), "{object}: {error}");
             assert!(error.contains("or move it to the origin [below-rounding-of-place]"), "{object}: {error}");
         }
     }

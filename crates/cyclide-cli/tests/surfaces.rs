@@ -130,7 +130,7 @@ fn meshes_become_smooth_surfaces() {
     // So coarse a grid has no solution near a border that stays.
     for file in ["pinned", "steps"] {
         let error = folder.fails(1, &format!("report {file}.json"));
-        assert!(error.contains("objects.n.make_circular: not circular after"), "{error}");
+        assert!(error.contains("objects.n.make_circular: the grid is not circular after"), "{error}");
         assert_eq!(error.contains("a border that may move leaves more room"), file == "pinned", "{error}");
     }
     // The mesh is an input, and is not written over.
