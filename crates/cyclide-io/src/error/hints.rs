@@ -10,6 +10,9 @@ pub(crate) fn words_of(error: &Error) -> String {
         Error::Fit(FitError::OutliersOutside { .. }) => {
             "; `--outliers drop` (in a document `\"outliers\": \"drop\"`) leaves them out"
         }
+        Error::Fit(FitError::NoG1SplineInTube { .. }) => {
+            "; `--smooth auto` (in a document a `fair-fit` with `\"tolerance\": \"auto\"`) smooths noisy points"
+        }
         Error::Number(NumberError::AngleOutOfRange { angle, .. }) if *angle != 0.0 => {
             "; degrees are written `{\"degrees\": 90}`"
         }

@@ -23,9 +23,9 @@ table! {
         }
         reason "no-g1-spline-in-tube";
         at *vertex;
-        says "no G1 arc spline stays within {tolerance} of the polyline near vertex {vertex}: use a larger \
-            tolerance, the target `polyline` to keep the edges, or a corner angle below the turn there; smooth \
-            points first that are closer together than their noise";
+        says "no G1 arc spline stays within {tolerance} of the polyline near vertex {vertex}: smooth noisy \
+            points first, use a larger tolerance, the target `polyline` to keep the edges, or a corner angle below \
+            the turn there";
 
         /// Arcs within the tolerance were found, but none that keep a limit of the machine.
         ArcLimitNotKept {

@@ -129,15 +129,35 @@ impl Doubts<'_> {
     }
 }
 
-/// How far the curve is from the edge that it leaves by most above what samples explain, and the limit there: the tolerance and
-/// [`SAMPLE_SAGITTA`] of the edge. Positions of the feet of the points are `segment + parameter`.
+/// A curve that is so many tolerances and its length away from an edge is lost.
+const LOST: f64 = 8.0;
+
+/// How far a curve swings out between two points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Swing {
+    /// From their edge.
+    pub distance: f64,
+    /// What samples explain: the tolerance and [`SAMPLE_SAGITTA`] of the edge.
+    pub limit: f64,
+    /// It is farther from the edge than that is long, and than noise can have it.
+    pub is_lost: bool,
+}
+
+impl Swing {
+    /// The one that exceeds its limit by most.
+    pub fn largest(all: impl Iterator<Item = Self>) -> Option<Self> {
+        all.max_by(|a, b| (a.distance - a.limit).total_cmp(&(b.distance - b.limit)))
+    }
+}
+
+/// How far the curve is from the edge that it leaves by most above what samples explain. Positions of the feet of the points are `segment + parameter`.
 pub(super) fn swing(
     curve: &[RationalBezier],
     closed: bool,
     points: &[Point3],
     feet: &[f64],
     kept_to: f64,
-) -> Option<(f64, f64)> {
+) -> Option<Swing> {
     let (n, m) = (points.len(), curve.len() as f64);
     let edges = if closed { n } else { n - 1 };
     let off = |k: usize| {
@@ -145,16 +165,17 @@ pub(super) fn swing(
         // Over the seam of a closed curve, there and back.
         let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m - BACK).ceil() } else { 0.0 };
         let to = feet[(k + 1) % n] + turn;
-        let limit = kept_to + SAMPLE_SAGITTA * a.distance(b);
+        let length = a.distance(b);
+        let limit = kept_to + SAMPLE_SAGITTA * length;
         let distance = |i: u32| {
             let position = feet[k] + (to - feet[k]) * f64::from(i) / f64::from(SWING_PLACES);
             let p = at(curve, if closed { position.rem_euclid(m) } else { position });
             p.distance(a.lerp(b, projection([a, b], p, [0.0, 1.0])))
         };
-        ((1..SWING_PLACES).map(distance).fold(0.0, f64::max), limit)
+        let distance = (1..SWING_PLACES).map(distance).fold(0.0, f64::max);
+        Swing { distance, limit, is_lost: distance > LOST * kept_to + length }
     };
-    let swings = (0..edges).map(off).filter(|(distance, limit)| distance > limit);
-    swings.max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)))
+    Swing::largest((0..edges).map(off).filter(|swing| swing.distance > swing.limit))
 }
 
 /// How often the polyline changes the side it turns to, in space by more than a right angle: at points that stand out from

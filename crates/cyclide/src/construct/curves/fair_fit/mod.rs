@@ -50,6 +50,7 @@ use crate::construct::curves::outline::{FINER, NEAR, Outline};
 use crate::curve::CircleSpline;
 use crate::error::{Error, FitError, Result};
 use crate::warning::{FitWarning, NoiseWarning, Warning};
+use doubts::Swing;
 use edged::Edged;
 use measured::{Measured, OF_NOISE, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
@@ -61,6 +62,10 @@ const HELD_EDGE_POINTS: usize = 3;
 /// Tolerances above these parts of the size of the data bind little: a closed curve shrinks, a long one swings out, and
 /// turns of a spiral fall together. There narrower ones are tried too.
 const WIDE: [f64; 4] = [1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0];
+/// Where a curve loops between two points, these parts of the tolerance are tried.
+const NARROW: [f64; 3] = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
+/// They are below the noise where more than one point in so many is a corner.
+const FEW_CORNERS: usize = 10;
 /// A narrower tolerance is tried if it is below this part of the one asked for.
 const NARROWER: f64 = 0.75;
 
@@ -92,8 +97,8 @@ pub struct FairFit {
     spline: CircleSpline,
     certificate: FairFitCertificate,
     warnings: Vec<Warning>,
-    /// How far the curve is from the polyline, and the limit, where it swings out between points.
-    swing: Option<(f64, f64)>,
+    /// Where it swings out between points.
+    swing: Option<Swing>,
     /// Where corners smaller than the tolerance are kept: the positions of all among the distinct points, rising.
     corners: Vec<usize>,
 }
@@ -291,9 +296,24 @@ impl FairFit {
         {
             return Ok(details);
         }
-        let Some((distance, limit)) = fit.swing else {
+        let Some(Swing { distance, limit, is_lost }) = fit.swing else {
             return Ok(fit);
         };
+        // Nothing of the figure is left there; a narrower tolerance leaves the curve no room for that.
+        if is_lost && held.is_none() && measured.is_none() {
+            for used in NARROW.map(|part| part * kept_to) {
+                let outline = Self::outline(distinct, options, used, None);
+                if outline.corners.len() * FEW_CORNERS > distinct.points.len() {
+                    break;
+                }
+                let narrow = Self::of_outline(distinct, options, used, None, &outline).ok();
+                if let Some(mut narrow) = narrow.filter(|narrow| narrow.swing.is_none()) {
+                    let tolerance = options.tolerance;
+                    narrow.warnings.push(Warning::Fit(FitWarning::WideTolerance { tolerance, used }));
+                    return Ok(narrow);
+                }
+            }
+        }
         let has_held = held.is_some();
         let mut fit = held.unwrap_or(fit);
         fit.warnings.push(Warning::Fit(FitWarning::SwingsOut {

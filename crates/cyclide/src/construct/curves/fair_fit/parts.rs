@@ -2,7 +2,7 @@
 //! proof sheet, then the whole curve with its certificate and warnings.
 
 use super::certificate::{PieceSheet, certify};
-use super::doubts::{Doubts, swing};
+use super::doubts::{Doubts, Swing, swing};
 use super::feet::COLD;
 use super::fit::Data;
 use super::measured::Measured;
@@ -41,8 +41,8 @@ pub(super) struct Parts<'a> {
 /// What is known about one piece.
 pub(super) struct PieceFit {
     pub sheet: PieceSheet,
-    /// Distance and limit, where the curve swings out between the points.
-    pub swing: Option<(f64, f64)>,
+    /// Where the curve swings out between the points.
+    pub swing: Option<Swing>,
     /// The number of each of its points among the distinct ones.
     pub numbers: Vec<usize>,
     /// `J`, and the length of its points, smoothed as the start of the fit was.
@@ -177,8 +177,7 @@ impl<'a> Parts<'a> {
             measured: self.measured.is_some(),
         };
         warnings.extend(doubts.all());
-        let swings = self.pieces.iter().filter_map(|piece| piece.swing);
-        let swing = swings.max_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)));
+        let swing = Swing::largest(self.pieces.iter().filter_map(|piece| piece.swing));
         Ok(FairFit { spline, certificate: sheet, warnings, swing, corners: Vec::new() })
     }
 
