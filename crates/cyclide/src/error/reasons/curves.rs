@@ -190,6 +190,24 @@
 //! assert_eq!(error.reason(), "tolerance-not-reached");
 //! ```
 //!
+//! # `curve-lost`
+//! A fair curve within the tolerance would leave the points between two of them, by far more than these are apart: here at a thin
+//! tooth that is not to have corners.
+//! ```
+//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 39.5], [103.0, 40.0], [100.0, 40.5], [100.0, 70.0], [0.0, 70.0_f64]];
+//! let side = |k: usize| {
+//!     let (a, b) = (corners[k], corners[(k + 1) % 7]);
+//!     let n = (b[0] - a[0]).hypot(b[1] - a[1]).floor();
+//!     let at = move |t: f64| Point3::new(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0.0);
+//!     (0..n as u32).map(move |i| at(f64::from(i) / n))
+//! };
+//! let plate: Vec<Point3> = (0..7).flat_map(side).collect();
+//! let options = FairFitOptions { closed: true, corner_angle: Some(3.0), ..FairFitOptions::new(0.5) };
+//! let error = FairFit::new(&plate, &options).unwrap_err();
+//! assert_eq!(error.reason(), "curve-lost");
+//! ```
+//!
 //! # `noise-not-smoothed`
 //! No curve follows the points without their noise: here waves that are hardly longer than their noise is wide.
 //! ```

@@ -57,6 +57,20 @@ table! {
         says "tolerance {tolerance} not reached: {} stay outside, up to {deviation} away; use a larger tolerance, or \
             mark corners where the data turn sharply", points_in_words(&points);
 
+        /// The curve within the tolerance would leave the points between two of them, by far more than these are apart.
+        CurveLost {
+            /// The first of the two, in the user's numbering.
+            point: usize,
+            /// How far the curve would be from their edge.
+            distance: f64,
+            /// The tolerance.
+            tolerance: f64,
+        }
+        reason "curve-lost";
+        at *point;
+        says "after point {point} the fairest curve within {tolerance} of the points would swing out by {distance}: \
+            use a smaller tolerance, or mark corners (a corner angle)";
+
         /// A tolerance is not reached because of points that do not belong to the other points.
         OutliersOutside {
             /// Each of them, in the user's numbering, and how far it is from the curve of the other points.

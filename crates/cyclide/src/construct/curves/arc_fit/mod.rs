@@ -55,7 +55,7 @@ const ROUNDING_MARGIN: f64 = 1e-9;
 const WIDE_TUBE: f64 = 0.05;
 
 /// A finer reading of an outline may take this many times as many pieces, and some more.
-const MORE_PIECES: f64 = 1.1;
+const MORE_PIECES: f64 = 1.15;
 const FEW_PIECES: f64 = 8.0;
 
 /// With the limits of a machine a path that is outside the tolerance of its polyline may be this many times as far from it as without.

@@ -130,11 +130,13 @@ impl Doubts<'_> {
 }
 
 /// A curve that is so many tolerances and its length away from an edge is lost.
-const LOST: f64 = 8.0;
+pub(super) const LOST: f64 = 8.0;
 
 /// How far a curve swings out between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Swing {
+    /// The first of them.
+    pub point: usize,
     /// From their edge.
     pub distance: f64,
     /// What samples explain: the tolerance and [`SAMPLE_SAGITTA`] of the edge.
@@ -173,7 +175,7 @@ pub(super) fn swing(
             p.distance(a.lerp(b, projection([a, b], p, [0.0, 1.0])))
         };
         let distance = (1..SWING_PLACES).map(distance).fold(0.0, f64::max);
-        Swing { distance, limit, is_lost: distance > LOST * kept_to + length }
+        Swing { point: k, distance, limit, is_lost: distance > LOST * kept_to + length }
     };
     Swing::largest((0..edges).map(off).filter(|swing| swing.distance > swing.limit))
 }

@@ -50,7 +50,7 @@ use crate::construct::curves::outline::{FINER, NEAR, Outline};
 use crate::curve::CircleSpline;
 use crate::error::{Error, FitError, Result};
 use crate::warning::{FitWarning, NoiseWarning, Warning};
-use doubts::Swing;
+use doubts::{LOST, Swing};
 use edged::Edged;
 use measured::{Measured, OF_NOISE, Prepared, outliers_named, prepared, read, with_loose_heights, without_outliers};
 use noise::Denoised;
@@ -171,8 +171,8 @@ impl FairFit {
     ///
     /// # Errors
     /// `tolerance-not-positive`, `parameter-out-of-range` (an option, a corner index, a coordinate), `too-few-points`,
-    /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside, and
-    /// `noise-not-smoothed` where the strength follows the noise.
+    /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside, `curve-lost`
+    /// where the curve would loop far away between two points, and `noise-not-smoothed` where the strength follows the noise.
     pub fn new(points: &[Point3], options: &FairFitOptions) -> Result<Self> {
         options.check(points.len())?;
         for (index, p) in points.iter().enumerate() {
@@ -210,6 +210,13 @@ impl FairFit {
             Some(found) => fit.with_noise_kept(found, &distinct, options)?,
             None => fit,
         };
+        // Outliers that are kept may well throw the curve off, and are named.
+        if let Some(Swing { point, distance, is_lost: true, .. }) = fit.swing
+            && distance > LOST * options.tolerance
+            && found.as_ref().is_none_or(|found| found.outliers.is_empty())
+        {
+            return Err(FitError::CurveLost { point, distance, tolerance: options.tolerance }.into());
+        }
         if let Some(mut found) = found.filter(|_| options.outliers == Outliers::Keep) {
             // The curve has gone out of its way to reach these, and they are no corners of it.
             let is_corner = |i: &usize| fit.corners.binary_search(i).is_ok();
@@ -296,7 +303,7 @@ impl FairFit {
         {
             return Ok(details);
         }
-        let Some(Swing { distance, limit, is_lost }) = fit.swing else {
+        let Some(Swing { distance, limit, is_lost, .. }) = fit.swing else {
             return Ok(fit);
         };
         // Nothing of the figure is left there; a narrower tolerance leaves the curve no room for that.

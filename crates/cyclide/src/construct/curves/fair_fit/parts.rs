@@ -177,7 +177,9 @@ impl<'a> Parts<'a> {
             measured: self.measured.is_some(),
         };
         warnings.extend(doubts.all());
-        let swing = Swing::largest(self.pieces.iter().filter_map(|piece| piece.swing));
+        let in_users_numbers =
+            |piece: &PieceFit| piece.swing.map(|swing| Swing { point: source[piece.numbers[swing.point]], ..swing });
+        let swing = Swing::largest(self.pieces.iter().filter_map(in_users_numbers));
         Ok(FairFit { spline, certificate: sheet, warnings, swing, corners: Vec::new() })
     }
 
