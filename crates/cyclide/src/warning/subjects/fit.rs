@@ -158,7 +158,12 @@ table! {
         says "{count} {} far longer than the edges near {}: {}; if that is wrong, measure points there",
             if *count == 1 { "edge from here is" } else { "edges, the first from here, are" },
             if *count == 1 { "it" } else { "them" },
-            if *held { "treated as straight sides, which the curve follows" } else { "treated as gaps, where the curve is free" };
+            match (*held, *count) {
+                (true, 1) => "treated as a straight side, which the curve follows",
+                (true, _) => "treated as straight sides, which the curve follows",
+                (false, 1) => "treated as a gap, where the curve is free",
+                (false, _) => "treated as gaps, where the curve is free",
+            };
 
         /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
         ReadAsCurve {

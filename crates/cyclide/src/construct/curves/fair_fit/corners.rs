@@ -24,7 +24,7 @@ const SPIKE: f64 = 0.5;
 const SPIKE_TURN: f64 = 0.5;
 const SPIKE_REST: f64 = 0.4;
 const FEW_SPIKES: usize = 10;
-/// The points beside it are more than so many usual edges apart, and less than so many: those beside a thin tooth are closer together.
+/// The points beside it are between these many usual edges apart: those beside a thin tooth are closer together.
 const SPREAD: [f64; 2] = [0.33, 32.0];
 const FEWEST_TO_TELL: usize = 20;
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter

@@ -129,7 +129,7 @@ impl Doubts<'_> {
     }
 }
 
-/// A curve that is so many tolerances and its length away from an edge is lost.
+/// A curve is lost where it is farther from an edge than the length of that and this many tolerances.
 pub(super) const LOST: f64 = 8.0;
 
 /// How far a curve swings out between two points.

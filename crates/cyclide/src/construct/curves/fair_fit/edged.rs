@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// Corners and sides are read with the noise of what is left, so often.
 const READINGS: usize = 4;
-/// Of exact points these may lose one corner or side in so many.
+/// Among exact points one corner or side in this many may be lost to the noise.
 const FEW: usize = 10;
 /// Of at least so many points,
 const MANY_POINTS: usize = 100;
@@ -52,7 +52,7 @@ impl Edged {
         !self.corners.is_empty() || self.straight.contains(&true)
     }
 
-    /// The other has the same corners and sides but for a few that are missing.
+    /// The other has the same corners and sides, except a few that are missing.
     fn is_nearly(&self, other: &Self) -> bool {
         let (n, count) = (self.straight.len(), self.corners.len());
         let is_own = |i: &usize| self.corners.binary_search(i).is_ok();

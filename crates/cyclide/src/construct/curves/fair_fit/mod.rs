@@ -64,7 +64,7 @@ const HELD_EDGE_POINTS: usize = 3;
 const WIDE: [f64; 4] = [1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0];
 /// Where a curve loops between two points, these parts of the tolerance are tried.
 const NARROW: [f64; 3] = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
-/// They are below the noise where more than one point in so many is a corner.
+/// They are below the noise where more than one point in this many is a corner.
 const FEW_CORNERS: usize = 10;
 /// A narrower tolerance is tried if it is below this part of the one asked for.
 const NARROWER: f64 = 0.75;

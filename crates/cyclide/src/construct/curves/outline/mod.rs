@@ -20,12 +20,12 @@ use std::f64::consts::PI;
 /// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
 /// none has between two (`docs/math/arc-fitting.md#outlines`).
 pub(super) const SAMPLE_SAGITTA: f64 = 0.146;
-/// A finer reading of an outline has at most so many times as many corners.
+/// A finer reading of an outline has at most this many times the corners.
 const MORE: usize = 2;
 /// Where a curve leaves the edges, corners and sides are looked for that last over these parts of the tolerance: details of an
 /// outline may be smaller than that, and its sides are not. With them the curve
 pub(super) const FINER: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
-/// has to be within so many tolerances of all edges.
+/// has to be within this many tolerances of all edges.
 pub(super) const NEAR: f64 = 2.0;
 /// Turns above this may be corners.
 pub(super) const CORNER_ANGLE: f64 = PI / 6.0;
