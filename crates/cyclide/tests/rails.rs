@@ -78,6 +78,21 @@ fn arcs_that_touch_their_neighbours_are_refused() {
     assert!(s < 0.05 && (0.05..0.5).contains(&t), "{s} {t}");
 }
 
+/// The arc at the end is most of a circle of radius .043, inside of which the surface folds: 3e-7 of its area.
+#[test]
+fn a_fold_at_a_tiny_arc_is_refused() {
+    let first = segment([7.4967647188034965, 7.641847265299677, 0.0], [4.364105553578729, 8.88841963087286, 0.0]);
+    let second = segment([0.0; 3], [4.286681055100368, 8.914430348602329, 0.0]);
+    let tangents =
+        [Vec3::new(9.346885943717318, -5.924099385808998, 0.0), Vec3::new(0.0, -6.623667447189068, 0.0)];
+    let Err(Error::Bridge(BridgeError::ArcsCross { piece: 0, at: [s, _] })) =
+        Body::circular([&first, &second], &tangents, false)
+    else {
+        panic!("folds at the end")
+    };
+    assert!(s > 0.99, "{s}");
+}
+
 fn circle(normal: Vec3) -> Circle {
     Circle::from_center(Point3::new(1.0, 2.0, 3.0), normal, Point3::new(21.0, 2.0, 3.0)).unwrap()
 }

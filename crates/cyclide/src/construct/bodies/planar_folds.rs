@@ -63,49 +63,61 @@ fn side(rows: [Vec<f64>; 3], degrees: [usize; 2], normal: Vec3) -> PlanarSide {
 /// A polynomial in two parameters over a cell of them.
 struct Cell {
     values: Vec<f64>,
+    /// How far rounding may have each of them off: those next to a tiny arc are tiny, and so is their rounding.
+    rounding: Vec<f64>,
     from: [f64; 2],
     size: [f64; 2],
 }
 
-/// The determinant of the module, with the rounding of its coefficients.
+/// The determinant of the module.
 struct Determinant {
     whole: Cell,
     degrees: [usize; 2],
-    rounding: f64,
 }
 
 impl Determinant {
     fn of(rows: [Vec<f64>; 3], degrees: [usize; 2]) -> Self {
         let [by_s, by_t] = [0, 1].map(|along| rows.each_ref().map(|row| derivative(row, degrees, along)));
-        let (mut values, mut size, mut made) = (Vec::new(), 0.0_f64, [0; 2]);
+        let absolute = |row: &[f64]| row.iter().map(|x| x.abs()).collect::<Vec<_>>();
+        let (mut values, mut sizes, mut made) = (Vec::new(), Vec::new(), [0; 2]);
         for (k, row) in rows.iter().enumerate() {
             let [i, j] = [(k + 1) % 3, (k + 2) % 3];
             for (i, j, sign) in [(i, j, 1.0), (j, i, -1.0)] {
-                let (minor, at) = bernstein::product_of_two((&by_s[i].0, by_s[i].1), (&by_t[j].0, by_t[j].1));
-                let (term, at) = bernstein::product_of_two((row, degrees), (&minor, at));
+                let ((a, of_a), (b, of_b)) = (&by_s[i], &by_t[j]);
+                let product = |a: &[f64], b: &[f64], row: &[f64]| {
+                    let (minor, at) = bernstein::product_of_two((a, *of_a), (b, *of_b));
+                    bernstein::product_of_two((row, degrees), (&minor, at))
+                };
+                let (term, at) = product(a, b, row);
+                let (size, _) = product(&absolute(a), &absolute(b), &absolute(row));
                 made = at;
                 values.resize(term.len(), 0.0);
+                sizes.resize(term.len(), 0.0);
                 values.iter_mut().zip(&term).for_each(|(sum, value)| *sum += sign * value);
-                size = term.iter().fold(size, |size, value| size.max(value.abs()));
+                sizes.iter_mut().zip(&size).for_each(|(sum, value)| *sum += value);
             }
         }
-        Self { whole: Cell { values, from: [0.0; 2], size: [1.0; 2] }, degrees: made, rounding: ROUNDING * size }
+        let rounding = sizes.iter().map(|size| ROUNDING * size).collect();
+        Self { whole: Cell { values, rounding, from: [0.0; 2], size: [1.0; 2] }, degrees: made }
     }
 
     /// A corner of a cell at which the sign is the other one, or the middle where all is zero.
     fn opposite(&self, sign: f64) -> Option<[f64; 2]> {
         let largest = |cell: &Cell| cell.values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        if largest(&self.whole) <= self.rounding {
+        let is_zero = |(value, rounding): (&f64, &f64)| value.abs() <= *rounding;
+        if self.whole.values.iter().zip(&self.whole.rounding).all(is_zero) {
             return Some([0.5; 2]);
         }
         let mut waiting = vec![(self.halves(&self.whole, 0), 1)];
         while let Some((cells, depth)) = waiting.pop() {
             for cell in cells {
-                let limit = self.rounding.max(ZERO * largest(&cell));
-                if cell.values.iter().all(|value| sign * value >= -limit) {
+                // A fold that is small beside the rest of its cell is seen in a part of the cell.
+                if cell.values.iter().zip(&cell.rounding).all(|(value, rounding)| sign * value >= -rounding) {
                     continue;
                 }
-                if let Some(at) = self.corners(&cell).find_map(|(value, at)| (sign * value < -limit).then_some(at)) {
+                let zero = ZERO * largest(&cell);
+                let folds = |(k, at): (usize, _)| (sign * cell.values[k] < -cell.rounding[k].max(zero)).then_some(at);
+                if let Some(at) = self.corners(&cell).find_map(folds) {
                     return Some(at);
                 }
                 if depth < MOST_HALVINGS {
@@ -116,11 +128,12 @@ impl Determinant {
         None
     }
 
-    fn corners<'a>(&self, cell: &'a Cell) -> impl Iterator<Item = (f64, [f64; 2])> + 'a {
+    /// The places of the values at the corners, with the parameters there.
+    fn corners<'a>(&self, cell: &'a Cell) -> impl Iterator<Item = (usize, [f64; 2])> + 'a {
         let [p, q] = self.degrees;
         let corner = move |[i, j]: [usize; 2]| {
             let place = [0, 1].map(|d: usize| cell.from[d] + cell.size[d] * [i, j][d] as f64);
-            (cell.values[i * p * (q + 1) + j * q], place)
+            (i * p * (q + 1) + j * q, place)
         };
         [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().map(corner)
     }
@@ -132,7 +145,9 @@ impl Determinant {
         let mut second = cell.from;
         second[along] += size[along];
         let [a, b] = halved(&cell.values, self.degrees, along);
-        [Cell { values: a, from: cell.from, size }, Cell { values: b, from: second, size }]
+        let [of_a, of_b] = halved(&cell.rounding, self.degrees, along);
+        let made = |values, rounding, from| Cell { values, rounding, from, size };
+        [made(a, of_a, cell.from), made(b, of_b, second)]
     }
 }
 
