@@ -83,8 +83,7 @@ fn arcs_that_touch_their_neighbours_are_refused() {
 fn a_fold_at_a_tiny_arc_is_refused() {
     let first = segment([7.4967647188034965, 7.641847265299677, 0.0], [4.364105553578729, 8.88841963087286, 0.0]);
     let second = segment([0.0; 3], [4.286681055100368, 8.914430348602329, 0.0]);
-    let tangents =
-        [Vec3::new(9.346885943717318, -5.924099385808998, 0.0), Vec3::new(0.0, -6.623667447189068, 0.0)];
+    let tangents = [Vec3::new(9.346885943717318, -5.924099385808998, 0.0), Vec3::new(0.0, -6.623667447189068, 0.0)];
     let Err(Error::Bridge(BridgeError::ArcsCross { piece: 0, at: [s, _] })) =
         Body::circular([&first, &second], &tangents, false)
     else {
