@@ -50,7 +50,7 @@ def accepted(expression, allow):
 
 
 # Crates that a package can be built without.
-OPTIONAL = [("cyclide", "faer"), ("cyclide-io", "faer"), ("cyclide-io", "tiny-skia"), ("cyclide-io", "tempfile")]
+OPTIONAL = [("cyclide", "faer"), ("cyclide-io", "tiny-skia"), ("cyclide-io", "tempfile")]
 
 
 def is_needed(package, crate):

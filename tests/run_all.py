@@ -71,7 +71,6 @@ XTASK = target_folder() / "debug" / "xtask"
 STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
-    ("without faer", ["cargo", "clippy", "--package", "cyclide", "--no-default-features", "--locked", "--", "-D", "warnings"], one),
     ("text and bytes only", ["cargo", "clippy", "--package", "cyclide-io", "--no-default-features", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
     ("program", ["cargo", "build", "--profile", "test", "--workspace", "--bins", "--locked"], one),

@@ -4,7 +4,8 @@
 //! `cargo run --release --example skin_of_mesh`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{CircularMeshOptions, CyclidicNet, Model, NetFrame, Point3, QuadGrid, Units, make_circular};
+use cyclide::{CyclidicNet, Model, NetFrame, Point3, QuadGrid, Units};
+use cyclide_grids::{CircularMeshOptions, make_circular};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;
 

@@ -93,7 +93,7 @@ pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 
 /// The examples of the README and of the book are compiled and run with the documentation tests.
-#[cfg(all(doctest, feature = "circular-mesh"))]
+#[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 #[doc = include_str!("../../../docs/guide/rust.md")]
 struct Book;

@@ -1,14 +1,13 @@
 //! Nets round extraordinary vertices in what is made of nets: schedules, pictures, layers.
 
-#![cfg(feature = "circular-mesh")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::{HashMap, HashSet};
 
 use cyclide::{
-    Arc, CircularMeshOptions, CyclideGrid, CyclideVolume, Grading, Item, Model, NetLayout, QuadLayout, Shell,
-    SurfaceObject, Units, make_layout_circular,
+    Arc, CyclideGrid, CyclideVolume, Grading, Item, Model, NetLayout, QuadLayout, Shell, SurfaceObject, Units,
 };
+use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 use cyclide_io::{
     BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ObjectReport, Provenance, ScheduleOptions,
     VtuCells, WorkshopSchedule,

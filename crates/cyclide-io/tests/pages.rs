@@ -1,5 +1,4 @@
 //! The published pages of the kinds of object are those that the code makes.
-#![cfg(feature = "circular-mesh")]
 
 use std::path::{Path, PathBuf};
 

@@ -218,7 +218,7 @@ pub fn winding(spline: &TorusSpline) -> [i64; 2] {
             let next = place(piece, f64::from(k) / 16.0);
             let d = next - last;
             let short = |x: f64| x - PI * (x / PI).round();
-            sum = sum + Vec2::new(short(d.x), short(d.y));
+            sum += Vec2::new(short(d.x), short(d.y));
             last = next;
         }
     }

@@ -8,8 +8,6 @@ const LOST_TURN: f64 = 1.0 * DEGREE;
 const CHANGED_TURN: f64 = 0.05 * DEGREE;
 /// A turn that is worth a warning whatever the other numbers say.
 const LARGE_TURN: f64 = 3.0 * DEGREE;
-/// Grid lines farther off the curvature lines than this on average are across them.
-pub(crate) const ACROSS: f64 = 15.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// What may become of a surface whose vertices are moved: the numbers of `docs/math/circular-meshes.md#guard`, and one
@@ -17,14 +15,13 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// flat.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
-/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// use cyclide::{Point3, QuadGrid};
+/// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let tube = (0..17 * 9).map(|k| (0.1 * f64::from(k % 17), 0.1 * f64::from(k / 17)));
 /// let tube = tube.map(|(angle, z)| Point3::new(angle.cos(), angle.sin(), z)).collect();
 /// let grid = QuadGrid::new(tube, [17, 9], [false; 2])?; // its quads have circles as they are
 /// let made = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?;
 /// assert!(made.report.shape.is_some_and(|change| !change.is_lost() && change.turn < 1e-12));
-/// # }
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -79,10 +76,12 @@ const CLOSED: &str = "which is close enough: the vertices moved until the net cl
 const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: [0.8, 1.2], normal_turn: 0.12, lost_relief: 0.02 };
 
 impl ShapeChange {
+    /// Grid lines farther off the curvature lines than this on average, in radians, are across them.
+    pub const ACROSS: f64 = 15.0 * DEGREE;
+
     /// The angle of the grid lines to the curvature lines, if these are clear and the angle is more than 15 degrees.
-    #[cfg(feature = "circular-mesh")]
-    pub(crate) fn runs_across(&self) -> Option<f64> {
-        self.across.filter(|angle| *angle > ACROSS && self.clear_lines)
+    pub fn runs_across(&self) -> Option<f64> {
+        self.across.filter(|angle| *angle > Self::ACROSS && self.clear_lines)
     }
 
     /// True if a viewer would call the result another surface.
@@ -155,7 +154,7 @@ impl ShapeChange {
         };
         let off = format!("the lines of the grid run {} degrees off the curvature lines", degrees(angle));
         match angle {
-            _ if angle > ACROSS => format!("{off}: mesh the surface along its curvature lines first"),
+            _ if angle > Self::ACROSS => format!("{off}: mesh the surface along its curvature lines first"),
             _ if angle > ALONG => format!("{off}: {NEARER}"),
             _ => format!("{off}, {}", if self.closed { CLOSED } else { OPEN }),
         }

@@ -336,7 +336,7 @@ fn stairs_are_no_noise() {
     let mut points = vec![Point3::ORIGIN];
     let mut at = points[0];
     for k in 0..48 {
-        at = at + if (k / 2) % 2 == 0 { Vec3::X * 0.15 } else { Vec3::Y * 0.09 };
+        at += if (k / 2) % 2 == 0 { Vec3::X * 0.15 } else { Vec3::Y * 0.09 };
         points.push(at);
     }
     for tight in [None, Some(0.2), Some(0.45)] {

@@ -189,10 +189,10 @@ fn layers_are_over_all_patches_and_share_faces() {
     assert!(bodies.len() == 1 && bodies[0].is_solid() && bodies[0].voids.is_empty());
 }
 
-#[cfg(feature = "circular-mesh")]
 mod circular {
     use super::*;
-    use cyclide::{Border, CircularMeshOptions, GridError, make_circular};
+    use cyclide::GridError;
+    use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 
     /// A saddle whose grid runs along its lines of curvature, not circular by far.
     fn saddle() -> QuadGrid {
@@ -202,7 +202,7 @@ mod circular {
         in_steps(points.collect())
     }
 
-    fn made(options: &CircularMeshOptions<'_>) -> cyclide::CircularMesh {
+    fn made(options: &CircularMeshOptions<'_>) -> cyclide_grids::CircularMesh {
         make_circular(&saddle(), options, &mut |_| ()).unwrap()
     }
 

@@ -492,7 +492,7 @@ fn low_triangles_of_a_wall_do_not_join_the_roof() {
     // With noise, by which small triangles turn by ten degrees.
     let mut random = Random(99);
     let (mut points, triangles) = cut_box([20.0, 10.0, 6.0], 16, |p| p);
-    points.iter_mut().for_each(|p| *p = *p + random.in_cube().to_vec() * 0.02);
+    points.iter_mut().for_each(|p| *p += random.in_cube().to_vec() * 0.02);
     let polyhedron = ConvexPolyhedron::with_flatness(&points, &triangles, 0.24).unwrap();
     assert_eq!((polyhedron.faces().len(), polyhedron.corner_count()), (6, 8));
     // Every point within the noise of a plane, and so of the surface but for the corners.

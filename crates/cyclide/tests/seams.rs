@@ -1,9 +1,8 @@
 //! Borders of open grids that nearly coincide: which are named, and what is measured along them.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use cyclide::{
-    CircularMeshOptions, CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, Point3, QuadGrid, Seam, make_circular,
-};
+use cyclide::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, Point3, QuadGrid, Seam};
+use cyclide_grids::{CircularMeshOptions, make_circular};
 use std::f64::consts::{PI, TAU};
 
 /// An open grid of `quads` of a surface over `[0, 1]²`.

@@ -184,7 +184,7 @@ fn thin_boxes_have_their_last_corner() {
     for thin in [1e-2, 1e-4, 1e-6, 1e-8] {
         for axis in 0..3 {
             let mut sides = [Vec3::X, Vec3::Y, Vec3::Z];
-            sides[axis] = sides[axis] * thin;
+            sides[axis] *= thin;
             let [s, t, u] = sides.map(|side| rotation().rotate(side));
             let cube = SphericalCube::cuboid(Point3::ORIGIN, [s, t, u]).unwrap();
             let off = cube.corners()[7].distance(Point3::ORIGIN + s + t + u);

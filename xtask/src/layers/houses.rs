@@ -6,7 +6,7 @@ pub struct House {
     pub sources: &'static str,
     /// The rooms from the ground up: a room uses rooms before it only, and those that are named.
     pub rooms: &'static [Room],
-    /// True of the kernel: no input or output, no clock, no `unsafe`, double precision only.
+    /// True of the kernel and its grids: no input or output, no clock, no `unsafe`, double precision only.
     pub is_kernel: bool,
 }
 
@@ -21,7 +21,7 @@ impl House {
 }
 
 /// The crates with rooms.
-pub const HOUSES: [&House; 3] = [&KERNEL, &IO, &CLI];
+pub const HOUSES: [&House; 4] = [&KERNEL, &GRIDS, &IO, &CLI];
 
 /// `error`, `warning`, their tables, the numbers in their texts and `shape_change` stand beside `base`.
 pub const KERNEL: House = House {
@@ -60,7 +60,6 @@ pub const KERNEL: House = House {
                 "topology",
                 "error",
                 "warning",
-                "shape_change",
             ],
         ),
         (
@@ -81,6 +80,18 @@ pub const KERNEL: House = House {
                 "warning",
             ],
         ),
+        ("workspace", &["base", "surface"]),
+    ],
+    is_kernel: true,
+};
+
+pub const GRIDS: House = House {
+    sources: "crates/cyclide-grids/src",
+    rooms: &[
+        ("sparse_solver", &[]),
+        ("principal_rules", &[]),
+        ("circular_mesh", &["sparse_solver"]),
+        ("principal", &["sparse_solver", "principal_rules", "circular_mesh"]),
     ],
     is_kernel: true,
 };

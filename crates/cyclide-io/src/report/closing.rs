@@ -5,7 +5,6 @@ use serde::Serialize;
 /// How far a closed direction of a grid was from closing as a net, and is (see `GridClosing` of the kernel).
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |i: i32, j: i32| (f64::from(i) * std::f64::consts::FRAC_PI_4, f64::from(j));
 /// let point = |(a, z): (f64, f64)| [3.0 * a.cos(), 2.0 * a.sin(), z];
 /// let grid: Vec<Vec<[f64; 3]>> = (0..4).map(|j| (0..8).map(|i| point(place(i, j))).collect()).collect();
@@ -15,7 +14,6 @@ use serde::Serialize;
 /// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let [closing] = found.circular.expect("it was asked for").closing[..] else { unreachable!("one direction is closed") };
 /// assert!(closing.direction == "s" && closing.angle_before > 1e-3 && closing.angle_after < 1e-12);
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -34,11 +32,10 @@ pub struct ClosingReport {
     pub stretch_after: f64,
 }
 
-#[cfg(feature = "circular-mesh")]
 impl ClosingReport {
     /// Those of the closed directions.
-    pub(super) fn all(changes: &[Option<cyclide::ClosingChange>; 2]) -> Vec<Self> {
-        let report = |(direction, change): (&'static str, &Option<cyclide::ClosingChange>)| {
+    pub(super) fn all(changes: &[Option<cyclide_grids::ClosingChange>; 2]) -> Vec<Self> {
+        let report = |(direction, change): (&'static str, &Option<cyclide_grids::ClosingChange>)| {
             change.map(|c| Self {
                 direction,
                 angle_before: c.angle_before,
@@ -54,13 +51,11 @@ impl ClosingReport {
 /// How far a mesh was from closing round its extraordinary vertices, and is.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let plane = r#"{"type": "cyclidic-net", "make_circular": true, "grid": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]}"#;
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"n": {plane}}}}}"#).parse()?;
 /// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
 /// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.circular.expect("it was asked for").round.is_none()); // a single grid
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -74,9 +69,8 @@ pub struct RoundReport {
     pub angle_after: f64,
 }
 
-#[cfg(feature = "circular-mesh")]
-impl From<&cyclide::RoundChange> for RoundReport {
-    fn from(change: &cyclide::RoundChange) -> Self {
+impl From<&cyclide_grids::RoundChange> for RoundReport {
+    fn from(change: &cyclide_grids::RoundChange) -> Self {
         Self { vertices: change.vertices, angle_before: change.angle_before, angle_after: change.angle_after }
     }
 }

@@ -11,7 +11,6 @@ use crate::document::BuiltObject;
 /// What was found of a surface and laid on it.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
 /// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
 /// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
@@ -21,7 +20,6 @@ use crate::document::BuiltObject;
 /// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// let laid = found.principal.expect("by its type");
 /// assert!(laid.coverage > 0.4 && laid.umbilics.is_empty() && laid.pieces[0].edges.max < 0.75);
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -58,7 +56,6 @@ pub struct PrincipalReport {
 /// One grid.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
 /// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
 /// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
@@ -68,7 +65,6 @@ pub struct PrincipalReport {
 /// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// let piece = &found.principal.expect("by its type").pieces[0];
 /// assert!(piece.columns > 5 && piece.rows > 5 && !piece.closed);
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -101,12 +97,11 @@ pub struct UmbilicReport {
 }
 
 /// The document's word for how far grids go.
-#[cfg(feature = "circular-mesh")]
-const fn border_word(border: cyclide::GridBorder) -> &'static str {
+const fn border_word(border: cyclide_grids::GridBorder) -> &'static str {
     match border {
-        cyclide::GridBorder::Inside => "inside",
-        cyclide::GridBorder::Staircase => "staircase",
-        cyclide::GridBorder::Cover => "cover",
+        cyclide_grids::GridBorder::Inside => "inside",
+        cyclide_grids::GridBorder::Staircase => "staircase",
+        cyclide_grids::GridBorder::Cover => "cover",
     }
 }
 
@@ -115,11 +110,10 @@ const SHOWN: usize = 6;
 
 impl PrincipalReport {
     /// Of an object that lays grids.
-    #[cfg(feature = "circular-mesh")]
     pub(super) fn new(built: &BuiltObject) -> Option<Box<Self>> {
         let facts = built.facts.grids()?;
         let found = &facts.report;
-        let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide::GridPiece)| GridPieceReport {
+        let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide_grids::GridPiece)| GridPieceReport {
             columns: grid.size()[0],
             rows: grid.size()[1],
             closed: grid.closed()[0],
@@ -127,7 +121,7 @@ impl PrincipalReport {
             edges: RangeReport { min: piece.edges[0], max: piece.edges[1] },
         };
         let umbilic =
-            |u: &cyclide::Umbilic| UmbilicReport { point: u.point.to_array(), index: 0.5 * f64::from(u.halves) };
+            |u: &cyclide_grids::Umbilic| UmbilicReport { point: u.point.to_array(), index: 0.5 * f64::from(u.halves) };
         Some(Box::new(Self {
             pieces: facts.grids.iter().zip(&found.pieces).map(piece).collect(),
             coverage: found.coverage,
@@ -142,12 +136,6 @@ impl PrincipalReport {
             holes: found.holes,
             joined_round: facts.joined.as_ref().map(|mesh| mesh.round().len()),
         }))
-    }
-
-    /// Nothing is laid here.
-    #[cfg(not(feature = "circular-mesh"))]
-    pub(super) fn new(_: &BuiltObject) -> Option<Box<Self>> {
-        None
     }
 
     /// The lines of the text.

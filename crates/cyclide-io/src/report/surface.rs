@@ -160,7 +160,6 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
 /// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
 /// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
 /// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
@@ -169,7 +168,6 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
 /// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let made = found.circular.expect("it was asked for");
 /// assert!(made.residual_after < 1e-9 && made.residual_after < made.residual_before && made.move_max < 0.5);
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -210,7 +208,6 @@ pub struct CircularReport {
 /// How much of its shape a net made circular has kept: numbers free of scale (see `ShapeChange` of the kernel).
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
 /// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
 /// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
@@ -219,7 +216,6 @@ pub struct CircularReport {
 /// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let shape = found.circular.and_then(|made| made.shape).expect("it is not flat");
 /// assert!(shape.lost_relief < 0.5 && shape.bending > Some(0.5));
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -399,20 +395,12 @@ impl SurfaceReport {
 }
 
 /// What it took to make the net circular.
-#[cfg(feature = "circular-mesh")]
 fn circular(built: &BuiltObject) -> Option<Box<CircularReport>> {
     built.facts.net()?.circular.as_ref().map(|report| Box::new(CircularReport::from(report)))
 }
 
-/// Nothing is made circular here.
-#[cfg(not(feature = "circular-mesh"))]
-fn circular(_: &BuiltObject) -> Option<Box<CircularReport>> {
-    None
-}
-
-#[cfg(feature = "circular-mesh")]
-impl From<&cyclide::CircularMeshReport> for CircularReport {
-    fn from(report: &cyclide::CircularMeshReport) -> Self {
+impl From<&cyclide_grids::CircularMeshReport> for CircularReport {
+    fn from(report: &cyclide_grids::CircularMeshReport) -> Self {
         Self {
             steps: report.steps,
             residual_before: report.residual_before,

@@ -11,9 +11,7 @@ mod nets;
 mod offsets;
 mod patches;
 mod pipes;
-#[cfg(feature = "circular-mesh")]
 mod principal_grids;
-#[cfg(feature = "circular-mesh")]
 mod principal_sources;
 mod rails;
 mod refusals;

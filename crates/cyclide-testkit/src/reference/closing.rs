@@ -4,15 +4,14 @@ use super::Handler;
 use super::arc::triple;
 use super::case::{Case, Fault, malformed};
 use super::check::{Check, rows};
-#[cfg(feature = "circular-mesh")]
-use cyclide::{CORNER_ANGLE, CircularMeshOptions, CyclidicNet, NetFrame, make_circular, surface_joints};
+use cyclide::{CORNER_ANGLE, CyclidicNet, NetFrame, surface_joints};
 use cyclide::{Point3, QuadGrid, RingClosing, StripClosing, Vec3};
+use cyclide_grids::{CircularMeshOptions, make_circular};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {
         "ring-closing" => ring,
         "strip-closing" => strips,
-        #[cfg(feature = "circular-mesh")]
         "closed-circular-net" => net,
         _ => return None,
     })
@@ -20,7 +19,6 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
 
 /// Moves that the independent search found are matched up to this part of an edge besides their factor: different paths
 /// end in different nets of one family.
-#[cfg(feature = "circular-mesh")]
 const MOVE_MARGIN: f64 = 0.01;
 
 fn ring(case: &Case, check: &mut Check) -> Result<(), Fault> {
@@ -92,7 +90,6 @@ fn strips(case: &Case, check: &mut Check) -> Result<(), Fault> {
     Ok(())
 }
 
-#[cfg(feature = "circular-mesh")]
 fn net(case: &Case, check: &mut Check) -> Result<(), Fault> {
     let grid = grid(case)?;
     let options = CircularMeshOptions { allow_shape_change: true, ..Default::default() };

@@ -64,7 +64,7 @@ fn weights(case: &Case, check: &mut Check, curve: &QbCurve, t: &[f64]) {
         let (mut sum, mut choose) = (Quat::ZERO, 1.0);
         for (i, pair) in pairs.iter().enumerate() {
             let b = choose * t.powi(i as i32) * (1.0 - t).powi((n - i) as i32);
-            sum = sum + pair.d * b;
+            sum += pair.d * b;
             choose = choose * (n - i) as f64 / (i + 1) as f64;
         }
         sum

@@ -15,7 +15,7 @@ pub(crate) const MIN_DISTANCE: f64 = 1e-150;
 pub(crate) const WEIGHT_RATIO: [f64; 2] = [1e-30, 1e30];
 
 /// Refuses a point (as a vector from the origin) that is not finite or too far out.
-pub(crate) fn check_point(index: usize, p: Vec3) -> Result<()> {
+pub fn check_point(index: usize, p: Vec3) -> Result<()> {
     let value = p.max_abs();
     if !p.is_finite() {
         Err(NumberError::NotFinite { what: ErrorItem::Point, index }.into())
@@ -46,7 +46,7 @@ pub(crate) fn check_derivative(index: usize, v: Vec3) -> Result<()> {
 }
 
 /// Refuses a distance that is neither zero nor in range.
-pub(crate) fn check_distance(value: f64) -> Result<()> {
+pub fn check_distance(value: f64) -> Result<()> {
     if value == 0.0 || (MIN_DISTANCE..=4.0 * MAX_COORDINATE).contains(&value) {
         Ok(())
     } else {

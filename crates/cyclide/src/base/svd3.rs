@@ -40,8 +40,7 @@ pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Result<[Vec3; 3], f64> {
 }
 
 /// The singular values of the matrix with the given columns, largest first.
-#[cfg(feature = "circular-mesh")]
-pub(crate) fn singular_values(columns: [Vec3; 3]) -> [f64; 3] {
+pub fn singular_values(columns: [Vec3; 3]) -> [f64; 3] {
     let size = columns.iter().map(|c| c.max_abs()).fold(0.0, f64::max);
     if !(size > 0.0 && columns.iter().all(|c| c.is_finite())) {
         return [size; 3];
@@ -124,7 +123,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(feature = "circular-mesh")]
     fn singular_values_of_a_stretched_rotation() {
         let r = [Vec3::new(2.0, -1.0, 2.0) / 3.0, Vec3::new(2.0, 2.0, -1.0) / 3.0, Vec3::new(-1.0, 2.0, 2.0) / 3.0];
         let values = singular_values([r[2] * 1e-6, r[0] * 3.0, r[1]]);

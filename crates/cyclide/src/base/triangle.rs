@@ -4,7 +4,7 @@ use super::vector::Point3;
 
 /// Distance of a point from a triangle, and the weights of the corners at the nearest point: of the foot on the plane if
 /// that is inside, else on the nearest side. `None` for a triangle without area.
-pub(crate) fn on_triangle(p: Point3, [a, b, c]: [Point3; 3]) -> Option<(f64, [f64; 3])> {
+pub fn on_triangle(p: Point3, [a, b, c]: [Point3; 3]) -> Option<(f64, [f64; 3])> {
     let normal = (b - a).cross(c - a).unit()?;
     let sides = [[a, b], [b, c], [c, a]];
     let areas = sides.map(|[from, to]| normal.dot((to - from).cross(p - from)));

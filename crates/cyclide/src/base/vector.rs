@@ -3,7 +3,7 @@
 //! Points and vectors differ: under an inversion a point maps, a tangent vector is pushed forward.
 
 use super::euclidean::length;
-use std::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Index, Mul, Neg, Sub};
 
 /// A vector (displacement, tangent, normal) of three-space.
 ///
@@ -245,23 +245,11 @@ impl Add for Vec3 {
         Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
     }
 }
-impl AddAssign for Vec3 {
-    #[inline]
-    fn add_assign(&mut self, o: Self) {
-        *self = *self + o;
-    }
-}
 impl Sub for Vec3 {
     type Output = Self;
     #[inline]
     fn sub(self, o: Self) -> Self {
         Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
-    }
-}
-impl SubAssign for Vec3 {
-    #[inline]
-    fn sub_assign(&mut self, o: Self) {
-        *self = *self - o;
     }
 }
 impl Neg for Vec3 {

@@ -1,15 +1,7 @@
-//! Recipes of several steps: curves through and near points, bodies, grids along lines of curvature, quad grids made
-//! circular.
+//! Recipes of several steps: curves through and near points, bodies.
 
 mod bodies;
-#[cfg(feature = "circular-mesh")]
-mod circular_mesh;
 mod curves;
-#[cfg(feature = "circular-mesh")]
-mod principal;
-mod principal_rules;
-#[cfg(feature = "circular-mesh")]
-mod sparse_solver;
 
 pub use bodies::{
     Ball, ConvexPolyhedron, CrossingPipe, CrossingSide, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody,
@@ -18,11 +10,6 @@ pub use bodies::{
     TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
 pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
-#[cfg(feature = "circular-mesh")]
-pub use circular_mesh::{
-    Border, CircularLayout, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange,
-    LineAngles, RoundChange, VertexMoves, make_circular, make_layout_circular,
-};
 pub use curves::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, Heights, Noise,
@@ -34,9 +21,3 @@ pub use curves::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
     UnrolledSpline,
 };
-#[cfg(feature = "circular-mesh")]
-pub use principal::{
-    FreeLayout, GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage,
-    Umbilic, covering_principal_grids, principal_grids,
-};
-pub use principal_rules::{GridBorder, UmbilicRule};

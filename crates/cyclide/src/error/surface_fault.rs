@@ -3,12 +3,11 @@
 /// What is wrong with triangles that shall be one piece of a surface with a border.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
-/// use cyclide::{Error, Point3, PrincipalGridError, PrincipalGridOptions, SurfaceFault, principal_grids};
+/// use cyclide::{Error, Point3, PrincipalGridError, SurfaceFault};
+/// use cyclide_grids::{PrincipalGridOptions, principal_grids};
 /// let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [5.0, 0.0], [6.0, 0.0], [5.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
 /// let error = principal_grids(&points, &[[0, 1, 2], [3, 4, 5]], &PrincipalGridOptions::new(0.1), &mut |_| ());
 /// assert_eq!(error.unwrap_err(), Error::PrincipalGrid(PrincipalGridError::NotASurface { fault: SurfaceFault::Apart, index: 1 }));
-/// # }
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]

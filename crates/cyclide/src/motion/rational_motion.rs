@@ -181,7 +181,7 @@ impl RationalMotion {
             [way.x, way.y, way.z, leibniz(&p, &p, k).w]
         });
         let mut jet = jet_of_homogeneous(homogeneous).scaled(1.0 / duration);
-        jet.point = jet.point + self.centre;
+        jet.point += self.centre;
         // p has length 1 here.
         let [omega, alpha, beta] = angular_jet(p);
         MotionJet {

@@ -152,12 +152,12 @@ impl QuadGrid {
     }
 
     /// Whether quad `(i, j)` is part of the grid.
-    pub(crate) fn has_quad(&self, i: usize, j: usize) -> bool {
+    pub fn has_quad(&self, i: usize, j: usize) -> bool {
         self.cell(i, j) != GridCell::Outside
     }
 
     /// The quads that are part of the grid, s fastest.
-    pub(crate) fn all_quads(&self) -> impl Iterator<Item = [usize; 2]> {
+    pub fn all_quads(&self) -> impl Iterator<Item = [usize; 2]> {
         quads(self.quads()).filter(|[i, j]| self.has_quad(*i, *j))
     }
 
@@ -179,23 +179,22 @@ impl QuadGrid {
     }
 
     /// Whether the quads before and after the edge from a vertex along direction `d` have patches.
-    pub(crate) fn patches_beside(&self, at: [usize; 2], d: usize) -> [bool; 2] {
+    pub fn patches_beside(&self, at: [usize; 2], d: usize) -> [bool; 2] {
         self.beside(at, d).map(|quad| quad.is_some_and(|[i, j]| self.cell(i, j) == GridCell::Patch))
     }
 
     /// Whether the edge from a vertex along direction `d` is a side of a quad of the grid.
-    pub(crate) fn has_edge(&self, at: [usize; 2], d: usize) -> bool {
+    pub fn has_edge(&self, at: [usize; 2], d: usize) -> bool {
         self.beside(at, d).into_iter().flatten().any(|[i, j]| self.has_quad(i, j))
     }
 
     /// Whether the edge is a side of one quad of the grid alone.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn is_border_edge(&self, at: [usize; 2], d: usize) -> bool {
+    pub fn is_border_edge(&self, at: [usize; 2], d: usize) -> bool {
         self.beside(at, d).into_iter().flatten().filter(|[i, j]| self.has_quad(*i, *j)).count() == 1
     }
 
     /// Whether each vertex is a corner of a quad of the grid.
-    pub(crate) fn used_vertices(&self) -> Vec<bool> {
+    pub fn used_vertices(&self) -> Vec<bool> {
         let mut used = vec![self.is_whole(); self.points().len()];
         if !self.is_whole() {
             self.all_quads().for_each(|[i, j]| self.corners(i, j).into_iter().for_each(|k| used[k] = true));
@@ -204,8 +203,7 @@ impl QuadGrid {
     }
 
     /// The vertices on the border of the grid; of one that is not whole, those of the border in steps.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn border_vertices(&self) -> Vec<usize> {
+    pub fn border_vertices(&self) -> Vec<usize> {
         let [m, n] = self.size();
         let mut border = vec![false; m * n];
         for at in (0..n).flat_map(|j| (0..m).map(move |i| [i, j])) {
@@ -252,14 +250,14 @@ fn enclosed(outside: &[bool], [m, n]: [usize; 2]) -> Option<usize> {
 }
 
 /// The places beside one of a rectangle.
-pub(crate) fn beside(k: usize, [m, n]: [usize; 2]) -> impl Iterator<Item = usize> {
+pub fn beside(k: usize, [m, n]: [usize; 2]) -> impl Iterator<Item = usize> {
     let (i, j) = (k % m, k / m);
     let next = [(i > 0, k.wrapping_sub(1)), (i + 1 < m, k + 1), (j > 0, k.wrapping_sub(m)), (j + 1 < n, k + m)];
     next.into_iter().filter(|(exists, _)| *exists).map(|(_, next)| next)
 }
 
 /// The cells of a kind to which there is a way from one of them.
-pub(crate) fn flooded(kind: &[bool], [m, n]: [usize; 2], first: usize) -> Vec<bool> {
+pub fn flooded(kind: &[bool], [m, n]: [usize; 2], first: usize) -> Vec<bool> {
     let mut reached = vec![false; m * n];
     let mut open = vec![first];
     reached[first] = true;

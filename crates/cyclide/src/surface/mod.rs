@@ -24,13 +24,11 @@ pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, Rol
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use grid_cells::GridCell;
-#[cfg(feature = "circular-mesh")]
-pub(crate) use grid_cells::{beside, flooded};
-#[cfg(feature = "circular-mesh")]
-pub(crate) use layout::RoundClosing;
+pub use grid_cells::{beside, flooded};
+pub use layout::RoundClosing;
 pub use layout::{LayoutPiece, NetLayout, QuadLayout, RoundVertex};
 pub(crate) use net::SameVertices;
-pub(crate) use net::closing_limit;
+pub use net::closing_limit;
 pub use net::{CyclidicNet, GridClosing, NetFrame, RingClosing, SingularPatch, StripClosing};
 pub use normal_strip::{NormalStrip, StripForm};
 pub use param_surface::ParamSurface;

@@ -146,7 +146,7 @@ fn arcs_never_go_round_the_long_way() {
         for k in 0..4 {
             let length = [1.0, 1e-3, 1e-5, 1e-7][(4.0 * number(3 * k)) as usize];
             direction += if number(3 * k + 1) < 0.2 { 3.139 } else { 4.0 * (number(3 * k + 2) - 0.5) };
-            at = at + Vec3::new(direction.cos(), direction.sin(), 0.0) * length;
+            at += Vec3::new(direction.cos(), direction.sin(), 0.0) * length;
             points.push(at);
         }
         let order = 1 + (4.0 * number(20)) as u32;

@@ -47,7 +47,7 @@ fn walk(steps: &[Step]) -> Vec<Point3> {
             // The onward step does not shrink for ever.
             Step::Onward(f, v) => (last * *f + *v) * (0.5 / (last * *f + *v).length().max(0.1)),
         };
-        at = at + last;
+        at += last;
         points.push(at);
     }
     points

@@ -44,7 +44,7 @@ fn runs_of_outliers_are_named_and_hold_nothing() {
         let mut wrong = Vec::new();
         for (from, far) in [(count / 4, 15.0), (2 * count / 3, 30.0)] {
             let across = (truth[from + 1] - truth[from - 1]).cross(Vec3::Z).unit().unwrap();
-            points[from..from + length].iter_mut().for_each(|p| *p = *p + across * far);
+            points[from..from + length].iter_mut().for_each(|p| *p += across * far);
             wrong.extend(from..from + length);
         }
         let fit = of(&points, &by_noise(true));
@@ -127,7 +127,7 @@ fn points_that_are_unevenly_far_apart_are_no_outliers() {
         // One that is one.
         let mut points = clean;
         let wrong = truth.len() / 2;
-        points[wrong] = points[wrong] + across[wrong] * (12.0 * noise + 3.0);
+        points[wrong] += across[wrong] * (12.0 * noise + 3.0);
         missed += usize::from(!named(&of(&points, &by_noise(true))).contains(&wrong));
     }
     assert!(innocent <= 3 && missed <= 4, "{innocent} innocent, {missed} missed");

@@ -23,7 +23,7 @@ fn flattened(points: Vec<Point3>, flat: bool) -> Vec<Point3> {
 fn sums(steps: impl IntoIterator<Item = Vec3>) -> Vec<Point3> {
     let mut at = Point3::ORIGIN;
     let next = steps.into_iter().map(|step| {
-        at = at + step;
+        at += step;
         at
     });
     std::iter::once(Point3::ORIGIN).chain(next).collect()

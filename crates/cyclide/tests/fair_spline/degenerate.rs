@@ -90,7 +90,7 @@ fn relaxed_curves_are_short() {
             let mut points = vec![at];
             for i in 0..11 {
                 let up = if i % 2 == 0 { 1.0 } else { -1.0 };
-                at = at + Vec3::new(half.sin(), up * half.cos(), 0.0) * leg(i);
+                at += Vec3::new(half.sin(), up * half.cos(), 0.0) * leg(i);
                 points.push(at);
             }
             let s = CircleSpline::fair(&points, &Default::default()).unwrap();

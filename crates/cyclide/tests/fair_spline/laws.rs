@@ -243,7 +243,7 @@ fn a_node_moves_the_curve_ever_less_with_the_distance() {
     };
     let points: Vec<Point3> = (0..n).map(at).collect();
     let mut moved = points.clone();
-    moved[0] = moved[0] + Vec3::new(0.6, 0.5, 0.6);
+    moved[0] += Vec3::new(0.6, 0.5, 0.6);
     let (a, b) = (CircleSpline::fair(&points, &closed()).unwrap(), CircleSpline::fair(&moved, &closed()).unwrap());
     let change = |i: usize| (a.segments()[i].start_tangent() - b.segments()[i].start_tangent()).length();
     assert!(change(1) > 1e-3);

@@ -74,7 +74,7 @@ fn corners_rounded_far_from_the_origin_are_still_on_a_circle() {
         assert_eq!(again.point(0.3, 0.6), patch.point(0.3, 0.6));
         // What is no rounding is refused: 1e-5 of the size off the circle.
         let mut off = corners;
-        off[3] = off[3] + Vec3::new(0.0, -0.8, 0.6) * 1e-5;
+        off[3] += Vec3::new(0.0, -0.8, 0.6) * 1e-5;
         let refused = CyclidePatch::from_corners_and_frame(off, frame.0, frame.1).unwrap_err();
         assert_eq!(refused.reason(), "not-concircular");
     }

@@ -77,7 +77,7 @@ fn weights_that_leave_space_are_refused() {
     let corners = SQUARE.map(Point3::from);
     let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap();
     let mut weights = patch.weights();
-    weights[3] = weights[3] * Quat::from_axis_angle(Vec3::X, 1e-3);
+    weights[3] *= Quat::from_axis_angle(Vec3::X, 1e-3);
     let refused = |w| CyclidePatch::from_weights(corners, w, Vec3::X, Vec3::Y).unwrap_err().reason();
     assert_eq!(refused(weights), "not-in-space");
     weights[3] = Quat::ZERO;

@@ -104,7 +104,7 @@ fn a_few_points_off_a_curve_of_low_degree_are_named() {
     let mut points: Vec<Point3> = t.iter().map(|t| curve.point(*t)).collect();
     // One of those that make the curve, and one that does not.
     for off in [0, 123] {
-        points[off] = points[off] + Vec3::new(0.0, 0.1, 0.2);
+        points[off] += Vec3::new(0.0, 0.1, 0.2);
     }
     let error = QbInterpolation::through_points(&points, &NodeParameters::Given(t)).unwrap_err();
     let Error::Interpolation(InterpolationError::UnattainablePoint { points, .. }) = error else { panic!("{error}") };

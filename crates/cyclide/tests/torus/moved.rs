@@ -55,7 +55,7 @@ fn rotations_about_the_axis_move_places() {
         let (angle, f) = (0.7, problem.torus.frame());
         let mut moved = problem.clone();
         for place in &mut moved.places {
-            *place = *place + Vec2::new(0.5 * angle, 0.0);
+            *place += Vec2::new(0.5 * angle, 0.0);
         }
         // Half turns to the nearest: points at just half a turn may go the other way after rounding.
         let turned = moved.solve().unwrap();

@@ -107,7 +107,7 @@ fn places_many_turns_away_are_joined_as_well() {
         let mut problem = Problem::awkward(30, case);
         for place in &mut problem.places {
             let far = |r: &mut Random| std::f64::consts::PI * (r.pick(&[-1.0, 1.0]) * r.decades(0.0, 5.4)).round();
-            *place = *place + Vec2::new(far(&mut r), far(&mut r));
+            *place += Vec2::new(far(&mut r), far(&mut r));
         }
         if problem.options.loops {
             // Repeated places are the same to the rounding of angles of this size only: the first of them is met.

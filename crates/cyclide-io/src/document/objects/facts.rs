@@ -4,8 +4,7 @@ use cyclide::{
     BallCenters, ConvexPolyhedron, CurveObject, Exactness, Grading, GridQuality, Mobius, QuadGrid, QuadLayout, Seam,
     TeeBlendFacts, TorusMap,
 };
-#[cfg(feature = "circular-mesh")]
-use cyclide::{CircularMeshReport, PrincipalGridReport};
+use cyclide_grids::{CircularMeshReport, PrincipalGridReport};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -91,18 +90,13 @@ pub struct NetFacts {
     /// Where opposite borders of its grid nearly coincide, as given.
     pub seams: Vec<Seam>,
     /// What it took to make its grid circular.
-    #[cfg(feature = "circular-mesh")]
     pub circular: Option<CircularMeshReport>,
 }
 
 impl NetFacts {
     /// Of a grid that stays as it is.
     pub(in crate::document) fn as_given(seams: Vec<Seam>) -> Self {
-        Self {
-            seams,
-            #[cfg(feature = "circular-mesh")]
-            circular: None,
-        }
+        Self { seams, circular: None }
     }
 }
 
@@ -121,7 +115,6 @@ pub struct GridFacts {
     /// The mesh of quads that these are the grids of, if they join round umbilics.
     pub joined: Option<QuadLayout>,
     /// What was found where they were laid.
-    #[cfg(feature = "circular-mesh")]
     pub report: PrincipalGridReport,
 }
 

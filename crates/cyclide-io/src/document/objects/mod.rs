@@ -147,7 +147,6 @@ impl<'a> ModelBuilder<'a> {
                     sources,
                     folder,
                     read,
-                    #[cfg(feature = "circular-mesh")]
                     progress,
                     mesh: None,
                     mesh_name: None,
@@ -211,7 +210,6 @@ pub(in crate::document) struct Builder<'a> {
     pub(in crate::document) folder: &'a Path,
     pub(in crate::document) read: Read<'a>,
     /// Hears what takes long.
-    #[cfg(feature = "circular-mesh")]
     pub(in crate::document) progress: &'a mut dyn FnMut(String),
     /// The file that the grid of a net was read from.
     pub(in crate::document) mesh: Option<MeshNames>,

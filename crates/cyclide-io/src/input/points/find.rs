@@ -181,7 +181,8 @@ fn of_axes(
     }
     let is_plain = is_of_map(x, "e") && is_of_map(y, "n");
     // As in Gauss-Krüger coordinates, where x is the northing.
-    if y < x && !is_plain && sampled.are_on_a_grid([x, y]) {
+    let is_of_grid = || northing_first(table, sampled, [x, y]) == Order::Certain;
+    if y < x && !is_plain && (sampled.are_on_a_grid([x, y]) || is_of_grid()) {
         let by_figures = mirrored_by_figures(table, sampled, [x, y]);
         let [swapped, as_they_stand] = [numbers_of(swapped()), numbers_of(as_they_stand())];
         let which = match by_figures {

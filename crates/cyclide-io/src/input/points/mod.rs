@@ -20,7 +20,6 @@ mod find;
 mod groups;
 mod headless;
 mod height_words;
-#[cfg(feature = "circular-mesh")]
 mod heights;
 mod merge;
 mod names;
@@ -53,7 +52,6 @@ use crate::text::place::{Diagnostic, Source, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
 use find::numbers_of;
-#[cfg(feature = "circular-mesh")]
 pub(crate) use heights::read_heights;
 pub(crate) use merge::{Merged, merge_repeated};
 pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};

@@ -255,7 +255,6 @@ impl<'a> Table<'a> {
     }
 
     /// Visits all lines that are not blank, from the first one on and those of empty fields too, with their fields and where they end.
-    #[cfg(feature = "circular-mesh")]
     pub(super) fn for_each_line(
         &self,
         mut visit: impl FnMut(&[Field<'a>], usize) -> Result<(), Box<Diagnostic>>,

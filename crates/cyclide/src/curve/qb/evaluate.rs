@@ -54,7 +54,7 @@ impl QbCurve {
             let mut choose = 1.0;
             let mut rest = *n;
             for (j, c) in found.iter().enumerate() {
-                rest = rest - *c * pairs[k - j].1 * choose;
+                rest -= *c * pairs[k - j].1 * choose;
                 choose = choose * (k - j) as f64 / (j + 1) as f64;
             }
             found.push(rest * inverse);

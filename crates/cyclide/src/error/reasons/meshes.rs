@@ -135,21 +135,20 @@
 //! # `not-a-surface`
 //! Triangles for a grid along lines of curvature meet in a vertex alone.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
 //! let options = PrincipalGridOptions::new(0.1);
 //! let error = principal_grids(&points, &[[0, 1, 2], [0, 3, 4]], &options, &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-surface");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `flat-surface`
 //! A plane has no lines of curvature.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let roof = |height: fn(f64, f64) -> f64| {
 //!     let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
 //!     (0..289).map(at).map(|(x, y)| Point3::new(x, y, height(x, y))).collect::<Vec<_>>()
@@ -159,15 +158,14 @@
 //! let plane = roof(|x, y| 0.1 * x + 0.2 * y);
 //! let error = principal_grids(&plane, &triangles, &PrincipalGridOptions::new(0.4), &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "flat-surface");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `umbilics-remain`
 //! One grid is asked for on a round dome, whose lines of curvature all meet in its top.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let roof = |height: fn(f64, f64) -> f64| {
 //!     let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
 //!     (0..289).map(at).map(|(x, y)| Point3::new(x, y, height(x, y))).collect::<Vec<_>>()
@@ -176,18 +174,17 @@
 //! let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 18], [a, a + 18, a + 17]]).collect();
 //! let dome = roof(|x, y| (16.0 - x * x - y * y + 0.1 * (x * x + y * y).powi(2)).sqrt());
 //! let mut options = PrincipalGridOptions::new(0.4);
-//! options.umbilics = cyclide::UmbilicRule::Smooth;
+//! options.umbilics = cyclide_grids::UmbilicRule::Smooth;
 //! let error = principal_grids(&dome, &triangles, &options, &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "umbilics-remain");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `spiral-lines`
 //! The lines of curvature of a twisted tube come back higher than an edge.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! use std::f64::consts::TAU;
 //! let at = |k: usize| (TAU / 48.0 * (k % 48) as f64, (k / 48) as f64 / 24.0);
 //! let tube = (0..48 * 25).map(at).map(|(u, v)| {
@@ -199,15 +196,14 @@
 //! let tube: Vec<Point3> = tube.collect();
 //! let error = principal_grids(&tube, &triangles, &PrincipalGridOptions::new(0.3), &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "spiral-lines");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `no-grid`
 //! Three by three cells are larger than the surface.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let roof = |height: fn(f64, f64) -> f64| {
 //!     let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
 //!     (0..289).map(at).map(|(x, y)| Point3::new(x, y, height(x, y))).collect::<Vec<_>>()
@@ -217,15 +213,14 @@
 //! let saddle = roof(|x, y| 0.1 * (x * x - y * y));
 //! let error = principal_grids(&saddle, &triangles, &PrincipalGridOptions::new(1.5), &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "no-grid");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `umbilics-not-joined`
 //! One mesh of quads shall go on through umbilics, which the surface, or its mesh, is not made for: here it has a hole beside one.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, UmbilicRule, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, UmbilicRule, principal_grids};
 //! let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
 //! let monkey = |(x, y): (f64, f64)| Point3::new(x, y, 0.05 * (x * x * x - 3.0 * x * y * y));
 //! let points: Vec<Point3> = (0..289).map(at).map(monkey).collect();
@@ -234,13 +229,12 @@
 //! let options = PrincipalGridOptions { umbilics: UmbilicRule::Joined, ..PrincipalGridOptions::new(0.4) };
 //! let error = principal_grids(&points, &triangles, &options, &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "umbilics-not-joined");
-//! # }
 //! ```
 //! # `field-not-orientable`
 //! One grid is asked for round a hole in which the lines of curvature make half a turn: those of a monkey saddle do so round its middle.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Point3, PrincipalGridOptions, principal_grids};
+//! use cyclide::Point3;
+//! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let roof = |height: fn(f64, f64) -> f64| {
 //!     let at = |k: usize| (0.25 * (k % 17) as f64 - 2.0, 0.25 * (k / 17) as f64 - 2.0);
 //!     (0..289).map(at).map(|(x, y)| Point3::new(x, y, height(x, y))).collect::<Vec<_>>()
@@ -253,9 +247,8 @@
 //!     t.iter().any(|v| (monkey[*v].x + 0.67).hypot(monkey[*v].y) > 0.8)
 //! }).collect();
 //! let mut options = PrincipalGridOptions::new(0.4);
-//! options.umbilics = cyclide::UmbilicRule::Smooth;
+//! options.umbilics = cyclide_grids::UmbilicRule::Smooth;
 //! let error = principal_grids(&monkey, &triangles, &options, &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "field-not-orientable");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```

@@ -128,14 +128,13 @@
 //! # `not-converged`
 //! Quads cannot be made circular: here the border leaves one vertex free for four of them.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! use cyclide::{Point3, QuadGrid};
+//! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3) - 1.0, f64::from(k / 3) - 1.0));
 //! let points = points.map(|(u, v)| Point3::new(u, v + 0.2 * u * u, u * v * v)).collect();
 //! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
 //! let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
 //! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "not-converged");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -143,37 +142,35 @@
 //! A grid made circular is another surface: here most of the bending of a wave is lost, whose curvature lines run across its
 //! grid lines.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! use cyclide::{Point3, QuadGrid};
+//! use cyclide_grids::{CircularMeshOptions, make_circular};
 //! let places = (0..25 * 17).map(|k| (0.5 * f64::from(k % 25), 0.5 * f64::from(k / 25)));
 //! let wave = places.map(|(x, y)| Point3::new(x, y, 0.5 * (0.4 * x).sin() * (0.5 * y).cos())).collect();
 //! let grid = QuadGrid::new(wave, [25, 17], [false, false])?;
 //! let error = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "shape-lost");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `collapsed-on-curve`
 //! Vertices of a side coincide on the curve along which they slide: here all are nearest to its end.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! use cyclide::{Arc, Point3, QuadGrid};
+//! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
 //! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();
 //! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
 //! let behind = Arc::segment(Point3::new(-9.0, 0.0, 0.0), Point3::new(-8.0, 0.0, 0.0))?;
 //! let options = CircularMeshOptions { border: Border::OnCurves([Some(&behind), None, None, None]), ..Default::default() };
 //! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "collapsed-on-curve");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `border-curves-apart`
 //! Two curves do not meet near the corner of the grid that should be on both.
 //! ```
-//! # #[cfg(feature = "circular-mesh")] {
-//! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! use cyclide::{Arc, Point3, QuadGrid};
+//! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
 //! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();
 //! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
@@ -182,6 +179,5 @@
 //! let border = Border::OnCurves([Some(&row), None, Some(&column), None]);
 //! let error = make_circular(&grid, &CircularMeshOptions { border, ..Default::default() }, &mut |_| ()).unwrap_err();
 //! assert_eq!(error.reason(), "border-curves-apart");
-//! # }
 //! # Ok::<(), cyclide::Error>(())
 //! ```

@@ -23,7 +23,7 @@ const NO_DIRECTION: f64 = 1e-6;
 
 /// What must vanish where a net shall close round extraordinary vertices.
 #[derive(Debug, Clone)]
-pub(crate) struct RoundClosing {
+pub struct RoundClosing {
     rings: Vec<Ring>,
 }
 
@@ -39,7 +39,7 @@ struct Ring {
 
 impl RoundClosing {
     /// Of all extraordinary vertices of a layout.
-    pub(crate) fn new(layout: &QuadLayout) -> Self {
+    pub fn new(layout: &QuadLayout) -> Self {
         let ring = |(at, (walk, before)): (&super::RoundVertex, (Vec<usize>, usize))| {
             let quads = at.ring.len() / 2;
             let angle = quads as f64 * FRAC_PI_4;
@@ -49,8 +49,8 @@ impl RoundClosing {
         Self { rings: layout.round().iter().zip(layout.walks()).map(ring).collect() }
     }
 
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn is_empty(&self) -> bool {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
         self.rings.is_empty()
     }
 
@@ -66,14 +66,13 @@ impl RoundClosing {
     }
 
     /// The normal at the base of the net, if extraordinary vertices tell it.
-    pub(crate) fn normal(&self, points: &[Point3]) -> Option<Vec3> {
+    pub fn normal(&self, points: &[Point3]) -> Option<Vec3> {
         let sum = self.sum(&self.products(points)?);
         (sum.length() > NO_DIRECTION).then(|| sum.unit()).flatten()
     }
 
     /// What must vanish, four numbers for each vertex; `None` if an edge has no direction.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn values(&self, points: &[Point3]) -> Option<Vec<f64>> {
+    pub fn values(&self, points: &[Point3]) -> Option<Vec<f64>> {
         let products = self.products(points)?;
         let sum = self.sum(&products);
         let normal = if sum.length() > NO_DIRECTION { sum.unit()? } else { Vec3::ZERO };
@@ -86,8 +85,7 @@ impl RoundClosing {
     }
 
     /// Their gradients, by vertices of which some come more than once.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn gradients(&self, points: &[Point3]) -> Option<Vec<Vec<(usize, Vec3)>>> {
+    pub fn gradients(&self, points: &[Point3]) -> Option<Vec<Vec<(usize, Vec3)>>> {
         let products = self.products(points)?;
         let sum = self.sum(&products);
         // The gradients of the parts of each product with its sign.
@@ -121,7 +119,7 @@ impl RoundClosing {
 
     /// The largest angle (radians) by which a frame comes back turned besides its quarter turns, and the number of the vertex; 0 where there
     /// are none.
-    pub(crate) fn angle(&self, points: &[Point3]) -> (f64, usize) {
+    pub fn angle(&self, points: &[Point3]) -> (f64, usize) {
         let Some(products) = self.products(points) else { return (std::f64::consts::PI, 0) };
         let sum = self.sum(&products);
         let normal = if sum.length() > NO_DIRECTION { sum.unit().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO };
@@ -160,7 +158,7 @@ mod tests {
                 for (axis, e) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate() {
                     let at = |h: f64| {
                         let mut points = layout.points().to_vec();
-                        points[v] = points[v] + e * h;
+                        points[v] += e * h;
                         closing.values(&points).unwrap()
                     };
                     let (before, after) = (at(-step), at(step));

@@ -11,7 +11,7 @@ mod lengths;
 mod net_layout;
 mod pieces;
 
-pub(crate) use closing::RoundClosing;
+pub use closing::RoundClosing;
 pub use net_layout::NetLayout;
 
 use super::QuadGrid;
@@ -153,7 +153,7 @@ impl QuadLayout {
     }
 
     /// The vertex from which frames are carried: the first one of the first grid.
-    pub(crate) fn base(&self) -> usize {
+    pub fn base(&self) -> usize {
         self.pieces[0].vertices.iter().flatten().next().copied().unwrap_or_default()
     }
 
@@ -174,29 +174,26 @@ impl QuadLayout {
     }
 
     /// Whether each vertex belongs to a grid.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn used_vertices(&self) -> Vec<bool> {
+    pub fn used_vertices(&self) -> Vec<bool> {
         let mut used = vec![false; self.points.len()];
         self.pieces.iter().flat_map(|piece| &piece.vertices).flatten().for_each(|v| used[*v] = true);
         used
     }
 
     /// Whether each vertex is on the border of the mesh.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn on_border(&self) -> &[bool] {
+    pub fn on_border(&self) -> &[bool] {
         &self.on_border
     }
 
     /// The edges of the grids, each once, in the order of their quads.
-    pub(crate) fn edges(&self) -> Vec<[usize; 2]> {
+    pub fn edges(&self) -> Vec<[usize; 2]> {
         let mut known = BTreeSet::new();
         let sides = |[a0, a1, a2, a3]: [usize; 4]| [[a0, a1], [a2, a3], [a0, a2], [a1, a3]];
         self.quads().into_iter().flat_map(sides).filter(|[a, b]| known.insert(side(*a, *b))).collect()
     }
 
     /// Vertices next to each other along straight lines of edges, three by three.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn triples(&self) -> Vec<[usize; 3]> {
+    pub fn triples(&self) -> Vec<[usize; 3]> {
         let edges = self.edges();
         let known: BTreeSet<[usize; 2]> = edges.iter().map(|[a, b]| side(*a, *b)).collect();
         let both_ways = edges.into_iter().flat_map(|[a, b]| [[a, b], [b, a]]);
@@ -208,8 +205,7 @@ impl QuadLayout {
     }
 
     /// Strips of quads that come back to themselves, by the corners of their quads in binary order, s along the strip.
-    #[cfg(any(test, feature = "circular-mesh"))]
-    pub(crate) fn closed_strips(&self) -> Vec<Vec<[usize; 4]>> {
+    pub fn closed_strips(&self) -> Vec<Vec<[usize; 4]>> {
         let mut open = vec![false; self.connections.quads.len()];
         self.round.iter().flat_map(|at| &at.quads).for_each(|quad| open[*quad] = true);
         let mut crossed = BTreeSet::new();
@@ -232,7 +228,6 @@ impl QuadLayout {
     }
 
     /// The strip of quads from one of them away from one of its sides, if it comes back there.
-    #[cfg(any(test, feature = "circular-mesh"))]
     fn strip(&self, first: usize, start: [usize; 2], open: &[bool]) -> Option<Vec<[usize; 4]>> {
         let (mut quad, mut entry, mut strip) = (first, start, Vec::new());
         loop {
@@ -295,7 +290,7 @@ impl QuadLayout {
     }
 
     /// The mean direction of the quads of the grids round each vertex; `None` where it vanishes.
-    pub(crate) fn normals(&self, points: &[Point3]) -> Vec<Option<Vec3>> {
+    pub fn normals(&self, points: &[Point3]) -> Vec<Option<Vec3>> {
         let mut sums = vec![Vec3::ZERO; points.len()];
         for [a0, a1, a2, a3] in self.quads() {
             let across = (points[a3] - points[a0]).cross(points[a2] - points[a1]);

@@ -134,7 +134,7 @@ fn transported(grid: &QuadGrid, v: [Vec3; 2]) -> Vec<Quat> {
 }
 
 /// The largest angle (radians) and relative stretch by which a closed net over this grid may fail to close.
-pub(crate) fn closing_limit(grid: &QuadGrid) -> f64 {
+pub fn closing_limit(grid: &QuadGrid) -> f64 {
     CLOSING_LIMIT + rounding(grid)
 }
 

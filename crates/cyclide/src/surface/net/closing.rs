@@ -112,7 +112,7 @@ impl RingClosing {
                 gradient[(k + 1) % m] += by_chord;
                 gradient[k] -= by_chord;
             }
-            before = before * Quat::from(d);
+            before *= Quat::from(d);
         }
         gradients
     }
@@ -218,12 +218,12 @@ impl QuadGrid {
     }
 
     /// Indices of the vertices of a grid line along a direction.
-    pub(crate) fn line(&self, direction: usize, k: usize) -> Vec<usize> {
+    pub fn line(&self, direction: usize, k: usize) -> Vec<usize> {
         (0..self.size()[direction]).map(|i| if direction == 0 { self.index(i, k) } else { self.index(k, i) }).collect()
     }
 
     /// Indices of the corners of the quads between a grid line along a direction and the next one.
-    pub(crate) fn strip(&self, direction: usize, k: usize) -> Vec<[usize; 4]> {
+    pub fn strip(&self, direction: usize, k: usize) -> Vec<[usize; 4]> {
         let quad = |i: usize| if direction == 0 { self.corners(i, k) } else { self.corners(k, i) };
         (0..self.quads()[direction]).map(quad).collect()
     }

@@ -15,7 +15,7 @@ mod singular;
 mod transform;
 mod ways;
 
-pub(crate) use build::closing_limit;
+pub use build::closing_limit;
 pub(in crate::surface) use build::stretches;
 pub use closing::{GridClosing, RingClosing, StripClosing};
 pub use frame::NetFrame;

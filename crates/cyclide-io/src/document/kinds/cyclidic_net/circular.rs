@@ -1,8 +1,8 @@
 //! Grids whose vertices are moved until every quad has a circle.
 
-use cyclide::{
-    Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, CurveObject, ParamCurve, QuadGrid, QuadLayout,
-    make_circular, make_layout_circular,
+use cyclide::{CurveObject, ParamCurve, QuadGrid, QuadLayout};
+use cyclide_grids::{
+    Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, make_circular, make_layout_circular,
 };
 
 use super::build::ROW_BY_ROW;

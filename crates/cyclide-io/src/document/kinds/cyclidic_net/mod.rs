@@ -1,13 +1,10 @@
 //! A smooth surface of patches over a grid of points.
 
 pub(in crate::document) mod build;
-#[cfg(feature = "circular-mesh")]
 mod circular;
 mod hints;
 mod layouts;
 mod make_circular;
-#[cfg(not(feature = "circular-mesh"))]
-mod not_circular;
 
 use cyclide::Body;
 use schemars::JsonSchema;

@@ -3,8 +3,11 @@
 use std::collections::HashSet;
 
 use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, FreeLayout, GridBorder, MeshError, NumberError, Point3,
-    PrincipalField, PrincipalGridError, PrincipalGridOptions, PrincipalGrids, PrincipalStage, ShortNumber,
+    ArcPath, CurveObject, Error as KernelError, ErrorItem, MeshError, NumberError, Point3, PrincipalGridError,
+    ShortNumber,
+};
+use cyclide_grids::{
+    FreeLayout, GridBorder, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
     covering_principal_grids,
 };
 
@@ -118,7 +121,6 @@ impl Builder<'_> {
 }
 
 /// What the grids of a surface do not look at; `closed` if one of them is.
-#[cfg(feature = "circular-mesh")]
 pub(in crate::document) fn idle_in_principal_grid(spec: &PrincipalGridSpec, closed: bool, joined: bool) -> Vec<Idle> {
     let several = spec.most_pieces.is_some_and(|most| most > 1);
     found(&[

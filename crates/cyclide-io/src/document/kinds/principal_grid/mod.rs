@@ -1,16 +1,11 @@
 //! Regular grids along the lines of curvature of a mesh.
 
-#[cfg(feature = "circular-mesh")]
 mod heights;
-#[cfg(feature = "circular-mesh")]
 mod lay;
-#[cfg(not(feature = "circular-mesh"))]
-mod not_built_in;
-#[cfg(feature = "circular-mesh")]
 mod nurbs_surface;
 mod surface_sources;
 
-use cyclide::{GridBorder, UmbilicRule};
+use cyclide_grids::{GridBorder, UmbilicRule};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -29,7 +24,6 @@ pub use surface_sources::*;
 /// `heights`: one piece with a border, a roof with holes or without, or a tube. A net takes a grid by name: `"grid": {"of": NAME}`. By itself the object is the lines of its grids.
 ///
 /// ```
-/// # #[cfg(feature = "circular-mesh")] {
 /// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
 /// let vertices: Vec<[f64; 3]> = (0..289).map(place).map(|[x, y]| [x, y, 0.05 * (x - 4.0) * (y - 4.0)]).collect();
 /// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
@@ -38,7 +32,6 @@ pub use surface_sources::*;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}, "n": {net}}}}}"#);
 /// let built = text.parse::<cyclide_io::Document>()?.build()?;
 /// assert!(built[0].facts.grids().is_some_and(|facts| facts.grids.len() == 1) && built[1].bodies[0].outer.faces().len() > 20);
-/// # }
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -320,10 +320,10 @@ impl Bends {
         let mut steps = step.iter();
         let mut next = || steps.next().copied().unwrap_or(0.0);
         if matches!(self.ends, Ends::Loop { .. }) {
-            moved.start.at = moved.start.at + Vec2::new(next(), next());
+            moved.start.at += Vec2::new(next(), next());
         }
         if self.slides_at_start() {
-            moved.start.at = moved.start.at + self.start.tangent().left() * next();
+            moved.start.at += self.start.tangent().left() * next();
         }
         if self.has_free_start_angle() {
             moved.start.angle += next();

@@ -171,7 +171,7 @@ impl Fit {
         };
         let longest = moves.iter().enumerate().map(share).fold(0.0, f64::max);
         if longest > 1.0 {
-            moves.iter_mut().for_each(|v| *v = *v / longest);
+            moves.iter_mut().for_each(|v| *v /= longest);
         }
         moves
     }

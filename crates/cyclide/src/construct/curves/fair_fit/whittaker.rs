@@ -63,7 +63,7 @@ pub(super) fn smooth(points: &[Point3], chords: &[f64], closed: bool, fixed: [bo
     let stiffest = soft >= STIFFEST.log10();
     let mut smoothed = points.to_vec();
     for (z, w) in smoothed.iter_mut().zip(best.unwrap_or_default()) {
-        *z = *z - w;
+        *z -= w;
     }
     if fixed[0] {
         smoothed[0] = points[0];

@@ -55,7 +55,7 @@ fn eliminate(rows: &mut [Vec<Quat>], order: &mut [usize]) -> usize {
         for row in below {
             let factor = row[order[step]] * inverse;
             for &column in &order[step..] {
-                row[column] = row[column] - factor * top[column];
+                row[column] -= factor * top[column];
             }
         }
     }

@@ -85,8 +85,8 @@ fn share_rounding(spans: &mut [TypedSpan], end: Point2) {
     let missing = shortest_step(last.data.start + last.data.step, end);
     for span in spans {
         let [from, to] = span.part;
-        span.data.start = span.data.start + missing * from;
-        span.data.step = span.data.step + missing * (to - from);
+        span.data.start += missing * from;
+        span.data.step += missing * (to - from);
     }
 }
 

@@ -215,7 +215,7 @@ fn wind(steps: &mut [Vec2], options: &TorusSplineOptions) -> Result<()> {
             for (step, turns) in steps.iter_mut().zip(list) {
                 let [x, y] = turns.map(f64::from);
                 check(x.abs().max(y.abs()))?;
-                *step = *step + Vec2::new(PI * x, PI * y);
+                *step += Vec2::new(PI * x, PI * y);
             }
             Ok(())
         }

@@ -1,0 +1,48 @@
+//! What becomes of umbilics and of the border where grids are laid along lines of curvature; documents read these words also where
+//! nothing lays grids.
+
+/// What becomes of umbilics, the places where a surface bends alike in all directions and lines of curvature part.
+///
+/// ```
+/// assert_eq!(cyclide_grids::UmbilicRule::default(), cyclide_grids::UmbilicRule::Pieces);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "UmbilicRule", description = "What becomes of umbilics.")
+)]
+pub enum UmbilicRule {
+    /// The surface is cut from each of them to the border, and several grids are laid beside them.
+    #[default]
+    Pieces,
+    /// Umbilics are extraordinary vertices of one mesh of quads, with six quads or with two: the grids that it falls into share their
+    /// borders. The border runs in steps.
+    Joined,
+    /// The directions are smoothed until no umbilic is left: one grid, which leaves the lines of curvature.
+    Smooth,
+}
+
+/// How far a grid along lines of curvature goes.
+///
+/// ```
+/// assert_eq!(cyclide_grids::GridBorder::default(), cyclide_grids::GridBorder::Inside);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "GridBorder", description = "How far a grid along lines of curvature goes.")
+)]
+pub enum GridBorder {
+    /// The largest rectangle of whole cells on the surface.
+    #[default]
+    Inside,
+    /// All whole cells on the surface that hang together: the border runs in steps along that of the surface, and round its holes. A
+    /// grid that is closed is the largest band.
+    Staircase,
+    /// All of the surface: where the box of its points is larger, the grid is continued smoothly, and the net is to be trimmed.
+    Cover,
+}

@@ -1,0 +1,6 @@
+//! What the crates of this workspace share beside the public interface. Nobody else may count on it: it changes without notice.
+
+pub use crate::base::range::{check_distance, check_point};
+pub use crate::base::svd3::singular_values;
+pub use crate::base::triangle::on_triangle;
+pub use crate::surface::{RoundClosing, beside, closing_limit, flooded};
