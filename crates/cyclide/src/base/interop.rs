@@ -1,4 +1,5 @@
 //! Points, vectors and quaternions of other crates, both ways, each behind the feature of its name.
+#![cfg(any(feature = "mint", feature = "glam", feature = "nalgebra"))]
 
 use super::planar::{Point2, Vec2};
 use super::quat::Quat;
@@ -90,7 +91,6 @@ mod tests {
     use super::*;
 
     /// There and back nothing changes, and quaternions of both crates turn vectors alike.
-    #[cfg(any(feature = "mint", feature = "glam", feature = "nalgebra"))]
     macro_rules! there_and_back {
         ($vec3:ty, $point3:ty, $vec2:ty, $point2:ty, $quat:ty) => {
             let (v, p) = (Vec3::new(1.0, 2.0, 3.0), Point3::new(4.0, 5.0, 6.0));

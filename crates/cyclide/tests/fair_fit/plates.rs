@@ -104,3 +104,29 @@ fn plates_keep_their_sides_as_arcs() {
     // Of 80: where the details take far more pieces than a path that swings out, it may not be known from noise.
     assert!(said.len() <= 2, "{said:?}");
 }
+
+/// A hook: two long sides, of which one runs smoothly into a sampled curve. Only the curve's samples hold it there, and they are few.
+#[test]
+fn a_side_that_runs_into_a_curve_stays_straight() {
+    let [from, to] = [[15.4476, 0.0], [20.795, 2.3714]];
+    for k in 0..60 {
+        let tolerance = [0.02, 0.05, 0.08, 0.15][k % 4];
+        // From the side round, with a bend to either side.
+        let bend = |t: f64| 0.4 * (3.0 * t).sin() * t * (1.0 - t) * (1.0 + 0.2 * k as f64);
+        let samples = 6 + k % 16;
+        let curve = (0..=samples).map(|i| i as f64 / samples as f64);
+        let arc = curve.map(|t| [from[0] + (to[0] - from[0]) * t, to[1] * t * t - bend(t) * t]);
+        let corners = [[23.1977, 0.1951], [30.9043, -6.2417], [0.0, -6.2417]];
+        let points: Vec<Point3> =
+            [[0.0, 0.0]].into_iter().chain(arc).chain(corners).map(|[x, y]| Point3::new(x, y, 0.0)).collect();
+        let fit = FairFit::new(&points, &FairFitOptions { closed: true, ..FairFitOptions::new(tolerance) }).unwrap();
+        // The first side and the long ones behind the curve.
+        let n = points.len();
+        let off = [0, n - 3, n - 2, n - 1]
+            .into_iter()
+            .flat_map(|i| (0..=40).map(move |j| (i, f64::from(j) / 40.0)))
+            .map(|(i, t)| closest_point(fit.spline(), points[i].lerp(points[(i + 1) % n], t)).distance)
+            .fold(0.0, f64::max);
+        assert!(off < 2.5 * tolerance, "{k}, {tolerance}: {off}; {:?}", fit.warnings());
+    }
+}

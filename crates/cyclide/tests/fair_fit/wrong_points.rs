@@ -204,3 +204,24 @@ fn few_scattered_points_may_be_corners_and_that_is_said() {
     let fit = of(&points, &by_noise(true));
     assert!(fit.warnings().iter().any(|w| w.reason() == "few-for-noise"), "{:?}", fit.warnings());
 }
+
+/// A survey has its points far apart for its noise: its bends are larger than what a wrong point is off.
+#[test]
+fn wrong_points_among_points_far_apart_are_named() {
+    for seed in 0..24 {
+        let (count, off) = ([60, 90, 200][seed as usize % 3], [0.5, 0.8, 1.5, 5.0][seed as usize % 4]);
+        let truth = walk(seed, count, 10.0);
+        let mut points = noisy(&truth, 300 + seed, 0.01, 2);
+        assert!(named(&of(&points, &by_noise(true))).is_empty(), "{seed}");
+        let wrong = [count / 3, 3 * count / 4];
+        for i in wrong {
+            let across = (truth[i + 1] - truth[i - 1]).cross(Vec3::Z).unit().unwrap();
+            points[i] += across * off;
+        }
+        assert_eq!(named(&of(&points, &by_noise(true))), wrong, "{seed}: {off} of {count}");
+        let left = FairFitOptions { outliers: Outliers::Drop, ..by_noise(true) };
+        let fit = of(&points, &left);
+        let most = truth.iter().map(|p| closest_point(fit.spline(), *p).distance).fold(0.0, f64::max);
+        assert!(most < 0.1, "{seed}: {most}");
+    }
+}

@@ -71,9 +71,19 @@ impl Builder<'_> {
         let mut idle: Option<Vec<Idle>> = None;
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
-            if !closed && !self.kind.keeps_repeated_points() && list.ends_meet() {
-                let message =
-                    "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
+            let meet = if closed || self.kind.keeps_repeated_points() {
+                None
+            } else if list.ends_meet() {
+                Some("the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be")
+            } else if list.ends_are_neighbours() {
+                Some(
+                    "the last point is as near to the first as neighbouring points are, but the curve is not closed: set \
+                     `closed` if it is meant to be",
+                )
+            } else {
+                None
+            };
+            if let Some(message) = meet {
                 let last = list.points.len() - 1;
                 let place = self.place(&points, contour, last);
                 self.remark("ends-meet", Some(contour), Some(last), Some(place), message.to_owned());

@@ -9,8 +9,10 @@ use super::pose_names::TimeUnit;
 use super::table::Field;
 use crate::text::place::{Diagnostic, Source, quoted};
 
-/// Seconds between poses from which on another unit may be meant.
+/// Seconds between poses from which on another unit may be meant, and those where all are whole, of so many at least.
 const LONG_STEP: f64 = 1000.0;
+const WHOLE_STEP: f64 = 2.0;
+const SOME: usize = 4;
 /// Whole numbers from here on are not all doubles.
 const NOT_ALL_DOUBLES: i128 = 1 << 53;
 
@@ -26,13 +28,15 @@ pub(super) struct Clock {
     /// The least and the most of the times in their unit, and how many there are.
     range: Option<[f64; 2]>,
     count: usize,
+    /// All are whole numbers.
+    whole: bool,
     /// What was chosen.
     pub(super) note: Option<String>,
 }
 
 impl Clock {
     pub(super) const fn new(unit: TimeUnit) -> Self {
-        Self { unit, first: None, begun: false, civil: None, range: None, count: 0, note: None }
+        Self { unit, first: None, begun: false, civil: None, range: None, count: 0, whole: true, note: None }
     }
 
     /// The time of a row in seconds, with its whole nanoseconds, if they have a column of their own.
@@ -54,6 +58,7 @@ impl Clock {
         self.range = Some([low.min(value), high.max(value)]);
         self.count += 1;
         let whole = field.text.parse::<i128>().ok();
+        self.whole &= whole.is_some();
         if let Some(parts) = nanoseconds {
             let parts_value = decimals.read(source, parts)?;
             if let (Some(seconds), Some(parts)) = (whole, parts.text.parse::<i128>().ok()) {
@@ -126,7 +131,7 @@ impl Clock {
     pub(super) fn seconds_assumed(&self) -> Option<String> {
         let [low, high] = self.range.filter(|_| self.unit == TimeUnit::Unsaid && self.count > 1)?;
         let step = (high - low) / (self.count - 1) as f64;
-        (step >= LONG_STEP).then(|| {
+        (step >= if self.whole && self.count >= SOME { WHOLE_STEP } else { LONG_STEP }).then(|| {
             format!(
                 "no unit of the times is named: they are taken as seconds, {} apart on average; if they are others, name the column time_ms, time_us or \
                  time_ns",
@@ -174,10 +179,13 @@ mod tests {
         assert_eq!(read(TimeUnit::PerSecond(1e9), &["0", "2000000000"]), (vec![0.0, 2.0], None));
         assert_eq!(read(TimeUnit::Unsaid, &["1700000000000", "1700000000500"]).0, [1.7e9, 1_700_000_000.5]);
         for (unit, times, said) in [
-            (TimeUnit::Unsaid, ["5000000", "5250000"], true),
-            (TimeUnit::Unsaid, ["0", "900"], false),
-            (TimeUnit::Unsaid, ["1700000000000000", "1700000000250000"], false),
-            (TimeUnit::PerSecond(1.0), ["0", "5000"], false),
+            (TimeUnit::Unsaid, &["5000000", "5250000"][..], true),
+            (TimeUnit::Unsaid, &["0", "900"], false),
+            (TimeUnit::Unsaid, &["0", "8", "16", "24"], true),
+            (TimeUnit::Unsaid, &["0", "1", "2", "3"], false),
+            (TimeUnit::Unsaid, &["0", "8.5", "16", "24"], false),
+            (TimeUnit::Unsaid, &["1700000000000000", "1700000000250000"], false),
+            (TimeUnit::PerSecond(1.0), &["0", "5000"], false),
         ] {
             let mut clock = Clock::new(unit);
             let (source, mut decimals) = (Source { name: "t", text: "" }, Decimals::default());

@@ -8,6 +8,10 @@ use cyclide::{Aabb, PointWarning, Warning};
 /// The kernel's constructions refuse neighbours this close.
 const RELATIVE_LIMIT: f64 = 1e-12;
 
+/// Fewer points may be neighbours by chance; and edges may differ by this part.
+const FEWEST_ROUND: usize = 6;
+const UNEVEN: f64 = 0.05;
+
 impl PointList {
     /// Distances up to this count as equal; infinite coordinates make nothing equal.
     fn limit(&self) -> f64 {
@@ -19,6 +23,17 @@ impl PointList {
     pub(crate) fn ends_meet(&self) -> bool {
         match self.points.as_slice() {
             [first, .., last] if self.points.len() > 3 => first.distance(*last) <= self.limit(),
+            _ => false,
+        }
+    }
+
+    /// True if the last point is as near to the first as neighbours are there: what lists of closed curves without their last edge are like.
+    pub(crate) fn ends_are_neighbours(&self) -> bool {
+        match self.points.as_slice() {
+            [first, second, .., before, last] if self.points.len() >= FEWEST_ROUND => {
+                let edge = first.distance(*second).max(before.distance(*last));
+                first.distance(*last) <= edge * (1.0 + UNEVEN)
+            }
             _ => false,
         }
     }

@@ -129,6 +129,9 @@ impl Doubts<'_> {
     }
 }
 
+/// A curve leaves an edge by a quarter of its length and the turn at an end, of samples of a circle; by half as much more of others.
+const BULGE: f64 = 1.5 / 4.0;
+
 /// A curve is lost where it is farther from an edge than the length of that and this many tolerances.
 pub(super) const LOST: f64 = 8.0;
 
@@ -139,7 +142,7 @@ pub(super) struct Swing {
     pub point: usize,
     /// From their edge.
     pub distance: f64,
-    /// What samples explain: the tolerance and [`SAMPLE_SAGITTA`] of the edge.
+    /// What samples explain: the tolerance, and [`SAMPLE_SAGITTA`] of the edge or what the turns at its ends do.
     pub limit: f64,
     /// It is farther from the edge than that is long, and than noise can have it.
     pub is_lost: bool,
@@ -159,16 +162,25 @@ pub(super) fn swing(
     points: &[Point3],
     feet: &[f64],
     kept_to: f64,
+    measured: bool,
 ) -> Option<Swing> {
     let (n, m) = (points.len(), curve.len() as f64);
     let edges = if closed { n } else { n - 1 };
+    let turn = |k: usize| {
+        let inside = closed || (k > 0 && k + 1 < n);
+        inside.then(|| (points[k] - points[(k + n - 1) % n]).angle(points[(k + 1) % n] - points[k]))
+    };
     let off = |k: usize| {
         let (a, b) = (points[k], points[(k + 1) % n]);
         // Over the seam of a closed curve, there and back.
-        let turn = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m - BACK).ceil() } else { 0.0 };
-        let to = feet[(k + 1) % n] + turn;
+        let lap = if closed { m * ((feet[k] - feet[(k + 1) % n]) / m - BACK).ceil() } else { 0.0 };
+        let to = feet[(k + 1) % n] + lap;
         let length = a.distance(b);
-        let limit = kept_to + SAMPLE_SAGITTA * length;
+        // A smooth curve turns as much at the ends of an edge as over half of it; at the ends of a piece nobody knows, and the turns
+        // of measured points are those of their noise too.
+        let most = [k, (k + 1) % n].into_iter().filter_map(turn).fold(0.0, f64::max);
+        let of_turn = if measured { f64::INFINITY } else { kept_to + BULGE * most * length };
+        let limit = kept_to + (SAMPLE_SAGITTA * length).min(of_turn);
         let distance = |i: u32| {
             let position = feet[k] + (to - feet[k]) * f64::from(i) / f64::from(SWING_PLACES);
             let p = at(curve, if closed { position.rem_euclid(m) } else { position });

@@ -1,6 +1,7 @@
 //! Fair fits of measured points: stops become one point, outliers are named, and the strength follows the noise
 //! (`docs/math/fair-fits.md#noise`).
 
+use super::doubts::Swing;
 use super::edged::Edged;
 use super::noise::{self, Denoised, Reading, Stop, denoised};
 use super::options::{Heights, Noise, Outliers};
@@ -209,6 +210,19 @@ impl FairFit {
         let mut tries = 0;
         let mut fit = loop {
             match Self::near(&places, &task, Some(measured)) {
+                // A curve with more room may find its way; one that outliers pull away is said to.
+                Ok(Self { swing: Some(Swing { point, distance, is_lost: true, .. }), .. })
+                    if dropped || found.outliers.is_empty() =>
+                {
+                    let tolerance = task.tolerance;
+                    let next = tolerance * RELAXED;
+                    if tries == RELAXATIONS || next > widest {
+                        let point = places.source[point];
+                        return Err(FitError::CurveLost { point, distance, tolerance }.into());
+                    }
+                    tries += 1;
+                    task.tolerance = next;
+                }
                 Err(Error::Fit(FitError::ToleranceNotReached { points, deviation, .. })) => {
                     let next = task.tolerance * RELAXED;
                     if tries == RELAXATIONS || next > widest {

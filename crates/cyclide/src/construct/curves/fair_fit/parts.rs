@@ -137,7 +137,7 @@ impl<'a> Parts<'a> {
         let rms = (sheet.squares / points.len() as f64).sqrt();
         let kept_to = if self.measured.is_some() { sheet.vertex.0.min(MOST_OF_NOISE * rms) } else { self.tolerance };
         self.pieces.push(PieceFit {
-            swing: swing(&quartics, closed, &points, &feet, kept_to),
+            swing: swing(&quartics, closed, &points, &feet, kept_to, self.measured.is_some()),
             sheet,
             numbers: numbers.to_vec(),
             fairness: fit.fairness * frame.length(1.0).powi(3),

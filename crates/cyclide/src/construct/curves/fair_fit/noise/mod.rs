@@ -7,6 +7,7 @@ mod chords;
 mod directions;
 mod neighbours;
 mod outliers;
+mod predicted;
 mod residuals;
 mod smoother;
 mod stops;

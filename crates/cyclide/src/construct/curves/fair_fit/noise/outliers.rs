@@ -4,8 +4,10 @@
 use super::beside::{self, Beside, around};
 use super::bursts::{bursts, bursts_of_heights};
 use super::chords::{chords, median};
+use super::predicted::unpredicted;
 use super::smoother::{Series, Smoothed, smoothed};
 use crate::base::vector::Point3;
+use crate::construct::curves::off_neighbours::off_neighbours;
 
 /// A spike stands out from its polyline by this many times what its neighbours do.
 const SPIKE: f64 = 8.0;
@@ -42,11 +44,16 @@ pub(super) struct Cleaned {
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
     let laid = Laid::of(data);
+    // What their neighbours do not predict needs no other proof.
+    let unpredicted = if laid.heights { Vec::new() } else { unpredicted(data.points, data.closed, protected) };
     let mut flagged = laid.spikes(protected);
+    flagged.extend(&unpredicted);
+    flagged.sort_unstable();
+    flagged.dedup();
     let mut seen: Vec<Vec<usize>> = Vec::new();
     for _ in 0..REFINEMENTS {
         let (kept, smooth) = without(data, &flagged)?;
-        let found = confirmed(data, &laid, &kept, &smooth, &flagged, protected);
+        let found = confirmed(data, &laid, &kept, &smooth, [&flagged, &unpredicted], protected);
         let next: Vec<usize> = found.iter().map(|f| f.0).collect();
         if next == flagged {
             return Some(Cleaned { kept, smoothed: smooth, outliers: found });
@@ -59,7 +66,7 @@ pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> O
         seen.push(std::mem::replace(&mut flagged, next));
     }
     let (kept, smooth) = without(data, &flagged)?;
-    let found = confirmed(data, &laid, &kept, &smooth, &flagged, protected);
+    let found = confirmed(data, &laid, &kept, &smooth, [&flagged, &unpredicted], protected);
     let outliers: Vec<(usize, f64)> = found.into_iter().filter(|f| flagged.contains(&f.0)).collect();
     if outliers.len() == flagged.len() {
         return Some(Cleaned { kept, smoothed: smooth, outliers });
@@ -90,7 +97,7 @@ fn confirmed(
     laid: &Laid,
     kept: &[usize],
     smooth: &Smoothed,
-    flagged: &[usize],
+    [flagged, unpredicted]: [&[usize]; 2],
     protected: &dyn Fn(usize) -> bool,
 ) -> Vec<(usize, f64)> {
     let far = FAR[data.directions - 1];
@@ -109,6 +116,9 @@ fn confirmed(
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
         let distance = if laid.heights {
             laid.off_heights(*i, kept, &smooth.points)
+        } else if let ([a, b, c, d], Ok(_)) = (&places[..], unpredicted.binary_search(i)) {
+            // Among points far apart the curve is not where their polyline is.
+            off_neighbours(&[*a, *b, data.points[*i], *c, *d], &[0, 1, 3, 4]).0
         } else {
             places.windows(2).map(|w| beside::from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min)
         };
@@ -122,6 +132,9 @@ fn confirmed(
     let base: Vec<Point3> = innocent.iter().map(|e| laid.points[*e]).collect();
     let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, laid.closed).off(base[j]).0).collect();
     candidates.retain(|(i, _)| {
+        if unpredicted.binary_search(i).is_ok() {
+            return true;
+        }
         let at = innocent.partition_point(|e| *e < i + laid.margin);
         let (_, off) = Beside::between(&base, at, laid.closed).off(laid.points[i + laid.margin]);
         let mut near: Vec<f64> =
