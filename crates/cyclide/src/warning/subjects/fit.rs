@@ -122,8 +122,8 @@ table! {
         SwingsOut {
             /// How far the curve was from the polyline.
             distance: f64,
-            /// The tolerance and 0.146 of the edge (of arcs twice the tolerance and the largest sagitta); larger distances
-            /// are reported.
+            /// What samples of a smooth curve explain (see `FairFit::new`; of arcs twice the tolerance and the largest sagitta): larger
+            /// distances are reported.
             limit: f64,
             /// It was fitted again with places on the edges, and does not swing out any more.
             held: bool,

@@ -139,7 +139,7 @@ impl FairFit {
     /// takes are another (`shape-smoothed-away`).
     ///
     /// A curve that leaves an edge of its polyline by more than samples of a smooth curve explain (the tolerance and 0.146 of
-    /// the edge) swings out: nothing holds it there. It is fitted again with places on the edges, and a warning (`swings-out`)
+    /// the edge; or, if that is less, twice the tolerance and 3/8 of the edge and the turn at its ends) swings out: nothing holds it there. It is fitted again with places on the edges, and a warning (`swings-out`)
     /// says so.
     ///
     /// ```
