@@ -23,6 +23,8 @@ const CLOSES: f64 = 1e-9;
 const CORNER: f64 = 1e-6;
 /// and jumps up to this part of the largest speed are none.
 const NO_JUMP: f64 = 1e-6;
+/// A motion this part of its length from the lines between its poses is straight.
+const STRAIGHT: f64 = 1e-9;
 /// A figure that varies by no more than this part of itself is the largest nowhere.
 const CONSTANT: f64 = 1e-9;
 
@@ -311,9 +313,11 @@ impl MotionReport {
         if !faults.is_empty() {
             words.push_str(", with ");
             words.push_str(&faults.join(", "));
-            if self.off_chords.is_some() {
-                words.push_str(" (`closed` joins it smoothly)");
-            }
+            words.push_str(match &self.off_chords {
+                Some(off) if off.distance <= STRAIGHT * self.length => " (a `blend_radius` rounds its corners)",
+                Some(_) => " (`closed` joins it smoothly)",
+                None => "",
+            });
         }
         words
     }

@@ -15,6 +15,8 @@ pub enum WaverRemedy {
     Points,
     /// It is a fit: more freedom.
     Tolerance,
+    /// It is smoothed by the noise of the points.
+    Noise,
     /// It came from elsewhere.
     Source,
 }
@@ -28,6 +30,9 @@ impl WaverRemedy {
                 "add points there, space them more evenly, or mark intended corners (a corner angle); for measured points use a fit within a tolerance"
             }
             Self::Tolerance => "a larger tolerance gives a smoother curve",
+            Self::Noise => {
+                "a larger standard deviation of the noise, or a tolerance in its place, gives a smoother curve"
+            }
             Self::Source => "smooth it in its source, or sample it and fit the samples within a tolerance",
         }
     }

@@ -208,7 +208,8 @@ impl Kind for FairFitSpec {
     }
 
     fn wavers(&self) -> Option<WaverRule> {
-        Some(WaverRule::of(WaverData::Fitted, WaverRemedy::Tolerance))
+        let remedy = if self.tolerance.within().is_some() { WaverRemedy::Tolerance } else { WaverRemedy::Noise };
+        Some(WaverRule::of(WaverData::Fitted, remedy))
     }
 
     fn tolerance(&self) -> Option<f64> {

@@ -288,7 +288,7 @@ fn units_of(fields: &[Field<'_>]) -> Option<Vec<Option<UnitWord>>> {
     let mut found = Vec::with_capacity(fields.len());
     for field in fields {
         let word = field.text.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
-        match (word.as_str(), unit_alone(&word)) {
+        match (word.as_str(), unit_alone(over_sea(&word))) {
             (_, Some(unit)) => found.push(Some(unit)),
             ("" | "-" | "--" | "s" | "ns" | "ms" | "deg" | "\u{b0}" | "rad" | "text" | "1" | "m/s" | "gon", None) => {
                 found.push(None)
@@ -299,6 +299,20 @@ fn units_of(fields: &[Field<'_>]) -> Option<Vec<Option<UnitWord>>> {
     // Quaternions have none; angles and times alone may have one.
     let is_unit = |field: &Field<'_>| field.text.chars().any(char::is_alphabetic) || field.text.contains('\u{b0}');
     (found.iter().any(Option::is_some) || fields.iter().filter(|field| is_unit(field)).count() > 2).then_some(found)
+}
+
+/// The unit before the words for the level that heights are over: `m ü. NHN`, `m a.s.l.`. In small letters.
+fn over_sea(word: &str) -> &str {
+    const LEVELS: [&str; 24] = [
+        "ü", "ue", "über", "nhn", "nn", "nap", "m", "a", "adria", "asl", "amsl", "msl", "slm", "snm", "snmm", "ngf",
+        "ign69", "ln02", "rh2000", "dhhn92", "dhhn2016", "evrf2007", "navd88", "od",
+    ];
+    let Some((unit, rest)) = word.split_once(' ') else { return word };
+    let is_level = |part: &str| {
+        let letters: String = part.chars().filter(|c| c.is_alphanumeric()).collect();
+        letters.is_empty() || LEVELS.contains(&letters.as_str())
+    };
+    if rest.split_whitespace().all(is_level) { unit } else { word }
 }
 
 /// True for what begins like a number.

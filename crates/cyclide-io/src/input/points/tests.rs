@@ -445,3 +445,12 @@ fn coordinates_that_look_like_those_of_a_grid_are_said_without_a_unit() {
         assert_eq!(remarks(text).contains(&"units-assumed"), said, "{text:?}");
     }
 }
+
+#[test]
+fn a_line_of_units_may_say_what_heights_are_over() {
+    for over in ["m", "m ü. NHN", "m ü. M.", "m a.s.l.", "m s.l.m.", "m NGF IGN69", "[m über Adria]"] {
+        let table = format!("Nr.;Ost;Nord;Höhe\n-;m;m;{over}\n1;4.5;5.5;3.1\n2;5.5;6.5;3.2\n");
+        assert_eq!(xyz(&read(&table).unwrap()), [[[4.5, 5.5, 3.1], [5.5, 6.5, 3.2]]], "{over}");
+    }
+    assert!(read("Nr.;Ost;Nord;Höhe\n-;m;m;m high\n1;4.5;5.5;3.1\n").is_err());
+}

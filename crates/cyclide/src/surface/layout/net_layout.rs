@@ -38,7 +38,7 @@ struct Carried {
 
 impl NetLayout {
     /// The nets over a layout whose quads are embedded and concircular and which closes round its extraordinary vertices, as
-    /// [`make_layout_circular`](crate::make_layout_circular) makes it. Of the frames with which it closes it takes the one nearest to the edges.
+    /// `make_layout_circular` of the crate `cyclide-grids` makes it. Of the frames with which it closes it takes the one nearest to the edges.
     ///
     /// # Errors
     /// Those of [`CyclidicNet::new`] with an automatic frame, quads counted in the mesh; `ring-does-not-close` with an extraordinary vertex round

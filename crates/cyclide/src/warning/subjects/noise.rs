@@ -90,6 +90,23 @@ table! {
         says "{points} points, typically {apart} apart, are read as measured with a noise of {noise}; so few may \
             also be the corners of an outline: if they are, give a tolerance or a corner angle";
 
+        /// Where the smoothed curve bends sharply points are off it by more than their noise: corners may be gone.
+        CornersRounded {
+            /// The point that is off by most.
+            point: usize,
+            /// How far.
+            distance: f64,
+            /// How many points are off by more than 4.5 deviations.
+            count: usize,
+            /// Standard deviation of the noise of most points.
+            noise: f64,
+        }
+        reason "corners-rounded";
+        at *point;
+        says "corners may be rounded off: where the curve bends sharply, {count} points are off it by more than their \
+            noise (standard deviation {noise}), point {point} by {distance}; mark the corners (a corner angle), or use \
+            denser points";
+
         /// The feet of some points step back along the curve: distances are bounded one way only.
         FeetNotMonotone {
             /// The first point whose foot is before that of its predecessor.

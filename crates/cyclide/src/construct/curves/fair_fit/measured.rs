@@ -3,7 +3,7 @@
 
 use super::doubts::Swing;
 use super::edged::Edged;
-use super::noise::{self, Denoised, Reading, Stop, denoised};
+use super::noise::{self, Denoised, Reading, Rounded, Stop, denoised};
 use super::options::{Heights, Noise, Outliers};
 use super::{FairFit, FairFitOptions, corners, whittaker};
 use crate::base::vector::Point3;
@@ -196,6 +196,12 @@ impl FairFit {
         let straight: Vec<bool> = (0..found.kept.len()).map(is_side).collect();
         if found.deviation > NEAREST * size {
             warnings.extend(Self::long_edges(&distinct, options, &straight, &found.kept));
+        }
+        if let Some(Rounded { point, distance, count, noise }) =
+            noise::rounded(&measured, &found.places, options.closed, found.directions)
+        {
+            let point = source[point];
+            warnings.push(Warning::Noise(NoiseWarning::CornersRounded { point, distance, count, noise }));
         }
         let measured = Measured { points: &measured, straight: &straight };
         let places = Distinct::of(found.places, source, distinct.warning.clone());

@@ -9,10 +9,12 @@ mod neighbours;
 mod outliers;
 mod predicted;
 mod residuals;
+mod rounded;
 mod smoother;
 mod stops;
 
 pub(super) use bursts::bursts;
+pub(super) use rounded::{Rounded, rounded};
 pub(super) use stops::{Stop, stops};
 
 use super::working_frame::WorkingFrame;
