@@ -8,11 +8,11 @@ use crate::construct::curves::off_neighbours::off_neighbours;
 
 /// A point is off by this many times what those around it are off their own predictions,
 const OFF: f64 = 8.0;
-/// and the worst of them, but for its neighbours, by this part of it at most: else they bend more than cubics say.
+/// and the worst of them, except its neighbours, by this part of it at most: else they bend more than cubics say.
 const REST: f64 = 0.25;
 /// Without it so are its neighbours, or by this many times the usual.
 const WITHOUT: f64 = 4.0;
-/// Points on either side that are looked at, and of them the neighbours whose predictions hang on it.
+/// Points on either side that are looked at, and of them the neighbours whose predictions depend on it.
 const AROUND: isize = 10;
 const NEIGHBOURS: isize = 3;
 /// One in so many points may be one.
@@ -42,7 +42,7 @@ pub(super) fn unpredicted(points: &[Point3], closed: bool, protected: &dyn Fn(us
     found
 }
 
-/// A point is off by far more than those around it, but for its neighbours, and without it these are not.
+/// A point is off by far more than those around it, except its neighbours, and without it these are not.
 fn stands_out(at: &[Point3], offs: &[Option<f64>], closed: bool, j: isize, overall: f64) -> bool {
     let off_at = |o: isize| around(offs, j + o, closed).flatten();
     let distance = off_at(0).unwrap_or(0.0);

@@ -32,9 +32,9 @@ pub(in crate::construct::curves::fair_fit) fn rounded(
 ) -> Option<Rounded> {
     let n = places.len();
     let inside = |i: &usize| closed || (*i > 0 && i + 1 < n);
-    let ways = |i: usize| [places[i] - places[(i + n - 1) % n], places[(i + 1) % n] - places[i]];
+    let edges = |i: usize| [places[i] - places[(i + n - 1) % n], places[(i + 1) % n] - places[i]];
     let across = |i: usize| {
-        let [before, after] = ways(i);
+        let [before, after] = edges(i);
         let along = (before + after).unit().unwrap_or(Vec3::ZERO);
         let off = measured[i] - places[i];
         (off - along * off.dot(along)).length()
@@ -42,7 +42,7 @@ pub(in crate::construct::curves::fair_fit) fn rounded(
     let offs: Vec<(usize, f64)> = (0..n).filter(inside).map(|i| (i, across(i))).collect();
     let noise = median(&mut offs.iter().map(|o| o.1).collect::<Vec<_>>()) / MEDIAN[directions.clamp(1, 2) - 1];
     let is_rounded = |(i, off): &&(usize, f64)| {
-        let [before, after] = ways(*i);
+        let [before, after] = edges(*i);
         let edge = 0.5 * (before.length() + after.length());
         *off > (OFF * noise).max(OF_EDGES * edge) && before.angle(after) > SHARP
     };
