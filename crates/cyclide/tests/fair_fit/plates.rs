@@ -2,7 +2,7 @@
 //! both ways, smoothed or as arcs (`docs/math/fair-fits.md#nodes`, `docs/math/arc-fitting.md#outlines`).
 
 use crate::data::*;
-use cyclide::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, ParamCurve, Point3, closest_point};
+use cyclide::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, ParamCurve, Point3, Vec3, closest_point};
 use std::f64::consts::PI;
 
 /// Sagitta of the sampled arcs, of at least eight chords.
@@ -128,5 +128,39 @@ fn a_side_that_runs_into_a_curve_stays_straight() {
             .map(|(i, t)| closest_point(fit.spline(), points[i].lerp(points[(i + 1) % n], t)).distance)
             .fold(0.0, f64::max);
         assert!(off < 2.5 * tolerance, "{k}, {tolerance}: {off}; {:?}", fit.warnings());
+    }
+}
+
+/// A gear with square teeth, their sides sampled, with noise of a tenth of the spacing: a smooth curve cuts every corner by more, so
+/// much that it takes the teeth for noise.
+#[test]
+fn corners_of_noisy_gears_are_kept() {
+    for (seed, [teeth, inner, outer, spacing]) in
+        [[40.0, 24.0, 26.0, 0.3], [20.0, 24.0, 28.0, 0.4], [60.0, 40.0, 42.0, 0.3], [12.0, 20.0, 26.0, 0.5]]
+            .into_iter()
+            .enumerate()
+    {
+        let n = 4 * teeth as usize;
+        let corner = |k: usize| {
+            let angle = PI * (k / 2 + k % 2) as f64 / teeth;
+            let radius = if k % 4 < 2 { inner } else { outer };
+            Point3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+        };
+        let side = |k: usize| {
+            let [from, to] = [k, k + 1].map(|k| corner(k % n));
+            let count = (from.distance(to) / spacing).ceil();
+            (0..count as usize).map(move |j| from.lerp(to, j as f64 / count))
+        };
+        let exact: Vec<Point3> = (0..n).flat_map(side).collect();
+        let sigma = 0.1 * spacing;
+        let noise = deviates(500 + seed as u64, 2 * exact.len());
+        let moved = |(p, e): (&Point3, &[f64])| *p + Vec3::new(e[0], e[1], 0.0) * sigma;
+        let points: Vec<Point3> = exact.iter().zip(noise.chunks(2)).map(moved).collect();
+        let options = FairFitOptions { closed: true, ..FairFitOptions::by_noise(Noise::Estimated) };
+        let fit = FairFit::new(&points, &options).unwrap();
+        let read = fit.certificate().noise.unwrap();
+        assert!((0.9..1.15).contains(&(read / sigma)), "{seed}: noise {read} of {sigma}");
+        let off = exact.iter().map(|p| closest_point(fit.spline(), *p).distance).fold(0.0, f64::max);
+        assert!(off < 4.0 * sigma, "{seed}: {off} for noise of {sigma}; {:?}", fit.warnings());
     }
 }

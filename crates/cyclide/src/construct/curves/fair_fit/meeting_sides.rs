@@ -4,7 +4,7 @@
 use super::FairFitOptions;
 use super::edged::Edged;
 use super::measured::read;
-use super::noise::Denoised;
+use super::noise::{self, Denoised};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::Distinct;
 use crate::construct::curves::outline::CORNER_ANGLE;
@@ -22,8 +22,10 @@ const BEYOND: f64 = 1.5;
 const OFF: f64 = 3.0;
 /// and by more than this many of the noise without.
 const OFF_BEFORE: f64 = 2.5;
+/// What the smooth curve leaves is not the noise where neighbours tell less than this part of it.
+const OF_CUTS: f64 = 0.6;
 /// Rounds in which corners that the others explain are given up.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 12;
 
 /// The reading with those corners too, or as it was.
 pub(super) fn with_meeting_sides(
@@ -33,9 +35,12 @@ pub(super) fn with_meeting_sides(
     found: Denoised,
 ) -> (Edged, Denoised) {
     let offs = offs(&distinct.points, &found);
+    // Most points lie on sides, where their neighbours tell their noise: a curve that cuts corners everywhere takes the cuts for some.
+    let most = noise::most_noise(&distinct.points, options.closed, found.directions).unwrap_or(found.deviation);
+    let noises = [most.min(found.deviation), if most < OF_CUTS * found.deviation { most } else { found.deviation }];
     let meets = |i: &usize| {
-        let far = offs[*i] > OFF_BEFORE * found.deviation && edged.corners.binary_search(i).is_err();
-        far && meet(&distinct.points, *i, options, found.deviation)
+        let meets = |noise: &f64| offs[*i] > OFF_BEFORE * noise && meet(&distinct.points, *i, options, *noise);
+        edged.corners.binary_search(i).is_err() && noises.iter().any(meets)
     };
     let mut added: Vec<usize> = (0..offs.len()).filter(meets).collect();
     // Of neighbours the farthest.

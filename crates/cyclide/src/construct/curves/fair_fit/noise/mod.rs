@@ -21,7 +21,7 @@ use super::working_frame::WorkingFrame;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
 use directions::directions;
-use neighbours::most_noise;
+pub(super) use neighbours::most_noise;
 use outliers::{Cleaned, cleaned};
 use smoother::{Series, Smoothed, smoothed};
 

@@ -12,7 +12,11 @@ const MOST: usize = 4;
 const MEDIAN: [f64; 2] = [0.6745, 1.1774];
 
 /// A bound on the deviation of the noise across the curve, in one direction; `None` of too few points.
-pub(super) fn most_noise(points: &[Point3], closed: bool, directions: usize) -> Option<f64> {
+pub(in crate::construct::curves::fair_fit) fn most_noise(
+    points: &[Point3],
+    closed: bool,
+    directions: usize,
+) -> Option<f64> {
     let found = (1..=MOST).filter_map(|k| {
         let mut off = offs(points, closed, k);
         (off.len() >= points.len().div_ceil(2) && off.len() > 2).then(|| median(&mut off) / MEDIAN[directions - 1])
