@@ -213,7 +213,7 @@
 //! ```
 //! use cyclide::{FairFit, FairFitOptions, Noise, Point3};
 //! let noise = |k: f64, f: f64| 2.0 * (f * k * k).sin();
-//! let wave = |k: f64| 15.0 * (120.0 * (k / 500.0).powi(2)).sin();
+//! let wave = |k: f64| 12.0 * (120.0 * (k / 500.0).powi(2)).sin();
 //! let at = |k: f64| Point3::new(0.2 * k + noise(k, 9.1), wave(k) + noise(k, 5.3), 0.0);
 //! let points: Vec<Point3> = (0..500).map(|k| at(f64::from(k))).collect();
 //! let error = FairFit::new(&points, &FairFitOptions::by_noise(Noise::Estimated)).unwrap_err();

@@ -30,6 +30,8 @@ const NAMED: usize = 20;
 const LENGTH_KEPT: f64 = 0.8;
 /// where it is shorter by more than so many times what noise does.
 const BY_NOISE: f64 = 4.0;
+/// A tolerance is beyond what the noise needs by this factor, where the motion is farther from the poses without it than they were.
+const ABOVE: f64 = 1.25;
 /// Tolerances above this part of the extent of the path are wide.
 const WIDE: f64 = 0.12;
 /// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended.
@@ -215,13 +217,10 @@ impl Reading {
             }));
         }
         // The poses without their noise; those that are off by more have no part in it.
-        let denoised = if needed > 0.0 { values.within(Some(needed)) } else { values.values.clone() };
-        let denoised: Vec<[f64; D]> = denoised
-            .into_iter()
-            .enumerate()
-            .filter(|(i, _)| self.strays.binary_search_by_key(i, |stray| stray.pose).is_err())
-            .map(|(_, value)| value)
-            .collect();
+        let all = if needed > 0.0 { values.within(Some(needed)) } else { values.values.clone() };
+        let belongs = |i: &usize| self.strays.binary_search_by_key(i, |stray| stray.pose).is_err();
+        let belonging: Vec<usize> = (0..all.len()).filter(belongs).collect();
+        let denoised: Vec<[f64; D]> = belonging.iter().map(|i| all[*i]).collect();
         let length = |path: &[[f64; D]]| path.windows(2).map(|w| (values.apart)(&w[0], &w[1])).sum::<f64>();
         let [poses, path] = [length(&denoised), length(smooth)];
         if path < LENGTH_KEPT * poses && poses - path > BY_NOISE * needed {
@@ -229,7 +228,14 @@ impl Reading {
         }
         let extent = denoised.iter().map(|value| (values.apart)(&denoised[0], value)).fold(0.0, f64::max);
         let is_wide = tolerance > WIDE * extent && tolerance > BY_NOISE * needed && extent > BY_NOISE * needed;
-        is_wide.then_some(Warning::PoseFit(PoseFitWarning::WideTolerance { turning, tolerance, extent }))
+        if is_wide {
+            return Some(Warning::PoseFit(PoseFitWarning::WideTolerance { turning, tolerance, extent }));
+        }
+        let squares = belonging.iter().map(|i| (values.apart)(&all[*i], &smooth[*i]).powi(2)).sum::<f64>();
+        let off = (squares / belonging.len() as f64).sqrt();
+        let moves = noise.sigma * noise.rank.sqrt();
+        let is_worse = moves > 0.0 && off > moves && tolerance > ABOVE * needed;
+        is_worse.then_some(Warning::PoseFit(PoseFitWarning::WiderThanNoise { turning, tolerance, needed, off, moves }))
     }
 }
 

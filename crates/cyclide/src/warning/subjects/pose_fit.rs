@@ -78,6 +78,24 @@ table! {
         reason "wide-tolerance";
         says "the {0} tolerance of {tolerance}{1} is large against the path, which extends {extent}{1} from its \
             start: bends smaller than it may be lost", of(*turning), unit(*turning);
+
+        /// A tolerance of a smoothed motion so far above the noise that the motion is farther from the path than the poses were.
+        WiderThanNoise {
+            /// True of the turns, in radians; else of the places.
+            turning: bool,
+            /// The tolerance.
+            tolerance: f64,
+            /// The tolerance that the noise needs.
+            needed: f64,
+            /// Root of the mean square of the distances from the poses without their noise.
+            off: f64,
+            /// The same of what the noise moves the poses by.
+            moves: f64,
+        }
+        reason "wide-tolerance";
+        says "the {0} tolerance of {tolerance}{1} is far above the noise of the poses, which moves them by {moves}{1} \
+            (rms): the motion is {off}{1} (rms) from the poses without their noise, farther than they are; \
+            a tolerance of {needed}{1} is enough", of(*turning), unit(*turning);
     }
 }
 
