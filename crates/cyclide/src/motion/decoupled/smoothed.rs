@@ -32,6 +32,8 @@ const LENGTH_KEPT: f64 = 0.8;
 const BY_NOISE: f64 = 4.0;
 /// A tolerance is beyond what the noise needs by this factor, where the motion is farther from the poses without it than they were.
 const ABOVE: f64 = 1.25;
+/// That is by this factor.
+const FARTHER: f64 = 1.5;
 /// Tolerances above this part of the extent of the path are wide.
 const WIDE: f64 = 0.12;
 /// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended.
@@ -234,7 +236,8 @@ impl Reading {
         let squares = belonging.iter().map(|i| (values.apart)(&all[*i], &smooth[*i]).powi(2)).sum::<f64>();
         let off = (squares / belonging.len() as f64).sqrt();
         let moves = noise.sigma * noise.rank.sqrt();
-        let is_worse = moves > 0.0 && off > moves && tolerance > ABOVE * needed;
+        // Outliers that are kept pull the motion, and are named.
+        let is_worse = self.strays.is_empty() && moves > 0.0 && off > FARTHER * moves && tolerance > ABOVE * needed;
         is_worse.then_some(Warning::PoseFit(PoseFitWarning::WiderThanNoise { turning, tolerance, needed, off, moves }))
     }
 }
