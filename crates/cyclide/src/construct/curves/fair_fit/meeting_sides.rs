@@ -24,6 +24,9 @@ const OFF: f64 = 3.0;
 const OFF_BEFORE: f64 = 2.5;
 /// What the smooth curve leaves is not the noise where neighbours tell less than this part of it.
 const OF_CUTS: f64 = 0.6;
+/// A curve that is free enough to bend in each corner is off none of them. All of them together are corners where the curve with them
+/// leaves no more noise with this part of that freedom: for false ones it needs as much or more.
+const FREEDOM: f64 = 0.7;
 /// Rounds in which corners that the others explain are given up.
 const ROUNDS: usize = 12;
 
@@ -34,37 +37,85 @@ pub(super) fn with_meeting_sides(
     edged: Edged,
     found: Denoised,
 ) -> (Edged, Denoised) {
-    let offs = offs(&distinct.points, &found);
-    // Most points lie on sides, where their neighbours tell their noise: a curve that cuts corners everywhere takes the cuts for some.
-    let most = noise::most_noise(&distinct.points, options.closed, found.directions).unwrap_or(found.deviation);
-    let noises = [most.min(found.deviation), if most < OF_CUTS * found.deviation { most } else { found.deviation }];
-    let meets = |i: &usize| {
-        let meets = |noise: &f64| offs[*i] > OFF_BEFORE * noise && meet(&distinct.points, *i, options, *noise);
-        edged.corners.binary_search(i).is_err() && noises.iter().any(meets)
-    };
-    let mut added: Vec<usize> = (0..offs.len()).filter(meets).collect();
-    // Of neighbours the farthest.
-    let n = offs.len();
-    let apart = |i: usize, j: usize| if options.closed { i.abs_diff(j).min(n - i.abs_diff(j)) } else { i.abs_diff(j) };
-    let all = added.clone();
-    added.retain(|i| all.iter().all(|j| i == j || apart(*i, *j) > SIDE[0] || offs[*j] < offs[*i]));
-    for _ in 0..ROUNDS {
-        if added.is_empty() {
-            break;
-        }
-        let mut corners: Vec<usize> = edged.corners.iter().chain(&added).copied().collect();
-        corners.sort_unstable();
-        let sharper = Edged { corners, straight: edged.straight.clone() };
-        let Some(sharp) = read(distinct, options, &sharper) else { break };
-        let count = added.len();
-        added.retain(|i| offs[*i] > OFF * sharp.deviation);
-        if added.len() == count {
-            // A corner may have been an outlier of the smooth curve.
-            let explains = sharp.deviation < found.deviation || sharp.outliers.len() < found.outliers.len();
-            return if explains { (sharper, sharp) } else { (edged, found) };
-        }
+    // A corner may have been an outlier of the smooth curve.
+    let explains =
+        |was: &Denoised, is: &Denoised| is.deviation < was.deviation || is.outliers.len() < was.outliers.len();
+    let is_simpler =
+        |was: &Denoised, is: &Denoised| is.deviation <= was.deviation && is.freedom() < FREEDOM * was.freedom();
+    let (edged, found) = Meetings::new(distinct, options, &edged, &found)
+        .each()
+        .filter(|(_, sharp)| explains(&found, sharp))
+        .unwrap_or((edged, found));
+    Meetings::new(distinct, options, &edged, &found)
+        .together()
+        .filter(|(_, sharp)| is_simpler(&found, sharp))
+        .unwrap_or((edged, found))
+}
+
+/// Points in which sides may meet.
+struct Meetings<'a> {
+    distinct: &'a Distinct,
+    options: &'a FairFitOptions,
+    edged: &'a Edged,
+    /// How far the smooth curve is off each point.
+    offs: Vec<f64>,
+    /// What the noise may be.
+    noises: [f64; 2],
+}
+
+impl<'a> Meetings<'a> {
+    fn new(distinct: &'a Distinct, options: &'a FairFitOptions, edged: &'a Edged, found: &Denoised) -> Self {
+        // Most points lie on sides, where their neighbours tell their noise: a curve that cuts corners everywhere takes the cuts for some.
+        let most = noise::most_noise(&distinct.points, options.closed, found.directions).unwrap_or(found.deviation);
+        let noises = [most.min(found.deviation), if most < OF_CUTS * found.deviation { most } else { found.deviation }];
+        Self { distinct, options, edged, offs: offs(&distinct.points, found), noises }
     }
-    (edged, found)
+
+    /// The reading with the corners that the smooth curve cuts, each by more than the noise.
+    fn each(&self) -> Option<(Edged, Denoised)> {
+        let mut added = self.alone(OFF_BEFORE, |i, _| -self.offs[i]);
+        for _ in 0..ROUNDS {
+            let (sharper, sharp) = self.with(&added)?;
+            let count = added.len();
+            added.retain(|i| self.offs[*i] > OFF * sharp.deviation);
+            if added.len() == count {
+                return Some((sharper, sharp));
+            }
+        }
+        None
+    }
+
+    /// The reading with all of them.
+    fn together(&self) -> Option<(Edged, Denoised)> {
+        self.with(&self.alone(0.0, |_, misfit| misfit))
+    }
+
+    fn with(&self, added: &[usize]) -> Option<(Edged, Denoised)> {
+        if added.is_empty() {
+            return None;
+        }
+        let mut corners: Vec<usize> = self.edged.corners.iter().chain(added).copied().collect();
+        corners.sort_unstable();
+        let sharper = Edged { corners, straight: self.edged.straight.clone() };
+        let sharp = read(self.distinct, self.options, &sharper)?;
+        Some((sharper, sharp))
+    }
+
+    /// Points that the smooth curve is off by that many deviations of the noise, of neighbours the least in rank, which is of a point and
+    /// its distance from both sides.
+    fn alone(&self, off: f64, rank: impl Fn(usize, f64) -> f64) -> Vec<usize> {
+        let Self { distinct, options, offs, .. } = self;
+        let n = offs.len();
+        let meets = |i: usize| {
+            let misfit = |noise: &f64| meet(&distinct.points, i, options, *noise).filter(|_| offs[i] >= off * noise);
+            self.noises.iter().find_map(misfit).filter(|_| self.edged.corners.binary_search(&i).is_err())
+        };
+        let all: Vec<(usize, f64)> = (0..n).filter_map(|i| Some((i, rank(i, meets(i)?)))).collect();
+        let apart =
+            |i: usize, j: usize| if options.closed { i.abs_diff(j).min(n - i.abs_diff(j)) } else { i.abs_diff(j) };
+        let is_least = |a: &&(usize, f64)| all.iter().all(|b| a.0 == b.0 || apart(a.0, b.0) > SIDE[0] || a.1 < b.1);
+        all.iter().filter(is_least).map(|a| a.0).collect()
+    }
 }
 
 /// How far the smooth curve is off each point.
@@ -79,8 +130,8 @@ fn offs(points: &[Point3], found: &Denoised) -> Vec<f64> {
     offs
 }
 
-/// Whether the points on both sides of one lie in straight lines that meet in it, at an angle.
-fn meet(points: &[Point3], at: usize, options: &FairFitOptions, noise: f64) -> bool {
+/// How far one point is off both lines, where the points on both sides of it lie in straight lines that meet in it, at an angle.
+fn meet(points: &[Point3], at: usize, options: &FairFitOptions, noise: f64) -> Option<f64> {
     let n = points.len();
     let side = |forward: bool| {
         let count = if options.closed {
@@ -105,13 +156,14 @@ fn meet(points: &[Point3], at: usize, options: &FairFitOptions, noise: f64) -> b
                 };
                 let meets = off(&points[at]) < BEYOND * STRAIGHT * noise;
                 let straight = longest < EDGE * length && own.iter().all(|p| off(p) < STRAIGHT * noise);
-                return (meets && straight).then_some(direction);
+                return (meets && straight).then_some((direction, off(&points[at])));
             }
         }
         None
     };
-    let turn = side(false).zip(side(true)).map_or(0.0, |(before, after)| (-before).angle(after));
-    turn > options.corner_angle.unwrap_or(CORNER_ANGLE)
+    let ((before, off_before), (after, off_after)) = side(false).zip(side(true))?;
+    let turns = (-before).angle(after) > options.corner_angle.unwrap_or(CORNER_ANGLE);
+    turns.then_some(off_before + off_after)
 }
 
 /// The straight line through points in order: a place, and its direction.

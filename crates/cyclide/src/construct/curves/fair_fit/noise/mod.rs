@@ -94,6 +94,13 @@ pub(super) struct Denoised {
     pub contradicted: Option<f64>,
 }
 
+impl Denoised {
+    /// Degrees of freedom of the curve, as a part of the number of points.
+    pub fn freedom(&self) -> f64 {
+        (self.uncertainty / self.deviation).powi(2)
+    }
+}
+
 /// Sums over the runs.
 #[derive(Default)]
 struct Sums {
