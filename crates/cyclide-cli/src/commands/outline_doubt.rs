@@ -6,8 +6,10 @@ use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
 const PLACES: u32 = 8;
 /// A corner turns by more than samples of a curve do.
 const SHARP: f64 = 65.0 * std::f64::consts::PI / 180.0;
-/// Fewer corners make no outline.
+/// Fewer corners make no outline that is open; one closed by a straight edge, or in a point, has one or two.
 const FEWEST: usize = 3;
+/// A curve that leaves an edge by this part of its length bulges: its corners may turn by less.
+const BULGE: f64 = 0.12;
 /// Farther from the edges than this part of their lengths, a curve is another figure.
 const FAR: f64 = 0.02;
 
@@ -21,7 +23,12 @@ pub fn warnings(model: &Model) -> Vec<String> {
         // Smooth curves through few points turn by less.
         let n = points.len();
         let turn = |i: &usize| (points[*i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[*i]);
-        if sides.is_empty() && (corners.len() < FEWEST || !corners.iter().any(|i| turn(i) > SHARP)) {
+        let is_outline = if corners.iter().any(|i| turn(i) > SHARP) {
+            curve.is_closed() || corners.len() >= FEWEST
+        } else {
+            corners.len() >= FEWEST && distance > BULGE * edge
+        };
+        if sides.is_empty() && !is_outline {
             return None;
         }
         let what = match (corners.len(), sides.len()) {
