@@ -1,8 +1,9 @@
 //! Grids of heights: a line of text for each row, a hole for each empty cell.
 
-use super::MOST_POINTS;
 use super::decimals::Decimals;
+use super::missing_heights::MissingHeights;
 use super::table::{Field, Table};
+use super::{HEIGHTS_MISSING, MOST_POINTS};
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source};
 
@@ -17,7 +18,7 @@ pub(crate) struct HeightTable {
 /// Reads a grid of heights from the bytes of a file; `name` is what messages call it.
 ///
 /// # Errors
-/// A message with file, line and column: not UTF-8, no numbers, a field that is neither a finite number nor a hole, a row that is longer
+/// A message with file, line and column: not UTF-8, no numbers, a field that is neither a finite number nor a hole, heights that stand for none, a row that is longer
 /// or shorter than the first one, more cells than points are read.
 pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<Diagnostic>> {
     let decoded = decode_table(name, bytes)?;
@@ -25,6 +26,7 @@ pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<
     let table = Table::parse(source, &[])?;
     let mut decimals = Decimals::of(source, &table, None)?;
     let mut rows: Vec<Vec<Option<f64>>> = Vec::new();
+    let mut starts: Vec<usize> = Vec::new();
     table.for_each_line(|fields, end| {
         let mut value = |field: &Field<'_>| match field.text {
             text if text.is_empty() || text.eq_ignore_ascii_case("nan") => Ok(None),
@@ -42,9 +44,16 @@ pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<
             let message = format!("the file has more than {MOST_POINTS} heights");
             return Err(source.diagnostic(end..end, "", message).with_reason("too-many-pieces"));
         }
+        starts.extend(fields.iter().zip(&row).filter(|(_, height)| height.is_some()).map(|(field, _)| field.start));
         rows.push(row);
         Ok(())
     })?;
+    if let Some(missing) = MissingHeights::of(rows.iter().flatten().flatten().copied()).filter(|found| found.is_certain)
+    {
+        let start = starts[missing.first];
+        let message = format!("{}; holes are empty cells or NaN", missing.sentence());
+        return Err(source.diagnostic(start..start, "", message).with_reason(HEIGHTS_MISSING));
+    }
     Ok(HeightTable { rows, decimal_commas: decimals.comma })
 }
 
@@ -78,6 +87,10 @@ mod tests {
             ("1,2\n4,inf\n", "h.csv:2:3: `inf` is not a finite number"),
             ("x,y\n4,5\n", "h.csv:1:1: `x` is not a number"),
             ("", "h.csv"),
+            (
+                "1,2,3\n4,-9999,-9999\n",
+                "h.csv:2:3: 2 heights are -9999, which stands for a missing one: the others lie from 1 to 4; holes",
+            ),
         ] {
             let message = read(text).unwrap_err();
             assert!(message.starts_with(wanted), "{text:?}: {message}");

@@ -22,6 +22,7 @@ mod headless;
 mod height_words;
 mod heights;
 mod merge;
+mod missing_heights;
 mod names;
 mod northing;
 mod pose_clocks;
@@ -54,6 +55,7 @@ use decimals::{Decimals, Pairs};
 use find::numbers_of;
 pub(crate) use heights::read_heights;
 pub(crate) use merge::{Merged, merge_repeated};
+use missing_heights::MissingHeights;
 pub(crate) use poses::{SIX_DECIMALS, read_poses, whole_turns};
 use table::{Field, Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
@@ -61,6 +63,9 @@ use unread::Bulges;
 
 /// The reason of the remark that coordinates look like those of a map grid, and no unit is named.
 pub(crate) const UNITS_ASSUMED: &str = "units-assumed";
+
+/// The reason of what is said of heights that stand for none.
+const HEIGHTS_MISSING: &str = "heights-missing";
 
 /// Most points of one input: a curve of so many takes some ten gigabytes.
 pub(crate) const MOST_POINTS: usize = 10_000_000;
@@ -114,7 +119,7 @@ pub struct PointTable {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
     /// Stable kebab-case name: `columns-taken`, `northing-first`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
-    /// `blank-lines`, `units-assumed`.
+    /// `blank-lines`, `heights-missing`, `units-assumed`.
     pub reason: &'static str,
     /// The sentence.
     pub message: String,
@@ -216,6 +221,16 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     if chosen.contour.is_none() && lists.len() > 1 && lists.iter().all(|list| list.points.len() == 1) {
         lists = vec![joined(lists)];
         remark("blank-lines", "a blank line stands after every point: they separate no contours".to_owned());
+    }
+    let heights = lists.iter().flat_map(|list| &list.points).map(|p| p.z);
+    if let Some(missing) = MissingHeights::of(heights).filter(|_| columns.coordinates.is_none()) {
+        let [plane, space] = [2, 3].map(|count| numbers_of(chosen.coordinates.iter().copied().take(count)));
+        let message = missing.of_points(&plane, &space);
+        if missing.is_certain {
+            let start = lists.iter().flat_map(|list| &list.offsets).nth(missing.first).copied().unwrap_or_default();
+            return Err(source.diagnostic(start..start, "", message).with_reason(HEIGHTS_MISSING));
+        }
+        remark(HEIGHTS_MISSING, message);
     }
     let unit_hints = chosen.unit_hints(&table);
     if unit_hints.is_empty() && chosen.unit_not_applied(&table).is_none() && remarks::seem_to_be_of_a_grid(&lists) {

@@ -454,3 +454,37 @@ fn a_line_of_units_may_say_what_heights_are_over() {
     }
     assert!(read("Nr.;Ost;Nord;Höhe\n-;m;m;m high\n1;4.5;5.5;3.1\n").is_err());
 }
+
+#[test]
+fn heights_that_stand_for_none_are_refused_or_said() {
+    let table = |heights: &str| {
+        let rows = heights.split(' ').enumerate().map(|(i, z)| format!("{i}.5,{},{z}\n", i * i));
+        format!("x,y,z\n{}", rows.collect::<String>())
+    };
+    for (heights, line) in
+        [("100 101.5 -9999 102", 4), ("-9999.0 1 2 3 -9999 4", 2), ("1 2 3 99999", 5), ("1 2 3 -32768", 5)]
+    {
+        let message = read(&table(heights)).unwrap_err();
+        assert!(message.starts_with(&format!("p.csv:{line}:1: ")), "{heights}: {message}");
+        assert!(message.contains("`--columns 1,2`"), "{heights}: {message}");
+    }
+    for (heights, said) in
+        [("100 101 0 102", true), ("100 101 0 103 102 0", true), ("1 2 3 999", true), ("5 5 5 0", false)]
+    {
+        assert_eq!(remarks(&table(heights)).contains(&"heights-missing"), said, "{heights}");
+    }
+    // Depths and mountains, levels, and what is typed.
+    for heights in [
+        "-9999 -9000 -8000",
+        "9990 9999 10010 9980",
+        "0 1 2 3 0",
+        "0 -2 -2 -2 0",
+        "-9999 -9999 -9999",
+        "100 0 102 0 0 0",
+    ] {
+        assert!(read(&table(heights)).is_ok() && !remarks(&table(heights)).contains(&"heights-missing"), "{heights}");
+    }
+    let typed =
+        PointColumns { coordinates: Some(["x", "y", "z"].map(str::to_owned).to_vec()), ..PointColumns::default() };
+    assert!(read_points("p.csv", table("100 101 -9999 102").as_bytes(), &typed).is_ok());
+}
