@@ -92,6 +92,28 @@ fn runs_of_wrong_heights_are_named() {
     assert!(missed.len() <= 3 && innocent <= 1, "{missed:?} missed, {innocent} innocent");
 }
 
+/// Noise brings points together on the way, so that right heights beside wrong ones are as far from the others. And a wrong height is no
+/// corner.
+#[test]
+fn wrong_heights_are_told_from_those_beside_them() {
+    for seed in 0..24 {
+        let (count, length) = ([150, 400, 500][seed as usize % 3], 1 + seed as usize % 3);
+        let (closed, sigma) = (seed % 2 == 0, [1.5, 4.0][seed as usize / 2 % 2]);
+        let mut points = noisy(&walk(seed, count, 2.6), 700 + seed, 1.5, 2);
+        if !closed {
+            points.truncate(count * 3 / 4);
+        }
+        let heights = deviates(800 + seed, points.len());
+        for (i, p) in points.iter_mut().enumerate() {
+            p.z = 20.0 * (2.0 * TAU * i as f64 / count as f64).sin() + sigma * heights[i];
+        }
+        let wrong: Vec<usize> = [20, count / 3, count / 2].into_iter().flat_map(|from| from..from + length).collect();
+        wrong.iter().for_each(|i| points[*i].z += 20.0 * sigma);
+        let options = FairFitOptions { heights: Heights::ByNoise, outliers: Outliers::Drop, ..by_noise(closed) };
+        assert_eq!(named(&of(&points, &options)), wrong, "{seed}");
+    }
+}
+
 #[test]
 fn clean_walks_have_no_runs_of_outliers() {
     for seed in 0..24 {

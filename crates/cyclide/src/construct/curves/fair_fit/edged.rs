@@ -4,9 +4,11 @@
 use super::measured::{NEAREST, OF_NOISE, read};
 use super::meeting_sides::with_meeting_sides;
 use super::noise::{self, Denoised, Run};
-use super::options::Noise;
+use super::options::{Heights, Noise};
 use super::{FairFitOptions, corners};
+use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// Corners and sides are read with the noise of what is left, so often.
@@ -22,6 +24,20 @@ const MOST_SORTS: usize = 160;
 /// and the points without noise are known better than the noise by this factor.
 const SMOOTH: f64 = 0.5;
 
+/// The points in which corners and sides are looked for: in plan where heights have noise of their own, since a wrong one would be a
+/// corner. Points above each other have no plan.
+pub(super) fn in_plan<'a>(points: &'a [Point3], options: &FairFitOptions) -> Cow<'a, [Point3]> {
+    let all = Cow::Borrowed(points);
+    if options.heights != Heights::ByNoise {
+        return all;
+    }
+    let plan: Vec<Point3> = points.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+    let least = NEAREST * diameter(points);
+    let closing = options.closed.then(|| (plan.len() - 1, 0));
+    let mut edges = (1..plan.len()).map(|i| (i - 1, i)).chain(closing);
+    if edges.any(|(i, j)| plan[i].distance(plan[j]) <= least) { all } else { Cow::Owned(plan) }
+}
+
 /// What of the points is no curve: corners, and the edges that are straight sides.
 #[derive(PartialEq)]
 pub(super) struct Edged {
@@ -36,13 +52,14 @@ impl Edged {
     pub fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Self {
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
-        let outline = corners::outline(&distinct.points, &forced, options, tolerance);
+        let points = &*in_plan(&distinct.points, options);
+        let outline = corners::outline(points, &forced, options, tolerance);
         // Exact points have no runs of wrong ones.
-        let is_exact = tolerance <= NEAREST * diameter(&distinct.points);
-        let bursts = if is_exact { Vec::new() } else { noise::bursts(&distinct.points, options.closed) };
-        let bursts = corners::without_figures(&distinct.points, options.closed, bursts, &outline.corners);
-        let straight = corners::without_spikes(&distinct.points, options.closed, &outline.straight, &bursts);
-        let spikes = corners::spikes(&distinct.points, options.closed, &bursts);
+        let is_exact = tolerance <= NEAREST * diameter(points);
+        let bursts = if is_exact { Vec::new() } else { noise::bursts(points, options.closed) };
+        let bursts = corners::without_figures(points, options.closed, bursts, &outline.corners);
+        let straight = corners::without_spikes(points, options.closed, &outline.straight, &bursts);
+        let spikes = corners::spikes(points, options.closed, &bursts);
         let stays = |i: &usize| forced.binary_search(i).is_ok() || spikes.binary_search(i).is_err();
         let corners = outline.corners.into_iter().map(|c| c.0).filter(stays).collect();
         Self { corners, straight }
@@ -146,9 +163,10 @@ impl Edged {
 
     /// The edges that are far longer than those round them, without those to wrong points.
     fn gaps(distinct: &Distinct, options: &FairFitOptions) -> Vec<bool> {
-        let gaps = corners::gaps(&distinct.points, options.closed);
-        let bursts = noise::bursts(&distinct.points, options.closed);
-        corners::without_spikes(&distinct.points, options.closed, &gaps, &bursts)
+        let points = &*in_plan(&distinct.points, options);
+        let gaps = corners::gaps(points, options.closed);
+        let bursts = noise::bursts(points, options.closed);
+        corners::without_spikes(points, options.closed, &gaps, &bursts)
     }
 
     /// Corners that are a large part of many points and turn by all sorts of angles are noise, where a smooth curve explains the points.

@@ -2,7 +2,7 @@
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::doubts::Swing;
-use super::edged::Edged;
+use super::edged::{Edged, in_plan};
 use super::noise::{self, Denoised, Reading, Rounded, Stop, denoised};
 use super::options::{Heights, Noise, Outliers};
 use super::{FairFit, FairFitOptions, corners, whittaker};
@@ -143,9 +143,10 @@ impl FairFit {
     /// What is said of edges that are far longer than those round them: those that are sides, and those that are not.
     fn long_edges(distinct: &Distinct, options: &FairFitOptions, straight: &[bool], kept: &[usize]) -> Vec<Warning> {
         let points: Vec<Point3> = kept.iter().map(|i| distinct.points[*i]).collect();
-        let bursts = noise::bursts(&points, options.closed);
-        let gaps = corners::gaps(&points, options.closed);
-        let gaps = corners::without_spikes(&points, options.closed, &gaps, &bursts);
+        let points = &*in_plan(&points, options);
+        let bursts = noise::bursts(points, options.closed);
+        let gaps = corners::gaps(points, options.closed);
+        let gaps = corners::without_spikes(points, options.closed, &gaps, &bursts);
         let of = |held: bool| {
             let mut all = (0..gaps.len()).filter(|k| gaps[*k] && straight[*k] == held);
             let point = distinct.source[kept[all.next()?]];

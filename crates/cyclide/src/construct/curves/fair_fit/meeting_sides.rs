@@ -2,12 +2,13 @@
 //! them all cuts the corner by more than the noise (`docs/math/fair-fits.md#noise`).
 
 use super::FairFitOptions;
-use super::edged::Edged;
+use super::edged::{Edged, in_plan};
 use super::measured::read;
 use super::noise::{self, Denoised};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::Distinct;
 use crate::construct::curves::outline::CORNER_ANGLE;
+use std::borrow::Cow;
 
 /// Points on either side of a corner that must lie in a straight line, at least and at most,
 const SIDE: [usize; 2] = [5, 60];
@@ -57,6 +58,7 @@ struct Meetings<'a> {
     distinct: &'a Distinct,
     options: &'a FairFitOptions,
     edged: &'a Edged,
+    points: Cow<'a, [Point3]>,
     /// How far the smooth curve is off each point.
     offs: Vec<f64>,
     /// What the noise may be.
@@ -68,7 +70,9 @@ impl<'a> Meetings<'a> {
         // Most points lie on sides, where their neighbours tell their noise: a curve that cuts corners everywhere takes the cuts for some.
         let most = noise::most_noise(&distinct.points, options.closed, found.directions).unwrap_or(found.deviation);
         let noises = [most.min(found.deviation), if most < OF_CUTS * found.deviation { most } else { found.deviation }];
-        Self { distinct, options, edged, offs: offs(&distinct.points, found), noises }
+        let points = in_plan(&distinct.points, options);
+        let offs = offs(&distinct.points, &points, found);
+        Self { distinct, options, edged, points, offs, noises }
     }
 
     /// The reading with the corners that the smooth curve cuts, each by more than the noise.
@@ -104,10 +108,10 @@ impl<'a> Meetings<'a> {
     /// Points that the smooth curve is off by that many deviations of the noise, of neighbours the least in rank, which is of a point and
     /// its distance from both sides.
     fn alone(&self, off: f64, rank: impl Fn(usize, f64) -> f64) -> Vec<usize> {
-        let Self { distinct, options, offs, .. } = self;
+        let Self { points, options, offs, .. } = self;
         let n = offs.len();
         let meets = |i: usize| {
-            let misfit = |noise: &f64| meet(&distinct.points, i, options, *noise).filter(|_| offs[i] >= off * noise);
+            let misfit = |noise: &f64| meet(points, i, options, *noise).filter(|_| offs[i] >= off * noise);
             self.noises.iter().find_map(misfit).filter(|_| self.edged.corners.binary_search(&i).is_err())
         };
         let all: Vec<(usize, f64)> = (0..n).filter_map(|i| Some((i, rank(i, meets(i)?)))).collect();
@@ -118,16 +122,34 @@ impl<'a> Meetings<'a> {
     }
 }
 
-/// How far the smooth curve is off each point.
-fn offs(points: &[Point3], found: &Denoised) -> Vec<f64> {
-    let mut offs = vec![0.0; points.len()];
+/// How far the smooth curve is off each point, in plan if that is where they are.
+fn offs(points: &[Point3], plan: &[Point3], found: &Denoised) -> Vec<f64> {
+    let is_plan = points != plan;
+    let flat = |p: Point3| if is_plan { Point3::new(p.x, p.y, 0.0) } else { p };
+    let mut offs = vec![0.0; plan.len()];
     for (i, place) in found.kept.iter().zip(&found.places) {
-        offs[*i] = points[*i].distance(*place);
+        offs[*i] = plan[*i].distance(flat(*place));
     }
     for (i, distance) in &found.outliers {
-        offs[*i] = *distance;
+        if !is_plan {
+            offs[*i] = *distance;
+        } else if found.kept.binary_search(i).is_err() {
+            // It may be off by its height alone.
+            offs[*i] = beside_places(plan[*i], *i, found, flat);
+        }
     }
     offs
+}
+
+/// How far a point is from the smoothed ones beside it.
+fn beside_places(point: Point3, at: usize, found: &Denoised, flat: impl Fn(Point3) -> Point3) -> f64 {
+    let after = found.kept.partition_point(|i| *i < at);
+    let places = |k: usize| found.places.get(k).copied().map(&flat);
+    match (after.checked_sub(1).and_then(&places), places(after)) {
+        (Some(a), Some(b)) => noise::from_segment(point, a, b),
+        (Some(only), None) | (None, Some(only)) => point.distance(only),
+        (None, None) => 0.0,
+    }
 }
 
 /// How far one point is off both lines, where the points on both sides of it lie in straight lines that meet in it, at an angle.

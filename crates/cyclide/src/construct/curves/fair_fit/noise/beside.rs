@@ -137,7 +137,7 @@ pub(super) fn around<T: Copy>(list: &[T], k: isize, closed: bool) -> Option<T> {
 }
 
 /// Distance of a point from a segment.
-pub(super) fn from_segment(p: Point3, a: Point3, b: Point3) -> f64 {
+pub(in super::super) fn from_segment(p: Point3, a: Point3, b: Point3) -> f64 {
     let (edge, v) = (b - a, p - a);
     let square = edge.length_squared();
     let t = if square > 0.0 { (v.dot(edge) / square).clamp(0.0, 1.0) } else { 0.0 };

@@ -23,6 +23,8 @@ const APART: [f64; 2] = [0.5, 2.0];
 const MOVED: f64 = 5.0;
 /// Points of a run are farther from those beside it than these edges are, by this factor.
 const JUMP: f64 = 1.2;
+/// Heights go up to those of a run and down from them by this part of what it is off: beside it a right one may be as far off as it.
+const RISE: f64 = 0.5;
 /// One in so many points may belong to a run, of so many at least: else the figure is so.
 const FEW: usize = 10;
 const FEWEST: usize = 30;
@@ -32,7 +34,7 @@ pub(in super::super) fn bursts(points: &[Point3], closed: bool) -> Vec<usize> {
     runs(points, closed, true)
 }
 
-/// The same of heights over the way, which is no shorter without a run of them: that its edges are longer is not asked.
+/// The same of heights over the way, which is no shorter without a run of them: its first and last edges are not longer, but steep.
 pub(super) fn bursts_of_heights(points: &[Point3], closed: bool) -> Vec<usize> {
     runs(points, closed, false)
 }
@@ -60,6 +62,10 @@ fn runs(points: &[Point3], closed: bool, jumping: bool) -> Vec<usize> {
                 continue;
             }
             let off = run().map(|p| beside.off(p).1).fold(f64::INFINITY, f64::min);
+            let rise = |k: usize| (points[(k + 1) % n].z - points[k % n].z).abs();
+            if !jumping && rise(from + n - 1).min(rise(from + count - 1)) < RISE * off {
+                continue;
+            }
             let noise = usual(&singles, from);
             let off_two = usual(&two, from);
             let is_noisy = off_two > EXACT * off && off_two > SCATTERED * usual(&next, from);

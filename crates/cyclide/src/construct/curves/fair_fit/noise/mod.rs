@@ -20,6 +20,7 @@ pub(super) use stops::{Stop, stops};
 use super::working_frame::WorkingFrame;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
+pub(super) use beside::from_segment;
 use directions::directions;
 pub(super) use neighbours::most_noise;
 use outliers::{Cleaned, cleaned};
@@ -190,14 +191,18 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
                 ..series
             };
             let protected = |i: usize| protected(numbers[i]);
-            let found = cleaned(&heights, &protected)?;
-            outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[*i]], far / unit)));
-            sums.add_heights(&found.smoothed);
-            heights_of_runs = true;
-            let (own, smooth) = kept_or_held(&heights, found, reading.drop)?;
-            let whole = |(i, z): (&usize, &Point3)| places[*i] + Vec3::new(0.0, 0.0, z.z);
-            places = own.iter().zip(&smooth).map(whole).collect();
-            numbers = own.iter().map(|i| numbers[*i]).collect();
+            if let Some(found) = cleaned(&heights, &protected) {
+                outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[*i]], far / unit)));
+                sums.add_heights(&found.smoothed);
+                heights_of_runs = true;
+                let (own, smooth) = kept_or_held(&heights, found, reading.drop)?;
+                let whole = |(i, z): (&usize, &Point3)| places[*i] + Vec3::new(0.0, 0.0, z.z);
+                places = own.iter().zip(&smooth).map(whole).collect();
+                numbers = own.iter().map(|i| numbers[*i]).collect();
+            } else {
+                // Too few to tell.
+                places.iter_mut().zip(&numbers).for_each(|(place, i)| place.z = points[*i].z);
+            }
         }
         let ends = [numbers.first().copied(), numbers.last().copied()];
         for (i, place) in numbers.into_iter().zip(places) {

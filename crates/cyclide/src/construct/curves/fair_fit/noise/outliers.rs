@@ -27,6 +27,8 @@ const NOTHING: f64 = 1e-6;
 const MOST: usize = 4;
 /// Heights laid over stretched lengths rise by one in so many at most, from a point to the next; and points that closed ones go on by.
 const FLAT: f64 = 30.0;
+/// From a point to the next is at least this part of the mean length.
+const SHORT: f64 = 0.1;
 const MARGIN: usize = 40;
 /// Rounds of each search.
 const ROUNDS: usize = 12;
@@ -166,10 +168,13 @@ impl Laid {
         let range = (0..count)
             .map(height)
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], z| [least.min(z), most.max(z)]);
-        let (whole, range) = (lengths.iter().sum::<f64>(), range[1] - range[0]);
+        // Noise brings points past each other, or as good as together.
+        let least = SHORT * lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let lengths = lengths.iter().map(|h| h.max(least));
+        let (whole, range) = (lengths.clone().sum::<f64>(), range[1] - range[0]);
         let stretch = if range > 0.0 { FLAT * range * lengths.len() as f64 / whole } else { 1.0 };
         let stations: Vec<f64> =
-            lengths.iter().scan(0.0, |sum, h| Some(std::mem::replace(sum, *sum + h))).chain([whole]).collect();
+            lengths.scan(0.0, |sum, h| Some(std::mem::replace(sum, *sum + h))).chain([whole]).collect();
         let at = |i: usize, lap: f64| Point3::new(stretch * (stations[i] + lap * whole), 0.0, height(i));
         let margin = if data.closed { count.min(MARGIN) } else { 0 };
         let before = (count - margin..count).map(|i| at(i, -1.0));
