@@ -10,9 +10,9 @@ use cyclide_io::{
     same_file,
 };
 
-use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
-use super::effect::CLOSED_KINDS;
-use super::plan::{Input, refuse_folder_name, refuse_overwriting};
+use super::curve::{CLOSED_KINDS, CurveArgs, Kind};
+use super::files::{Input, WriteArgs, refuse_folder_name, refuse_overwriting};
+use super::numbers::{positive, up_to_half_a_turn};
 use super::words::word;
 use crate::output::failure::Failure;
 

@@ -12,8 +12,8 @@ use cyclide_io::{
     kinds::MoebiusContinuity,
 };
 
-use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
-use crate::arguments::plan::MakePlan;
+use crate::arguments::curve::{CLOSED_KINDS, CurveArgs, Kind};
+use crate::arguments::make::{MakePlan, OutputArgs};
 use crate::output::failure::Failure;
 
 /// The formats besides PNG that say what the model is called.
@@ -61,10 +61,6 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
         }
     }
 }
-
-/// The kinds of curve that can be closed.
-pub const CLOSED_KINDS: [Kind; 6] =
-    [Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcSpline, Kind::ArcFit, Kind::FairFit];
 
 /// Refuses options that the kind of curve does not have, and those that another one leaves nothing to do.
 pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(), Failure> {

@@ -3,8 +3,12 @@
 
 pub mod args;
 pub mod compare;
+mod curve;
 pub mod effect;
+pub mod files;
+pub mod make;
 pub mod mistaken;
+mod numbers;
 pub mod plan;
 pub mod sample;
 pub mod schedule;

@@ -5,26 +5,22 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use cyclide_io::{
-    Angle, Document, ExportOptions, Format, ObjectSpec, PointColumns, PointFile, PointSource, SpeedLimits,
-    WriteOptions, is_folder_name,
-    kinds::{
-        ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec,
-        MoebiusSplineSpec, QbInterpolationSpec, TypeWord,
-    },
-    leads_to_standard_input, same_file,
+    Document, ExportOptions, Format, PointColumns, PointFile, PointSource, SpeedLimits, WriteOptions, same_file,
 };
 
 use crate::arguments::args::{
-    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, HelpArgs, Kind, ManArgs, NewArgs, OutputArgs,
-    ReportArgs,
+    Args, BuildArgs, Command, CompletionsArgs, GalleryArgs, HelpArgs, ManArgs, NewArgs, ReportArgs,
 };
 use crate::arguments::compare::ComparePlan;
+use crate::arguments::curve::{CurveArgs, Kind};
 use crate::arguments::effect;
+use crate::arguments::files::{Input, refuse_file_name, refuse_folder_name, refuse_other_suffix, refuse_overwriting};
+use crate::arguments::make::{MakePlan, OutputArgs};
 use crate::arguments::mistaken::{Wanted, refuse_suffix};
 use crate::arguments::sample::{SampleArgs, SamplePlan};
 use crate::arguments::schedule::{ScheduleArgs, SchedulePlan};
 use crate::output::failure::Failure;
-use crate::output::standard::{is_standard, is_standard_output};
+use crate::output::standard::is_standard_output;
 
 /// What to do.
 pub enum Plan {
@@ -48,40 +44,6 @@ pub struct NewPlan {
     /// The type of object; `None` for a list of the types.
     pub kind: Option<String>,
     pub output: Option<PathBuf>,
-}
-
-/// Build a model and write files.
-pub struct MakePlan {
-    pub input: Input,
-    /// The folder below which all files are that the document may name.
-    pub read_below: Option<PathBuf>,
-    /// Files and their formats; the name `-`, alone, is standard output.
-    pub outputs: Vec<(PathBuf, Format)>,
-    /// Each object has files of its own, named after it.
-    pub per_object: bool,
-    pub options: ExportOptions,
-    pub write: WriteOptions,
-    /// The tolerance is that of an arc fit, not of the files alone.
-    pub fit_tolerance: bool,
-    /// No kind was given: the curve is the default one.
-    pub kind_by_default: bool,
-    pub json: bool,
-    /// Places of curves tighter than this are named.
-    pub min_radius: Option<f64>,
-}
-
-/// Where the model comes from.
-pub enum Input {
-    /// A model document; the name `-` is standard input.
-    File(PathBuf),
-    /// A document made from the command line; it refers to files by their paths as given.
-    Made {
-        document: Box<Document>,
-        /// The columns of its file: unless they were named, the file is looked at for what it is.
-        columns: PointColumns,
-        /// Whether the columns' names may say the unit: not if it was told.
-        unit_of_columns: bool,
-    },
 }
 
 /// Report on a model.
@@ -254,156 +216,5 @@ impl CurveArgs {
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
         let plan = self.output.plan(input, self.tolerance)?;
         Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, kind_by_default, ..plan })
-    }
-
-    /// The object of a kind from points, by the options that the kind has.
-    pub fn spec(&self, kind: Kind, points: PointSource) -> Result<ObjectSpec, Failure> {
-        let (closed, r#type) = (self.closed, TypeWord);
-        let corner_angle = self.corner_angle_deg.map(Angle::Degrees);
-        Ok(match kind {
-            Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
-                r#type,
-                comment: Comment,
-                construction: false,
-                points,
-                closed,
-                tension: self.tension.unwrap_or_default(),
-                tight: self.tight,
-                ends: self.ends.map_or_else(FairEndsSpec::default, FairEndsSpec::Both),
-                straight: self.straight.unwrap_or_default(),
-                corner_angle,
-            }),
-            Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
-                r#type,
-                comment: Comment,
-                construction: false,
-                points,
-                closed,
-                order: self.order.unwrap_or(2),
-                variant: self.variant.unwrap_or_default(),
-                ends: EndsSpec::Natural,
-                corner_angle,
-            }),
-            Kind::MoebiusSpline => ObjectSpec::MoebiusSpline(MoebiusSplineSpec {
-                r#type,
-                comment: Comment,
-                construction: false,
-                points,
-                closed,
-                continuity: self.continuity.unwrap_or_default(),
-                knots: self.knots.clone().unwrap_or_default(),
-                tangents: None,
-                corner_angle,
-            }),
-            Kind::QbInterpolation => ObjectSpec::QbInterpolation(QbInterpolationSpec {
-                r#type,
-                comment: Comment,
-                construction: false,
-                points,
-                parameters: self.parameters.clone().unwrap_or_default(),
-                derivatives: None,
-            }),
-            Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
-                r#type,
-                comment: Comment,
-                construction: false,
-                points,
-                tangents: None,
-                closed,
-                rule: self.rule.unwrap_or_default(),
-            }),
-            Kind::ArcFit => {
-                let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
-                ObjectSpec::ArcFit(ArcFitSpec {
-                    r#type,
-                    comment: Comment,
-                    construction: false,
-                    points: Some(points),
-                    of: None,
-                    closed,
-                    tolerance: self.tolerance.ok_or_else(needed)?,
-                    target: self.target.unwrap_or_default(),
-                    effort: self.effort.unwrap_or_default(),
-                    corner_angle,
-                    min_radius: self.output.min_radius,
-                    min_arc_length: self.min_arc_length,
-                })
-            }
-            Kind::FairFit => {
-                let needed = || Failure::Usage("--kind fair-fit needs --smooth".to_owned());
-                ObjectSpec::FairFit(FairFitSpec {
-                    r#type,
-                    comment: Comment,
-                    construction: false,
-                    points,
-                    closed,
-                    tolerance: self.smooth.ok_or_else(needed)?,
-                    noise: self.noise,
-                    outliers: self.outliers.unwrap_or_default(),
-                    tolerance_z: self.smooth_z,
-                    centre: self.centre.unwrap_or_default(),
-                    fix_ends: self.fix_ends,
-                    corner_angle,
-                    max_fits: if self.fast { Some(0) } else { self.max_fits },
-                    nodes: self.nodes,
-                    budget: self.budget,
-                    polyline: self.polyline.unwrap_or_default(),
-                })
-            }
-        })
-    }
-}
-
-/// Refuses the suffix of a format that another command writes; names without one, and unknown ones, may be meant.
-pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), Failure> {
-    match Format::from_path(path) {
-        Ok(format) if format.name() != suffix => {
-            Err(Failure::Usage(format!("{}: {what}; for this format see 'cyclide build'", path.display())))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Refuses the name of a folder (`out/`) where a file is meant: the separator would be dropped without a word.
-pub fn refuse_folder_name(path: &Path) -> Result<(), Failure> {
-    if is_folder_name(path) {
-        let path = path.display();
-        return Err(Failure::Usage(format!("{path} is the name of a folder: the name of a file is needed")));
-    }
-    Ok(())
-}
-
-/// Refuses the name of a file where a folder is meant.
-pub fn refuse_file_name(path: &Path) -> Result<(), Failure> {
-    let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
-    if is_standard_output(path) || !path.is_dir() && (page || Format::from_path(path).is_ok()) {
-        return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));
-    }
-    Ok(())
-}
-
-/// Refuses to write over a file that is read.
-pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    let is_input = |output: &&Path| {
-        if is_standard(input) { leads_to_standard_input(output) } else { same_file(output, input) }
-    };
-    match output.filter(|output| !is_standard(output)).filter(is_input) {
-        None => Ok(()),
-        Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
-    }
-}
-
-impl Kind {
-    /// The word as it is typed.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::FairSpline => "fair-spline",
-            Self::CircleSpline => "circle-spline",
-            Self::MoebiusSpline => "moebius-spline",
-            Self::QbInterpolation => "qb-interpolation",
-            Self::ArcSpline => "arc-spline",
-            Self::ArcFit => "arc-fit",
-            Self::FairFit => "fair-fit",
-        }
     }
 }

@@ -6,8 +6,8 @@ use clap::{Args as ClapArgs, ValueEnum};
 use cyclide::{ClosedTwist, FrameRule, Point3, Vec3};
 use cyclide_io::{SamplePlaces, Spacing, WriteOptions};
 
-use super::args::{ReadArgs, WriteArgs, positive};
-use super::plan::{Input, refuse_folder_name, refuse_other_suffix, refuse_overwriting};
+use super::files::{Input, ReadArgs, WriteArgs, refuse_folder_name, refuse_other_suffix, refuse_overwriting};
+use super::numbers::positive;
 use crate::output::failure::Failure;
 use crate::output::standard::is_standard_output;
 

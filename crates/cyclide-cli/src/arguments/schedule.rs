@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{ArgAction, Args as ClapArgs};
 use cyclide_io::{ScheduleOptions, WriteOptions};
 
-use super::args::{ReadArgs, WriteArgs, positive};
-use super::plan::{Input, refuse_file_name};
+use super::files::{Input, ReadArgs, WriteArgs, refuse_file_name};
+use super::numbers::positive;
 use crate::output::failure::Failure;
 
 pub const EXAMPLES: &str = "\

@@ -11,8 +11,8 @@ use cyclide_io::{
     read_standard_input, unit_of_columns,
 };
 
+use crate::arguments::files::Input;
 use crate::arguments::mistaken::{Wanted, refuse_content};
-use crate::arguments::plan::Input;
 use crate::output::failure::Failure;
 use crate::output::progress::Progress;
 use crate::output::standard::is_standard;

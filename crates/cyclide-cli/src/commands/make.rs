@@ -8,7 +8,8 @@ use cyclide_io::{
 };
 
 use crate::arguments::effect;
-use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
+use crate::arguments::files::{Input, refuse_overwriting};
+use crate::arguments::make::MakePlan;
 use crate::commands::load::{self, Inputs, Loaded};
 use crate::commands::outline_doubt;
 use crate::commands::per_object::{self, Part};

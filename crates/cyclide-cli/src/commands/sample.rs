@@ -5,7 +5,7 @@ use cyclide_io::{
     BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean,
 };
 
-use crate::arguments::plan::refuse_overwriting;
+use crate::arguments::files::refuse_overwriting;
 use crate::arguments::sample::SamplePlan;
 use crate::commands::load::{self, Inputs};
 use crate::output::failure::Failure;
