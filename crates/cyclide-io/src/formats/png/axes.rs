@@ -4,7 +4,7 @@
 use super::canvas::{Canvas, Ink, Pixel};
 use super::lettering;
 use super::sheet::Sheet;
-use super::view::{multiples, round_step};
+use super::ticks::{multiples, round_step};
 use cyclide::{Aabb, Point3, ShortNumber, Vec3};
 
 /// Distance of the numbers, pixels of a picture of the usual width, at least: below and at the left, and along edges.

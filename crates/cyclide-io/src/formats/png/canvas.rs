@@ -1,6 +1,7 @@
 //! Strokes, fills and text in pixels.
 
 use super::lettering;
+use crate::export::error::ExportError;
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 /// A place in the picture, pixels to the right and down.
@@ -177,6 +178,11 @@ impl Canvas {
     pub(super) fn encode(&self) -> Result<Vec<u8>, String> {
         self.pixels.encode_png().map_err(|e| e.to_string())
     }
+}
+
+/// Why there is no picture.
+pub(super) fn picture(detail: &str) -> ExportError {
+    ExportError::Picture { detail: detail.to_owned() }
 }
 
 fn path<'a>(lines: impl IntoIterator<Item = &'a [Pixel]>, closed: bool) -> Option<Path> {

@@ -1,8 +1,10 @@
 //! The marks of a legend: what the colours and lines of a picture look like.
 
-use super::DATA;
 use super::canvas::{Canvas, Ink, Pixel};
 use crate::drawing::palette;
+
+/// Radius of a data point in a picture of the usual width.
+pub(super) const DATA: f64 = 4.4;
 
 /// What stands before the text.
 #[derive(Debug, Clone, Copy)]

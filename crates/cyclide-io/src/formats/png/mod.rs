@@ -5,18 +5,23 @@
 //! the ground below. A model with surfaces is shown in perspective, shaded, with its parameter circles and with the
 //! curves among the surfaces ([`scene`]). The promised bound is half a pixel.
 //!
-//! Title, unit, scale bar and legend have bands of their own above and below ([`sheet`], [`legend`]); objects that are too many
+//! Title, unit, scale bar and legend have bands of their own above and below ([`caption`], [`legend`]); objects that are too many
 //! for a legend of colours are named where they stand or, where names have no room, numbered ([`labels`]).
 
 mod axes;
 mod canvas;
+mod caption;
 mod colour_bar;
+mod eye;
 mod labels;
 mod legend;
 mod lettering;
 mod marks;
+mod names;
+mod polyline;
 mod scene;
 mod sheet;
+mod ticks;
 mod view;
 
 use crate::drawing::{self, CombStrip, Combs};
@@ -28,25 +33,25 @@ use crate::export::lowered::Forms;
 use crate::export::options::PictureColour;
 use crate::formats::entry::Entry;
 use axes::{Plan, Rulers};
-use canvas::{Canvas, Ink, Pixel};
+use canvas::{Canvas, Ink, Pixel, picture};
+use caption::Caption;
 use cyclide::{Point3, Vec3};
+use eye::UP;
 use labels::{Labels, Name};
 use legend::{Legend, Naming};
-use sheet::{Caption, Names, Sheet};
+use marks::DATA;
+use names::Names;
+use polyline::{CURVE, FLATNESS, Polyline, curves};
+use sheet::Sheet;
 use view::View;
 
-/// Flattening, pixels: well below what anti-aliasing shows.
-const FLATNESS: f64 = 0.05;
-/// Widths in a picture of the usual width: of a curve, of a comb's teeth, and of the pale rim that lifts a near curve off
-/// a far one.
-const CURVE: f64 = 3.4;
+/// Widths in a picture of the usual width: of a comb's teeth, and of the pale rim that lifts a near curve off a far one.
 const TOOTH: f64 = 1.0;
 const RIM: f64 = 9.0;
 /// Teeth are at most this part of their distance wide: a close comb is paler, not solid.
 const TOOTH_PART: f64 = 0.4;
-/// Length of the dashes of a curve that covers another, and radius of a data point.
+/// Length of the dashes of a curve that covers another.
 const DASH: f64 = 16.0;
-const DATA: f64 = 4.4;
 /// Joints closer together than this are not marked: they would hide the curve.
 const JOINT_GAP: f64 = 14.0;
 /// Length of the parts that a curve in space is cut into for hiding, pixels.
@@ -84,7 +89,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let size = job.size();
     let heights = job.bounds.max.z - job.bounds.min.z > 1e-6 * size;
     let rough: Vec<Point3> = curves(job, 1e-3 * size)?.into_iter().flat_map(|c| c.points).collect();
-    let axes = view::axes(&rough, heights, job.options.camera);
+    let axes = eye::axes(&rough, heights, job.options.camera);
     let combs = if job.options.png_plain { Combs::default() } else { drawing::combs(job, size, [axes[0], axes[1]]) };
     let shown: Vec<Point3> = rough.into_iter().chain(combs.tips()).collect();
     let request = Request { job, sheet, names: &names.drawn, combs: &combs, shown: &shown, axes, heights };
@@ -258,27 +263,6 @@ impl Drawing<'_> {
     }
 }
 
-fn picture(detail: &str) -> ExportError {
-    ExportError::Picture { detail: detail.to_owned() }
-}
-
-/// A flattened contour.
-struct Polyline {
-    object: usize,
-    points: Vec<Point3>,
-    closed: bool,
-}
-
-fn curves(job: &Job<'_>, tolerance: f64) -> Result<Vec<Polyline>, ExportError> {
-    let one = |contour: crate::export::parts::Contour<'_>| {
-        let curve = contour.curve.as_curve();
-        let vertices = contour.lowered(job.pieces.flatten(curve, tolerance))?;
-        let points = vertices.into_iter().map(|(_, p)| p).collect();
-        Ok(Polyline { object: contour.item, points, closed: curve.is_closed() })
-    };
-    job.contours().map(one).collect()
-}
-
 /// The area of a comb, its teeth, and the line over their tips.
 fn teeth(canvas: &mut Canvas, view: &View, sheet: Sheet, strip: &CombStrip) {
     let feet: Vec<Pixel> = strip.tips.iter().map(|t| view.at(t.foot)).collect();
@@ -383,6 +367,3 @@ fn data(canvas: &mut Canvas, view: &View, sheet: Sheet, job: &Job<'_>) {
         }
     }
 }
-
-/// Up in the world.
-const UP: Vec3 = Vec3::Z;

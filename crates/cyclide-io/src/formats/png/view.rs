@@ -1,22 +1,17 @@
 //! From model coordinates to pixels.
 
-use super::UP;
 use super::axes::Rulers;
 use super::canvas::Pixel;
-use super::sheet::{Caption, Sheet};
-use crate::export::camera::Camera;
+use super::caption::Caption;
+use super::eye::UP;
+use super::sheet::Sheet;
+use super::ticks::{multiples, round_step};
 use cyclide::{Aabb, Point3, Vec3};
 
 /// Room round the drawing, pixels of a picture of the usual width.
 const MARGIN: f64 = 52.0;
 /// The flattest drawing: height over width.
 const SLIMMEST: f64 = 0.22;
-/// Where a model with heights is looked at from, in order of preference: front right, front left, and turned further.
-const EYES: [(f64, f64); 6] = [(0.5, -0.8), (-0.5, -0.8), (0.92, -0.2), (-0.92, -0.2), (0.2, -0.92), (-0.2, -0.92)];
-/// Height of the eye that goes with these.
-const STEEPNESS: f64 = 0.55;
-/// A view is left for a later one only if that shows this much more.
-const BETTER: f64 = 1.5;
 /// The floor lies this far below the model and reaches this far beyond it, relative to its larger side.
 const FLOOR_GAP: f64 = 0.04;
 const FLOOR_RIM: f64 = 0.06;
@@ -46,27 +41,6 @@ pub(super) struct View {
 #[derive(Clone, Copy)]
 pub(super) struct Floor {
     bounds: Aabb,
-}
-
-/// Right, up and toward the eye: as asked for, else from above, or from the side and above if there are heights.
-pub(super) fn axes(points: &[Point3], heights: bool, camera: Option<Camera>) -> [Vec3; 3] {
-    match camera {
-        Some(camera) => camera.axes(),
-        None if heights => from_side(points, STEEPNESS),
-        None => from_above(),
-    }
-}
-
-/// The axes of the view from above.
-pub(super) fn from_above() -> [Vec3; 3] {
-    [Vec3::X, Vec3::Y, UP]
-}
-
-/// The axes of the view from a side and above that shows the most.
-pub(super) fn from_side(points: &[Point3], steepness: f64) -> [Vec3; 3] {
-    let toward = eye(points, steepness);
-    let right = UP.cross(toward).unit().unwrap_or(Vec3::X);
-    [right, toward.cross(right), toward]
 }
 
 impl View {
@@ -163,35 +137,6 @@ impl View {
     }
 }
 
-/// The direction to look from: a curve close to a plane must not be seen edge on.
-fn eye(points: &[Point3], steepness: f64) -> Vec3 {
-    let mut best = (UP, 0.0);
-    for eye in EYES.into_iter().filter_map(|(x, y)| Vec3::new(x, y, steepness).unit()) {
-        let spread = spread(points, eye);
-        if best.0 == UP || spread > BETTER * best.1 {
-            best = (eye, spread);
-        }
-    }
-    best.0
-}
-
-/// How broad the points look: the smaller axis of their ellipse of inertia in the view.
-fn spread(points: &[Point3], toward: Vec3) -> f64 {
-    let right = UP.cross(toward).unit().unwrap_or(Vec3::X);
-    let up = toward.cross(right);
-    let first = points.first().copied().unwrap_or(Point3::ORIGIN);
-    let flat = points.iter().map(|p| ((*p - first).dot(right), (*p - first).dot(up)));
-    let n = points.len().max(1) as f64;
-    let (x, y) = flat.clone().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for (u, v) in flat {
-        let (u, v) = (u - x, v - y);
-        (xx, xy, yy) = (xx + u * u, xy + u * v, yy + v * v);
-    }
-    let least = 0.5 * (xx + yy - (xx - yy).hypot(2.0 * xy));
-    (least.max(0.0) / n).sqrt()
-}
-
 impl Floor {
     fn below_model(bounds: Aabb) -> Self {
         let extent = bounds.max - bounds.min;
@@ -231,17 +176,4 @@ pub(super) fn corners(frame: Aabb) -> [Point3; 8] {
     std::array::from_fn(|k| {
         Point3::new(pick(k & 1 == 1, a.x, b.x), pick(k & 2 == 2, a.y, b.y), pick(k & 4 == 4, a.z, b.z))
     })
-}
-
-/// The smallest of 1, 2, 5, 10, 20, … and their tenths that is not below `least`.
-pub(super) fn round_step(least: f64) -> f64 {
-    let decade = 10_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * decade).find(|s| *s >= least).unwrap_or(least)
-}
-
-/// The multiples of a step between two values.
-pub(super) fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
-    let count = ((high - low) / step) as usize + 1;
-    let first = (low / step).ceil();
-    (0..count).map(move |i| (first + i as f64) * step).filter(move |v| *v <= high)
 }

@@ -6,7 +6,7 @@ use super::surface::growth;
 use crate::drawing::palette;
 use crate::export::shape::Shape;
 use crate::export::triangle_cells::TriangleCell;
-use crate::formats::png::{CURVE, Polyline};
+use crate::formats::png::polyline::{CURVE, Polyline};
 use cyclide::{Arc, Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh, Vec3};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.

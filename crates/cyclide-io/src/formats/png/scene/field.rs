@@ -14,10 +14,13 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::given_surface::LaidField;
 use crate::export::job::Job;
 use crate::formats::png::axes::Rulers;
-use crate::formats::png::canvas::{Ink, PAPER};
+use crate::formats::png::canvas::{Ink, PAPER, picture};
+use crate::formats::png::caption::Caption;
 use crate::formats::png::legend::Legend;
-use crate::formats::png::sheet::{Caption, Names, Sheet};
-use crate::formats::png::{Polyline, picture, view};
+use crate::formats::png::names::Names;
+use crate::formats::png::polyline::Polyline;
+use crate::formats::png::sheet::Sheet;
+use crate::formats::png::{eye, view};
 use cyclide::{Aabb, Point3, QuadGrid};
 
 /// The surface; lines along s and across; umbilics.
@@ -48,8 +51,8 @@ pub(in crate::formats::png) fn write(
     let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
     let axes = match job.options.camera {
         Some(camera) => camera.axes(),
-        None if heights => view::from_side(&points, STEEPNESS),
-        None => view::from_above(),
+        None if heights => eye::from_side(&points, STEEPNESS),
+        None => eye::from_above(),
     };
     let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
     let has_umbilics = fields.iter().any(|(_, field)| !field.umbilics.is_empty());

@@ -1,6 +1,7 @@
 //! The shadow on the ground below a model: soft, from a broad light and the sky.
 
 use super::light::Lights;
+use crate::formats::png::eye::UP;
 use cyclide::{Aabb, Point3, Vec3};
 
 /// Cells along the longer side of the shadow's map.
@@ -45,7 +46,7 @@ impl Ground {
         let mut ground = Self { height: a.z, corner, cell, columns, rows, dark: vec![0.0; columns * rows] };
         let mut hidden = vec![0u32; columns * rows];
         let broad = cone(lights.key, LIGHT_SPREAD, LIGHT_RAYS).map(|d| (d, LIGHT_SHARE / LIGHT_RAYS as f64));
-        let sky = cone(super::UP, SKY_SPREAD, SKY_RAYS).map(|d| (d, SKY_SHARE / SKY_RAYS as f64));
+        let sky = cone(UP, SKY_SPREAD, SKY_RAYS).map(|d| (d, SKY_SHARE / SKY_RAYS as f64));
         for (k, (ray, share)) in broad.chain(sky).enumerate() {
             for triangle in triangles {
                 ground.hide(triangle, ray, share as f32, k as u32 + 1, &mut hidden);

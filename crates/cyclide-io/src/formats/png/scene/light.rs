@@ -1,5 +1,6 @@
 //! Colours in linear light, and how a surface shines.
 
+use crate::formats::png::eye::UP;
 use cyclide::Vec3;
 
 /// Brightness of the three primaries, linear.
@@ -30,11 +31,8 @@ impl Lights {
         // In the view from above, which has no horizontal direction to the eye, up takes its place.
         let flat = Vec3::new(toward.x, toward.y, 0.0);
         let front = if flat.length() > 0.1 { flat.unit().unwrap_or(up) } else { -up };
-        let unit = |v: Vec3| v.unit().unwrap_or(super::UP);
-        Self {
-            key: unit(-right * 0.55 + front * 0.25 + super::UP),
-            fill: unit(right * 0.9 + front * 0.5 + super::UP * 0.2),
-        }
+        let unit = |v: Vec3| v.unit().unwrap_or(UP);
+        Self { key: unit(-right * 0.55 + front * 0.25 + UP), fill: unit(right * 0.9 + front * 0.5 + UP * 0.2) }
     }
 
     /// What a matt surface sends whose colour stands for a value: no gloss, and little shade.

@@ -22,7 +22,6 @@ mod surface;
 mod tests;
 mod visible;
 
-use super::{FLATNESS, UP, curves, picture};
 use crate::drawing::Combs;
 use crate::drawing::palette::to_linear;
 use crate::export::error::ExportError;
@@ -30,11 +29,14 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::shape::Shape;
 use crate::formats::png::axes::{self, Plan, Rulers};
-use crate::formats::png::canvas::{Canvas, Ink, PAPER};
+use crate::formats::png::canvas::{Canvas, Ink, PAPER, picture};
+use crate::formats::png::caption::Caption;
 use crate::formats::png::colour_bar::ColourBar;
 use crate::formats::png::legend::{self, Legend, Naming, balloon};
-use crate::formats::png::sheet::{Caption, Names, Sheet};
-use crate::formats::png::view;
+use crate::formats::png::names::Names;
+use crate::formats::png::polyline::{FLATNESS, curves};
+use crate::formats::png::sheet::Sheet;
+use crate::formats::png::{eye, view};
 use camera::Camera;
 use cyclide::{Aabb, Point3, SurfaceMesh, Vec3};
 use facets::{Facets, Paint};
@@ -64,8 +66,8 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
     let axes = match job.options.camera {
         Some(camera) => camera.axes(),
-        None if heights => view::from_side(&points, STEEPNESS),
-        None => view::from_above(),
+        None if heights => eye::from_side(&points, STEEPNESS),
+        None => eye::from_above(),
     };
     let blocks = blocks::blocks(job, axes[2])?;
     if !blocks.is_empty() {

@@ -1,6 +1,7 @@
 //! Silhouettes and depth against closed forms.
 
 use super::*;
+use crate::formats::png::eye::UP;
 use crate::formats::png::scene::raster::bands;
 use cyclide::Vec3;
 use cyclide::{CyclidePatch, Shell};
