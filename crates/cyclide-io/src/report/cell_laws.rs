@@ -1,6 +1,6 @@
 //! What is reported of the laws by which blocks are divided into cells.
 
-use super::text::short;
+use super::figures::short;
 use cyclide::{FineEnd, Grading};
 use serde::Serialize;
 

@@ -7,7 +7,7 @@ use cyclide::{
 use serde::Serialize;
 
 use super::frame_turns::{Axes, FrameTurn};
-use super::sample::{Spacing, fractions, push_field};
+use super::sampling::{SamplePlaces, Spacing, fractions, push_field};
 use crate::check::file_sample::FileSample;
 use crate::document::{BuiltObject, ContourFacts};
 use crate::formats::push_sample;
@@ -17,34 +17,7 @@ const LOOK_AT: &str = "look-at";
 /// A parallel curve is on its torus to rounding, which is far less than this part of the torus.
 const NEAR: f64 = 1e-6;
 
-/// Where the samples of a curve lie; both ends of each contour are among them.
-///
-/// ```
-/// assert!(matches!(cyclide_io::SamplePlaces::Step(0.5), cyclide_io::SamplePlaces::Step(step) if step > 0.0));
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SamplePlaces {
-    /// So many on each contour, 2 at least.
-    Count {
-        /// How many.
-        count: usize,
-        /// How they follow each other.
-        spacing: Spacing,
-    },
-    /// At the stations 0, d, 2 d, … and at the end: the last step is shorter unless the length is a multiple of the distance.
-    Step(f64),
-}
-
 impl SamplePlaces {
-    /// Samples of a contour of this length.
-    #[must_use]
-    pub fn count_on(self, length: f64) -> f64 {
-        match self {
-            Self::Count { count, .. } => count as f64,
-            Self::Step(step) => (length / step).ceil() + 1.0,
-        }
-    }
-
     /// The global parameters, in order.
     fn parameters(self, lengths: &ArcLength<'_>) -> Vec<f64> {
         match self {

@@ -4,7 +4,8 @@ use cyclide::{Aabb, ArcLength, CORNER_ANGLE, CurveObject, Lower, bounds, extreme
 use serde::Serialize;
 
 use super::qb::QbReport;
-use super::{FairnessReport, PrincipalReport, RangeReport, TightReport, TorusReport, UnrolledReport};
+use super::range::RangeReport;
+use super::{FairnessReport, PrincipalReport, TightReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
 

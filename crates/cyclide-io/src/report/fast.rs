@@ -3,7 +3,7 @@
 use cyclide::{MovingBody, ShortNumber, SpeedKind};
 use serde::Serialize;
 
-use super::WarningReport;
+use super::warning::WarningReport;
 
 /// The reason of warnings about motions that are faster than the limits asked for.
 ///

@@ -6,7 +6,7 @@ use cyclide::{Model, ShortNumber};
 use serde::Serialize;
 
 use crate::check::deviation::{Beyond, READ_BACK_ROUNDING};
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::exported::Exported;
 use crate::export::ready::ReadyModel;
 use crate::formats::{Exporter, Format, deviations_of};

@@ -7,6 +7,7 @@ mod curve_sample;
 mod curves;
 mod fairness;
 mod fast;
+mod figures;
 mod file;
 mod frame_turns;
 mod motion;
@@ -15,7 +16,9 @@ mod motion_sample;
 mod polyhedron;
 mod principal;
 mod qb;
+mod range;
 mod sample;
+mod sampling;
 mod seam;
 mod smooth;
 mod surface;
@@ -25,16 +28,17 @@ mod tight;
 mod torus;
 mod tube;
 mod volume;
+mod warning;
 
 use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use crate::document::{BuiltObject, Remark};
+use crate::document::BuiltObject;
 pub use cell_laws::CellLawReport;
 pub use closing::{ClosingReport, RoundReport};
 pub use curvature::CurvatureRangeReport;
-pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
+pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use fast::{FASTER_THAN_LIMIT, FastPlaceReport, FastReport, SpeedLimits};
@@ -46,7 +50,9 @@ pub use motion_sample::{MotionSample, MotionSamples};
 pub use polyhedron::PolyhedronReport;
 pub use principal::{GridPieceReport, PrincipalReport, UmbilicReport};
 pub use qb::QbReport;
-pub use sample::{Spacing, sample, sample_cells};
+pub use range::RangeReport;
+pub use sample::{sample, sample_cells};
+pub use sampling::{SamplePlaces, Spacing};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
@@ -55,6 +61,7 @@ pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
 pub use volume::{CellPlace, CellsReport, FoldsReport, VolumeReport};
+pub use warning::WarningReport;
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///
@@ -131,54 +138,6 @@ pub enum GeometryReport {
     Motion(Box<MotionReport>),
 }
 
-/// Smallest and largest value.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
-/// assert!(found.weights.min > 0.0 && found.weights.min <= found.weights.max);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct RangeReport {
-    /// Smallest.
-    pub min: f64,
-    /// Largest.
-    pub max: f64,
-}
-
-/// A warning with its place in the input.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[0, 0], [1, 1], [1, 1], [3, 0]]}}}"#.parse()?;
-/// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// assert_eq!(report.warnings[0].reason, "points-merged");
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
-pub struct WarningReport {
-    /// Stable kebab-case name.
-    pub reason: &'static str,
-    /// The sentence; it counts points after repeated ones were merged.
-    pub message: String,
-    /// The contour, from 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub contour: Option<usize>,
-    /// The point (or the segment that starts there), from 0, as the input counts them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub index: Option<usize>,
-    /// `file:line` or the path in the document.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub place: Option<String>,
-}
-
 impl Report {
     /// The report on a model's objects, without files. `tolerance` is for the weights of curves that have no exact
     /// rational form; `None` takes that of the exports.
@@ -253,22 +212,5 @@ impl ObjectReport {
             warnings,
             notes: built.notes.clone(),
         }
-    }
-}
-
-impl RangeReport {
-    /// The range of no value yet.
-    pub(crate) const EMPTY: Self = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
-
-    /// The smallest range that holds both.
-    pub(crate) fn with(self, min: f64, max: f64) -> Self {
-        Self { min: self.min.min(min), max: self.max.max(max) }
-    }
-}
-
-impl From<&Remark> for WarningReport {
-    fn from(remark: &Remark) -> Self {
-        let Remark { reason, contour, index, place, message, warning: _ } = remark.clone();
-        Self { reason, message, contour, index, place }
     }
 }

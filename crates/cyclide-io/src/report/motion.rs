@@ -6,10 +6,10 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::RangeReport;
 use super::fast::FastReport;
-use super::motion_poses::{DeviationReport, MotionClosingReport, OffChordsReport};
-use super::text::{Line, plural, short};
+use super::figures::{Line, plural, short};
+use super::motion_poses::{DeviationReport, MotionClosingReport, OffChordsReport, larger};
+use super::range::RangeReport;
 
 /// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
 const BESIDE: f64 = 1e-4;
@@ -352,7 +352,7 @@ impl MotionReport {
         let of_range = |range: &RangeReport, unit: &str, at: PlaceReport| {
             let text = match range {
                 RangeReport { min, max } if max.is_infinite() => format!("{} to no bound,", short(*min)),
-                range => super::text::range(range),
+                range => super::figures::range(range),
             };
             let varies = range.max - range.min > CONSTANT * range.max;
             if varies { format!("{text} {unit} (at {} s)", short(at.time)) } else { format!("{text} {unit}") }
@@ -403,9 +403,4 @@ impl MotionReport {
         }
         Ok(())
     }
-}
-
-/// The larger one. What is not finite is no figure: a law that goes by the way passes no place in no time where the way stands still.
-pub(super) fn larger(most: f64, value: f64) -> f64 {
-    if value.is_finite() { most.max(value) } else { most }
 }

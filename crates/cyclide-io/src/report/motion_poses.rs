@@ -3,8 +3,6 @@
 use cyclide::{MotionJet, MovingBody, Schedule, Vec3};
 use serde::Serialize;
 
-use super::motion::larger;
-
 /// How far the origin of a body gets from the straight lines between its poses.
 ///
 /// ```
@@ -79,4 +77,9 @@ pub struct DeviationReport {
     pub place: f64,
     /// The largest angle from the turn of a pose, radians.
     pub angle: f64,
+}
+
+/// The larger one. What is not finite is no figure: a law that goes by the way passes no place in no time where the way stands still.
+pub(super) fn larger(most: f64, value: f64) -> f64 {
+    if value.is_finite() { most.max(value) } else { most }
 }

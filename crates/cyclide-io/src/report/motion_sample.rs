@@ -3,8 +3,7 @@
 use cyclide::{MovingBody, Pose, Quat, Schedule};
 use serde_json::json;
 
-use super::curve_sample::SamplePlaces;
-use super::sample::{fractions, push_field};
+use super::sampling::{SamplePlaces, fractions, push_field};
 use crate::document::BuiltObject;
 use crate::text::number::push_plain;
 

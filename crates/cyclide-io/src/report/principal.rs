@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::RangeReport;
-use super::text::{Line, plural, short};
+use super::figures::{Line, plural, short};
+use super::range::RangeReport;
 use crate::document::BuiltObject;
 
 /// What was found of a surface and laid on it.

@@ -5,7 +5,7 @@ use std::fmt;
 use cyclide::CurveObject;
 use serde::Serialize;
 
-use super::text::{Line, plural, short};
+use super::figures::{Line, plural, short};
 use crate::document::BuiltObject;
 
 /// Curves that are quotients of quaternion polynomials, over all contours.

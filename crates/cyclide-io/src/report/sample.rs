@@ -6,29 +6,11 @@ use cyclide::{
     SurfaceObject, TriangleSurface,
 };
 
-use super::curve_sample::{CurveSamples, SampleOptions, SamplePlaces};
+use super::curve_sample::{CurveSamples, SampleOptions};
 use super::motion_sample::MotionSamples;
+use super::sampling::{SamplePlaces, Spacing, fractions, push_field};
 use crate::document::BuiltObject;
 use crate::text::number::push_plain;
-
-/// How the samples of a curve follow each other, if their number is given.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
-/// let built = document.build()?;
-/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Length);
-/// assert_eq!(rows.lines().count(), 6);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Spacing {
-    /// Equal steps of the parameter.
-    #[default]
-    Parameter,
-    /// Equal steps of arc length.
-    Length,
-}
 
 /// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
 ///
@@ -168,19 +150,6 @@ fn triangles(surface: &TriangleSurface, count: usize) -> String {
         }
     }
     out
-}
-
-/// A comma and the value, if there is one.
-pub(super) fn push_field(out: &mut String, value: Option<f64>) {
-    out.push(',');
-    if let Some(value) = value {
-        push_plain(out, value);
-    }
-}
-
-/// Fractions 0, 1/(count-1), … 1.
-pub(super) fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
-    (0..count).map(move |i| i as f64 / count.saturating_sub(1).max(1) as f64)
 }
 
 fn surfaces(bodies: &[Body], count: usize) -> String {

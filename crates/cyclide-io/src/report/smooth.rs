@@ -5,7 +5,7 @@ use std::fmt;
 use cyclide::{SmoothComparison, SmoothMeasure, TriangleSurface};
 use serde::Serialize;
 
-use super::text::{Line, measure, plural, short};
+use super::figures::{Line, measure, plural, short};
 use crate::document::BuiltObject;
 
 /// The report on a smooth surface over triangles. Largest values are over many places: sampled, not proved.

@@ -8,9 +8,9 @@ use cyclide::{
 };
 use serde::Serialize;
 
+use super::range::RangeReport;
 use super::{
-    ClosingReport, CurvatureRangeReport, PolyhedronReport, RangeReport, RoundReport, SeamReport, TeeBlendReport,
-    TubeReport,
+    ClosingReport, CurvatureRangeReport, PolyhedronReport, RoundReport, SeamReport, TeeBlendReport, TubeReport,
 };
 use crate::document::BuiltObject;
 use crate::measure::joints::SurfaceJointReport;

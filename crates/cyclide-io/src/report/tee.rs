@@ -3,7 +3,7 @@
 use cyclide::{ShortNumber, TeeBlendFacts};
 use serde::Serialize;
 
-use super::RangeReport;
+use super::range::RangeReport;
 
 /// A blend of a branch with its main pipe.
 ///

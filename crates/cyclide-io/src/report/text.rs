@@ -2,29 +2,11 @@
 
 use std::fmt;
 
-use cyclide::ShortNumber;
-
-use super::surface::PatchPlace;
+use super::figures::{Line, measure, plural, range, short};
 use super::{
-    CurvesReport, FairnessReport, FileReport, FitPieces, GeometryReport, ObjectReport, RangeReport, Report,
-    ShapeReport, SurfaceReport,
+    CurvesReport, FairnessReport, FileReport, FitPieces, GeometryReport, ObjectReport, PatchPlace, Report, ShapeReport,
+    SurfaceReport,
 };
-
-pub(super) fn short(value: f64) -> String {
-    ShortNumber(value).to_string()
-}
-
-/// Smallest and largest value, or the one where they look alike.
-pub(super) fn range(range: &RangeReport) -> String {
-    match [range.min, range.max].map(short) {
-        [min, max] if min == max => min,
-        [min, max] => format!("{min} to {max}"),
-    }
-}
-
-pub(super) fn plural(count: usize, one: &str) -> String {
-    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
-}
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -83,9 +65,6 @@ impl ObjectReport {
 
 /// Tight places that the text names.
 const MOST_TIGHT_PLACES: usize = 20;
-
-/// Writes one line of a report: its label and its text.
-pub(super) type Line<'a> = &'a mut dyn FnMut(&str, String) -> fmt::Result;
 
 impl CurvesReport {
     fn facts(&self, facts: &mut Vec<String>) {
@@ -202,11 +181,6 @@ impl FairnessReport {
         });
         parts.join(", ")
     }
-}
-
-/// An area or a volume.
-pub(super) fn measure(value: f64, units: &str, power: &str) -> String {
-    if value.is_nan() { "not known".to_owned() } else { format!("{} {units}{power}", short(value)) }
 }
 
 impl SurfaceReport {

@@ -3,7 +3,7 @@
 use cyclide::{CurveObject, ShortNumber, tight_places};
 use serde::Serialize;
 
-use super::WarningReport;
+use super::warning::WarningReport;
 use crate::document::BuiltObject;
 
 /// The reason of warnings about places that are tighter than the radius asked for.

@@ -9,7 +9,7 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::text::{Line, plural, short};
+use super::figures::{Line, plural, short};
 use crate::document::BuiltObject;
 use crate::document::UnrolledPlane;
 

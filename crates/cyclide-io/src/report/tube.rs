@@ -3,7 +3,7 @@
 use cyclide::{Exactness, ShortNumber};
 use serde::Serialize;
 
-use super::RangeReport;
+use super::range::RangeReport;
 use crate::document::TubeFacts;
 use crate::document::kinds::RadiusOf;
 

@@ -3,9 +3,10 @@
 use cyclide::{CyclideVolume, FoldVerdict, GridQuality, ParamVolume as _, Point3, Shell, StructuredGrid, Vec3};
 use serde::Serialize;
 
+use super::CellLawReport;
+use super::figures::{Line, measure, plural, range, short};
+use super::range::RangeReport;
 use super::surface::number;
-use super::text::{Line, measure, plural, range, short};
-use super::{CellLawReport, RangeReport};
 
 /// Places per direction at which cells are measured.
 const PLACES: usize = 9;
