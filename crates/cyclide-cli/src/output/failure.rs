@@ -2,12 +2,10 @@
 
 use std::fmt::Display;
 use std::path::Path;
-use std::process::ExitCode;
 
 use cyclide_io::NotDurable;
 
 use crate::output::standard::is_standard;
-use crate::output::terminal;
 
 /// The kinds of failure, each with its exit code (documented in the help).
 #[derive(Debug)]
@@ -48,18 +46,6 @@ impl Failure {
             }
             other => other,
         }
-    }
-
-    /// Prints the message and gives the exit code.
-    pub fn show(self) -> ExitCode {
-        let (code, message) = match self {
-            Self::Refused(message) => (1, message),
-            Self::Usage(message) => (2, message + "\n\nFor more information, try '--help'."),
-            Self::File(message) => (3, message),
-            Self::Check(message) => (4, message + "\nThis is a fault of cyclide; nothing was written."),
-        };
-        terminal::error(&message);
-        ExitCode::from(code)
     }
 }
 

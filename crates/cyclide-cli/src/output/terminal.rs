@@ -2,6 +2,7 @@
 //! nothing that a terminal acts on or does not show.
 
 use std::io::{self, Write as _};
+use std::process::ExitCode;
 
 use cyclide_io::{escaped, escaped_lines};
 
@@ -37,8 +38,22 @@ pub fn note(message: &str) {
 }
 
 /// Shows an error.
-pub fn error(message: &str) {
+fn error(message: &str) {
     show(RED, "error", message);
+}
+
+impl Failure {
+    /// Prints the message and gives the exit code.
+    pub fn show(self) -> ExitCode {
+        let (code, message) = match self {
+            Self::Refused(message) => (1, message),
+            Self::Usage(message) => (2, message + "\n\nFor more information, try '--help'."),
+            Self::File(message) => (3, message),
+            Self::Check(message) => (4, message + "\nThis is a fault of cyclide; nothing was written."),
+        };
+        error(&message);
+        ExitCode::from(code)
+    }
 }
 
 /// Shows a warning.

@@ -18,20 +18,13 @@ use crate::output::failure::Failure;
 use crate::output::files;
 use crate::output::progress::Progress;
 use entries::{ENTRIES, Entry};
+use page::Shown;
 
 /// Width of the pictures, pixels: twice that of their place on the page.
 const PICTURE: u32 = 1280;
 
 /// Models that are built at once, at most: each holds its meshes in memory.
 const AT_ONCE: usize = 4;
-
-/// An entry with what was made of it.
-struct Shown {
-    entry: &'static Entry,
-    report: Report,
-    /// Names and bytes, those it is made from included.
-    files: Vec<(String, Vec<u8>)>,
-}
 
 /// Builds all entries, checks their files, and writes them and the page: all, or none.
 pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {

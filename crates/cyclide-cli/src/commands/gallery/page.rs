@@ -7,13 +7,21 @@ use base64::engine::general_purpose::STANDARD;
 use cyclide::ShortNumber;
 use cyclide_io::{Format, GeometryReport, Report, SurfaceReport};
 
-use super::Shown;
+use super::entries::Entry;
 
 /// What turns the models in the page.
 pub const VIEWER: &str = include_str!("viewer.js");
 
 /// From where a picture without a camera of its own is looked at, mostly: azimuth and elevation in degrees.
 const EYE: &str = "32,28";
+
+/// An entry with what was made of it.
+pub(super) struct Shown {
+    pub(super) entry: &'static Entry,
+    pub(super) report: Report,
+    /// Names and bytes, those it is made from included.
+    pub(super) files: Vec<(String, Vec<u8>)>,
+}
 
 /// The script beside the page that hands a GLB's bytes over: of a page that is opened as a file, browsers read scripts only.
 pub fn handed_over(name: &str, glb: &[u8]) -> String {
