@@ -40,9 +40,10 @@ mod schedule;
 mod text;
 
 pub use check::bodies::{FileBody, FileCurve, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
-pub use check::file_content::{FileContent, ReadError};
+pub use check::file_content::FileContent;
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
+pub use check::read_error::ReadError;
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::kinds;
 pub use document::{

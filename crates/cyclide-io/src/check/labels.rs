@@ -2,7 +2,7 @@
 //!
 //! A file that is off by 25.4 or has the names of two objects exchanged has the right coordinates: it is found out here.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use cyclide::{Model, Units};
 
 /// Units that differ by less than this part of their length are one: their factors are written as decimals, and some

@@ -1,8 +1,9 @@
 //! A file that was made, beside the model that it was made of.
 
 use crate::check::deviation::{MeshForm, View, curves_deviation, mesh_deviation};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::Named;
+use crate::check::read_error::ReadError;
 use crate::export::exported::Exported;
 use crate::export::ready::ReadyModel;
 

@@ -10,5 +10,6 @@ pub(crate) mod polyline;
 pub(crate) mod rational_cells;
 pub(crate) mod rational_patches;
 pub(crate) mod rational_volumes;
+pub(crate) mod read_error;
 pub(crate) mod spline_patches;
 pub(crate) mod tiles;

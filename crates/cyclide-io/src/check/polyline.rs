@@ -1,6 +1,6 @@
 //! Polylines as formats of vertices hold them: closed where they end with their first vertex.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use cyclide::{Arc, ChainPiece, CurveChain, Point3};
 
 /// A polyline that was read, closed if it ends with its first vertex.

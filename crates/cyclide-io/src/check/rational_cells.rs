@@ -1,10 +1,11 @@
 //! Rational cells of a file as curves, patches and volumes, and what they stand for.
 
 use crate::check::bodies::{FilePatch, FileVolume};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::made::Made;
 use crate::check::rational_patches::patches_deviation;
 use crate::check::rational_volumes::volume_deviation;
+use crate::check::read_error::ReadError;
 use crate::export::rational_cells::{RationalCell, Tags, block_of};
 use crate::export::ready::ReadyModel;
 use cyclide::{ChainPiece, CurveChain, NurbsCurve, RationalBezierSurface, RationalBezierVolume};

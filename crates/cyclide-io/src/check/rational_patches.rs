@@ -2,7 +2,7 @@
 
 use crate::check::bodies::FilePatch;
 use crate::check::deviation::larger;
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::check::tiles::tile_faces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;

@@ -2,7 +2,7 @@
 
 use crate::check::bodies::FileVolume;
 use crate::check::deviation::larger;
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use cyclide::{CyclideVolume, ParamVolume as _};
 use std::collections::HashMap;
 

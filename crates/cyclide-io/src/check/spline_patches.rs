@@ -1,7 +1,8 @@
 //! Patches of B-splines of a file as curves, patches and volumes.
 
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::rational_cells::{add_bodies, add_curves};
+use crate::check::read_error::ReadError;
 use crate::export::spline_patches::{Knots, SplinePatch};
 use cyclide::{NurbsCurve, Point3};
 

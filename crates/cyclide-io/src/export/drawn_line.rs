@@ -1,8 +1,7 @@
 //! What the lines of surfaces in a drawing stand for: told by who draws them, held against the file by the check.
 
-use crate::export::exported::Promise;
 use crate::export::parts::BodyOf;
-use cyclide::{Correspondence, EdgeCurve, FaceGeometry as _};
+use cyclide::{EdgeCurve, FaceGeometry as _};
 
 /// Which line of a shell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,20 +48,5 @@ impl LinePlace {
             ShellLine::AlongT { face, s } => (face, false, s),
         };
         (parameter > 0.0 && parameter < 1.0).then_some((self.body, self.shell, face, along_s, parameter))
-    }
-}
-
-/// A line that a drawing was made of.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct DrawnLine {
-    pub(crate) place: LinePlace,
-    /// The parts of it that its pieces in the drawing stand for; without a piece it is a point there and not drawn.
-    pub(crate) parts: Correspondence,
-    pub(crate) promise: Promise,
-}
-
-impl DrawnLine {
-    pub(crate) fn is_drawn(&self) -> bool {
-        self.parts.piece_count() > 0
     }
 }

@@ -1,6 +1,6 @@
 //! The content of a file with the promises that hold for it.
 
-use crate::export::drawn_line::DrawnLine;
+use crate::export::drawn_line::LinePlace;
 use crate::export::face_plan::ShellPlan;
 use crate::export::mesh_plan::MeshPlan;
 use cyclide::{
@@ -82,6 +82,21 @@ impl WrittenCurve {
     /// True if nothing of it is in the file: a drawing has no place for a curve that is a point in it.
     pub(crate) fn is_left_out(&self) -> bool {
         self.parts.piece_count() == 0
+    }
+}
+
+/// A line that a drawing was made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct DrawnLine {
+    pub(crate) place: LinePlace,
+    /// The parts of it that its pieces in the drawing stand for; without a piece it is a point there and not drawn.
+    pub(crate) parts: Correspondence,
+    pub(crate) promise: Promise,
+}
+
+impl DrawnLine {
+    pub(crate) fn is_drawn(&self) -> bool {
+        self.parts.piece_count() > 0
     }
 }
 

@@ -5,11 +5,12 @@
 //! not exist, its fields are empty.
 
 use crate::check::deviation::{Deviations, SampleCheck, View};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::file_sample::FileSample;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::made::Made;
 use crate::check::polyline::Polyline;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;

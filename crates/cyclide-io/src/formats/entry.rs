@@ -1,8 +1,9 @@
 //! What there is to know of a format: one entry each, which the format's own module gives.
 
 use crate::check::deviation::Deviations;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;

@@ -1,6 +1,6 @@
 //! The front door of the writers: a model in, the bytes of files out, with what was kept and what was promised.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;

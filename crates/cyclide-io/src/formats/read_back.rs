@@ -1,8 +1,9 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
 use crate::check::deviation::Deviations;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::ready::ReadyModel;

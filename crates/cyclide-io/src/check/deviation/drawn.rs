@@ -6,9 +6,10 @@
 
 use super::check_parts;
 use super::matching::{apart, larger};
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::drawing::plane_regions::drawn_edges;
-use crate::export::drawn_line::{DrawnLine, LinePlace, ShellLine};
+use crate::export::drawn_line::{LinePlace, ShellLine};
+use crate::export::exported::DrawnLine;
 use crate::export::parts::BodyOf;
 use cyclide::{CurveChain, EdgeCurve};
 

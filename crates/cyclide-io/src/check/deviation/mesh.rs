@@ -12,15 +12,16 @@ use super::cover::Cover;
 use super::facing::{Facing, NORMAL_LIMIT, facet_error};
 use super::matching::larger;
 use super::nearest::NearestTriangle;
+use super::polygon::{MeshForm, Normals, Polygon};
 use super::triangle::Triangle;
 use super::triangle_surface;
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::BodyOf;
 use crate::export::side_use::{SideUse, side_use};
 use crate::export::triangle_cells::are_whole;
 use cyclide::{
-    FaceGeometry as _, FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, PatchKind, Point3, ShellFace,
+    FaceGeometry as _, FaceSurface, MeshCorner, MeshSource, ParamSurface as _, PatchKind, Point3, ShellFace,
     SurfaceJet, SurfaceMesh, TriangleSurface, Vec3,
 };
 
@@ -31,52 +32,6 @@ const STEPS: usize = 16;
 /// Parameter lines are orthogonal below this square of a cosine, and one line but for rounding below the square of a sine.
 const ORTHOGONAL: f64 = 1e-6;
 const ONE_LINE: f64 = 1e-22;
-/// The normals that a format has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Normals {
-    None,
-    OfTriangles,
-    OfSurface,
-}
-
-/// How a format writes meshes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct MeshForm {
-    pub(crate) normals: Normals,
-    /// Vertices are known by their numbers, not by their places.
-    pub(crate) numbers_vertices: bool,
-}
-
-/// A polygon of the file.
-#[derive(Clone, Copy)]
-pub(super) struct Polygon<'a> {
-    /// Its mesh, and the mesh's number in the file.
-    mesh: &'a SurfaceMesh,
-    number: usize,
-    face: &'a MeshFace,
-}
-
-impl Polygon<'_> {
-    /// Its corners.
-    pub(super) fn corners(&self) -> impl Iterator<Item = Point3> {
-        self.face.corners().iter().map(|corner| self.point(corner))
-    }
-
-    /// The normals at these.
-    pub(super) fn normals(&self) -> impl Iterator<Item = Vec3> {
-        self.face.corners().iter().map(|corner| self.mesh.normals[corner.normal])
-    }
-
-    fn point(&self, corner: &MeshCorner) -> Point3 {
-        self.mesh.positions[corner.position]
-    }
-
-    pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        let corners = self.face.corners();
-        crate::export::mesh::triangles(self.face).iter().map(move |t| Triangle::new(t.map(|i| self.point(&corners[i]))))
-    }
-}
-
 /// The largest distance between the polygons of each body and the body, both ways.
 ///
 /// # Errors
@@ -426,7 +381,7 @@ fn step(jet: &SurfaceJet, offset: Vec3) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{Body, CyclidePatch, Shell, Vec3, tessellate};
+    use cyclide::{Body, CyclidePatch, MeshFace, Shell, tessellate};
 
     /// The octant of the unit sphere as triangles and quads, with a plan.
     fn octant() -> (BodyOf<'static>, SurfaceMesh, MeshPlan) {

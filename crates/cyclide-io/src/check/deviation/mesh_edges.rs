@@ -1,6 +1,6 @@
 //! The edges of patches that are drawn on a mesh.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::drawing::patch_edges::patch_edges;
 use crate::drawing::plane_regions::plane_regions;
 use crate::export::mesh_plan::{Cell, MeshPlan};

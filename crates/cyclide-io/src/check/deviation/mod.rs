@@ -22,12 +22,13 @@ mod matching;
 mod mesh;
 mod mesh_edges;
 mod nearest;
+mod polygon;
 mod samples;
 mod track;
 mod triangle;
 mod triangle_surface;
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::exported::{WrittenCurve, knots_of};
 use crate::export::parts::contours;
 use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve, Vec3};
@@ -35,8 +36,9 @@ pub(crate) use drawn::lines_deviation;
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
-pub(crate) use mesh::{MeshForm, Normals, mesh_deviation};
+pub(crate) use mesh::mesh_deviation;
 pub(crate) use mesh_edges::check_mesh_edges;
+pub(crate) use polygon::{MeshForm, Normals};
 pub(crate) use samples::SampleCheck;
 
 /// Samples on each piece of a curve that is a point in the plan.

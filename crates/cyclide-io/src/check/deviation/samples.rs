@@ -1,7 +1,7 @@
 //! What tables say beside the points of curves, against the model at the places that the points stand for.
 
-use crate::check::file_content::ReadError;
 use crate::check::file_sample::FileSample;
+use crate::check::read_error::ReadError;
 use crate::export::exported::WrittenCurve;
 use crate::export::parts::{Contour, contours};
 use cyclide::{Correspondence, Model};

@@ -8,10 +8,10 @@
 
 use super::facing::{NORMAL_LIMIT, facet_error};
 use super::matching::larger;
-use super::mesh::{MeshForm, Normals, Polygon};
 use super::nearest::NearestTriangle;
+use super::polygon::{MeshForm, Normals, Polygon};
 use super::triangle::Triangle;
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::mesh_plan::{BodyPlan, Cell};
 use crate::export::parts::BodyOf;
 use crate::export::triangle_cells::{Part, TriangleCell};

@@ -16,9 +16,9 @@ mod skeleton;
 mod tags;
 
 use crate::check::deviation::{Deviations, View};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written, knots_of, straightened};
 use crate::export::job::Job;

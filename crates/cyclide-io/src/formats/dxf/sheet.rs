@@ -7,7 +7,7 @@ use super::reader::parsed;
 use super::skeleton::{self, Content, FIRST_FREE};
 use super::tags::Tags;
 use super::{Entities, LAYER, at_most_half_turns};
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::exported::{Promise, Written};
 use crate::export::options::DxfVersion;
 use cyclide::{Aabb, Arc, ArcPath, ChainPiece, ParamCurve as _, Point3, Units, Vec3};

@@ -1,6 +1,6 @@
 //! DXF text: pairs of a group code and a value, one line each.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::text::number::push_dxf;
 use cyclide::Point3;
 use std::fmt::Write as _;

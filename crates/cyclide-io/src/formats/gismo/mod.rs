@@ -6,10 +6,10 @@
 mod reader;
 
 use crate::check::deviation::{Deviations, View};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::made::Made;
 use crate::check::rational_cells::bodies_deviation;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;

@@ -1,8 +1,9 @@
 //! Our own G+Smo XML back from the bytes.
 
 use super::{MultiPatch, OBJECT, UNITS};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use crate::check::spline_patches::add_patches;
 use crate::export::rational_cells::{MOST_TAG, RationalCell, Tags};
 use crate::export::spline_patches::{Knots, SplinePatch};

@@ -2,10 +2,10 @@
 
 use super::buffer::Buffer;
 use super::material::Look;
-use super::reader::File as Read;
-use super::track::{Carried, Track, TrackFault};
+use super::reader;
+use super::track::{Carried, TrackFault};
 use super::{LINES, TRIANGLES};
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Promise;
 use crate::export::mesh::single;
@@ -164,7 +164,7 @@ pub(super) fn deviations(bytes: &[u8], ready: &ReadyModel<'_>) -> Result<Vec<f64
     let wrong = |detail: &str| ReadError::syntax("animations", detail.to_owned());
     let bodies: Vec<(&Item, &MovingBody)> =
         ready.model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
-    let tracks = super::reader::tracks(bytes)?;
+    let tracks = reader::tracks(bytes)?;
     if tracks.len() != bodies.len() {
         return Err(wrong("not as many bodies move as there are motions"));
     }
@@ -186,68 +186,4 @@ pub(super) fn deviations(bytes: &[u8], ready: &ReadyModel<'_>) -> Result<Vec<f64
             Ok(carried.deviation(&read.track).0)
         })
         .collect()
-}
-
-/// A track read, with the name of its body and where the body's parent stands.
-pub(super) struct ReadTrack {
-    pub(super) name: String,
-    pub(super) center: Point3,
-    pub(super) track: Track,
-}
-
-/// The nodes that animations move.
-pub(super) fn moved_nodes(document: &Value) -> Vec<usize> {
-    let animations = document.get("animations").and_then(Value::as_array).into_iter().flatten();
-    let channels =
-        animations.flat_map(|animation| animation.get("channels").and_then(Value::as_array).into_iter().flatten());
-    let mut nodes: Vec<usize> = channels
-        .filter_map(|channel| channel.pointer("/target/node")?.as_u64())
-        .filter_map(|node| usize::try_from(node).ok())
-        .collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes
-}
-
-impl Read<'_> {
-    /// The tracks of an animation: of each body two samplers, of its place and its turn.
-    ///
-    /// # Errors
-    /// [`ReadError`] for one that is not like ours.
-    pub(super) fn tracks(&self, animation: &Value) -> Result<Vec<ReadTrack>, ReadError> {
-        let channels = animation.get("channels").and_then(Value::as_array).map_or(0, Vec::len);
-        (0..channels.div_ceil(2)).map(|body| self.track(animation, 2 * body)).collect()
-    }
-
-    /// The track of the body whose samplers start at this one.
-    fn track(&self, animation: &Value, start: usize) -> Result<ReadTrack, ReadError> {
-        let wrong = || ReadError::unsupported("an animation of another kind", "animations");
-        let sampler = |k: usize| animation.pointer(&format!("/samplers/{k}")).ok_or_else(wrong);
-        let samplers = [sampler(start)?, sampler(start + 1)?];
-        let is_ours = |k: usize, path: &str| {
-            animation.pointer(&format!("/channels/{k}/sampler")).and_then(Value::as_u64) == Some(k as u64)
-                && animation.pointer(&format!("/channels/{k}/target/path")).and_then(Value::as_str) == Some(path)
-        };
-        let node = |k: usize| animation.pointer(&format!("/channels/{k}/target/node")).and_then(Value::as_u64);
-        let cubic = samplers.iter().all(|s| s.get("interpolation").and_then(Value::as_str) == Some("CUBICSPLINE"));
-        let same = samplers[0].get("input") == samplers[1].get("input") && node(start) == node(start + 1);
-        if !(is_ours(start, "translation") && is_ours(start + 1, "rotation") && cubic && same) {
-            return Err(wrong());
-        }
-        let times = self.floats::<1>(samplers[0].get("input"), "SCALAR")?;
-        let translations = self.floats::<3>(samplers[0].get("output"), "VEC3")?;
-        let rotations = self.floats::<4>(samplers[1].get("output"), "VEC4")?;
-        let count = times.len();
-        let rising = times.windows(2).all(|pair| pair[0][0] < pair[1][0]);
-        if count < 2 || !rising || translations.len() != 3 * count || rotations.len() != 3 * count {
-            return Err(ReadError::syntax("animations", "the keys of an animation do not fit together"));
-        }
-        let track = Track {
-            times: times.into_iter().map(|[t]| t).collect(),
-            translations: translations.as_chunks().0.to_vec(),
-            rotations: rotations.as_chunks().0.to_vec(),
-        };
-        let (name, center) = self.parent_of(node(start))?;
-        Ok(ReadTrack { name, center, track })
-    }
 }

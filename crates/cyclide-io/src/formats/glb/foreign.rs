@@ -11,7 +11,7 @@ use cyclide::Point3;
 use serde_json::Value;
 
 use super::TRIANGLES;
-use crate::formats::mesh_format::ReadMesh;
+use crate::formats::mesh_entry::ReadMesh;
 use crate::input::points::MOST_POINTS;
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::text::place::{Diagnostic, Source};

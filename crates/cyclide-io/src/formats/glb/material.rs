@@ -1,6 +1,6 @@
 //! The materials of a GLB file: the colours of the pictures.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use crate::drawing::palette;
 use cyclide::Item;
 use serde_json::{Value, json};

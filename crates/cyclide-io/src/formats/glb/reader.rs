@@ -1,11 +1,12 @@
-//! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
+//! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates, and the tracks of animations.
 
-use super::animation::{ReadTrack, moved_nodes};
 use super::material::{Look, UNLIT};
+use super::track::Track;
 use super::{LINES, MATERIAL, MESH, NODE, TITLE, TRIANGLES, Z_UP};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileName, push_counted};
 use crate::check::polyline::chain;
+use crate::check::read_error::ReadError;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 use serde_json::Value;
 use std::cell::Cell;
@@ -96,6 +97,13 @@ pub(super) fn tracks(bytes: &[u8]) -> Result<Vec<ReadTrack>, ReadError> {
         }
         None => Ok(Vec::new()),
     }
+}
+
+/// A track read, with the name of its body and where the body's parent stands.
+pub(super) struct ReadTrack {
+    pub(super) name: String,
+    pub(super) center: Point3,
+    pub(super) track: Track,
 }
 
 pub(super) struct File<'a> {
@@ -229,11 +237,7 @@ impl<'a> File<'a> {
     }
 
     /// The numbers of an accessor in rows; all finite.
-    pub(super) fn floats<const D: usize>(
-        &self,
-        accessor: Option<&Value>,
-        kind: &str,
-    ) -> Result<Vec<[f32; D]>, ReadError> {
+    fn floats<const D: usize>(&self, accessor: Option<&Value>, kind: &str) -> Result<Vec<[f32; D]>, ReadError> {
         let numbers = self.numbers(accessor, kind, 4 * D)?;
         let rows = numbers.as_chunks::<D>().0.iter().map(|row| row.map(f32::from_le_bytes)).collect::<Vec<_>>();
         if rows.iter().flatten().any(|v| !v.is_finite()) {
@@ -243,7 +247,7 @@ impl<'a> File<'a> {
     }
 
     /// The name of the node that holds another one, and where it stands.
-    pub(super) fn parent_of(&self, node: Option<u64>) -> Result<(String, Point3), ReadError> {
+    fn parent_of(&self, node: Option<u64>) -> Result<(String, Point3), ReadError> {
         let holds = |parent: &&Value| {
             let children = parent.get("children").and_then(Value::as_array).into_iter().flatten();
             parent.get("rotation").is_none() && children.map(Value::as_u64).any(|child| child == node)
@@ -254,6 +258,47 @@ impl<'a> File<'a> {
             place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a body in motion has no place"))?;
         let name = parent.and_then(|parent| parent.get("name")).and_then(Value::as_str).unwrap_or_default();
         Ok((name.to_owned(), place))
+    }
+
+    /// The tracks of an animation: of each body two samplers, of its place and its turn.
+    ///
+    /// # Errors
+    /// [`ReadError`] for one that is not like ours.
+    fn tracks(&self, animation: &Value) -> Result<Vec<ReadTrack>, ReadError> {
+        let channels = animation.get("channels").and_then(Value::as_array).map_or(0, Vec::len);
+        (0..channels.div_ceil(2)).map(|body| self.track(animation, 2 * body)).collect()
+    }
+
+    /// The track of the body whose samplers start at this one.
+    fn track(&self, animation: &Value, start: usize) -> Result<ReadTrack, ReadError> {
+        let wrong = || ReadError::unsupported("an animation of another kind", "animations");
+        let sampler = |k: usize| animation.pointer(&format!("/samplers/{k}")).ok_or_else(wrong);
+        let samplers = [sampler(start)?, sampler(start + 1)?];
+        let is_ours = |k: usize, path: &str| {
+            animation.pointer(&format!("/channels/{k}/sampler")).and_then(Value::as_u64) == Some(k as u64)
+                && animation.pointer(&format!("/channels/{k}/target/path")).and_then(Value::as_str) == Some(path)
+        };
+        let node = |k: usize| animation.pointer(&format!("/channels/{k}/target/node")).and_then(Value::as_u64);
+        let cubic = samplers.iter().all(|s| s.get("interpolation").and_then(Value::as_str) == Some("CUBICSPLINE"));
+        let same = samplers[0].get("input") == samplers[1].get("input") && node(start) == node(start + 1);
+        if !(is_ours(start, "translation") && is_ours(start + 1, "rotation") && cubic && same) {
+            return Err(wrong());
+        }
+        let times = self.floats::<1>(samplers[0].get("input"), "SCALAR")?;
+        let translations = self.floats::<3>(samplers[0].get("output"), "VEC3")?;
+        let rotations = self.floats::<4>(samplers[1].get("output"), "VEC4")?;
+        let count = times.len();
+        let rising = times.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        if count < 2 || !rising || translations.len() != 3 * count || rotations.len() != 3 * count {
+            return Err(ReadError::syntax("animations", "the keys of an animation do not fit together"));
+        }
+        let track = Track {
+            times: times.into_iter().map(|[t]| t).collect(),
+            translations: translations.as_chunks().0.to_vec(),
+            rotations: rotations.as_chunks().0.to_vec(),
+        };
+        let (name, center) = self.parent_of(node(start))?;
+        Ok(ReadTrack { name, center, track })
     }
 
     fn vectors(&self, accessor: Option<&Value>) -> Result<Vec<[f64; 3]>, ReadError> {
@@ -281,6 +326,20 @@ impl<'a> File<'a> {
         let bytes = place().ok_or_else(|| ReadError::syntax("accessors", "the bytes of an accessor are not there"))?;
         Ok(bytes.chunks_exact(4).filter_map(|b| b.try_into().ok()).collect())
     }
+}
+
+/// The nodes that animations move.
+fn moved_nodes(document: &Value) -> Vec<usize> {
+    let animations = document.get("animations").and_then(Value::as_array).into_iter().flatten();
+    let channels =
+        animations.flat_map(|animation| animation.get("channels").and_then(Value::as_array).into_iter().flatten());
+    let mut nodes: Vec<usize> = channels
+        .filter_map(|channel| channel.pointer("/target/node")?.as_u64())
+        .filter_map(|node| usize::try_from(node).ok())
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
 }
 
 fn triple(value: &Value) -> Option<[f64; 3]> {

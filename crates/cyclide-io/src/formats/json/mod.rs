@@ -23,10 +23,10 @@ mod reader;
 mod surfaces;
 
 use crate::check::deviation::{Deviations, View};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::made::Made;
 use crate::check::rational_patches::patches_deviation;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;

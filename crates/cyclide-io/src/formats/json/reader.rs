@@ -4,8 +4,9 @@
 
 use super::{body_kind, promised};
 use crate::check::bodies::FilePatch;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use cyclide::{ChainPiece, CurveChain, NurbsCurve, Point3, RationalBezierSurface, Units};
 use indexmap::IndexMap;
 use serde::Deserialize;

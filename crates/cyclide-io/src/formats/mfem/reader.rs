@@ -2,8 +2,9 @@
 
 use super::topology::Topology;
 use super::{ATTRIBUTE, HEAD, KINDS, ORDERS, UNITS};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use crate::check::spline_patches::add_patches;
 use crate::export::patch_joints::Side;
 use crate::export::rational_cells::{MOST_TAG, RationalCell, Tags};

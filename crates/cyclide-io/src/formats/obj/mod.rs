@@ -7,11 +7,11 @@ mod read_back;
 mod writer;
 
 use crate::check::deviation::{Deviations, MeshForm, Normals, View};
-use crate::check::file_content::ReadError;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::lowered::Forms;
 use crate::formats::entry::{Entry, Reading};
-use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
+use crate::formats::mesh_entry::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use crate::text::lines::lines;
 
 use polyhedron::read_polygons;

@@ -1,9 +1,10 @@
 //! Reads OBJ files of our own: the meshes and polylines of their groups.
 
 use super::writer::{GROUP, OBJECT, UNITS};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::FileName;
 use crate::check::polyline::chain;
+use crate::check::read_error::ReadError;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
 
 /// Reads every group as one mesh or one polyline.

@@ -14,11 +14,11 @@ mod writer;
 use cyclide::{Point3, Vec3};
 
 use crate::check::deviation::{Deviations, MeshForm, Normals};
-use crate::check::file_content::ReadError;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::lowered::Forms;
 use crate::formats::entry::{Entry, Kind, Reading};
-use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
+use crate::formats::mesh_entry::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use crate::input::points::MOST_POINTS;
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::text::place::{Diagnostic, Source};

@@ -2,8 +2,9 @@
 
 use super::header::{Element, Encoding, Header, Kind};
 use super::{OBJECT, UNITS};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
 
 /// Names of the numbers of a vertex.

@@ -20,6 +20,7 @@ mod integration;
 mod labels;
 mod layout;
 mod parameter_curves;
+mod part;
 mod part21;
 mod polar_curves;
 mod reader;
@@ -29,8 +30,8 @@ mod surfaces;
 mod topology;
 
 use crate::check::deviation::{Deviations, View};
-use crate::check::file_content::ReadError;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written};
 use crate::export::job::Job;
@@ -40,7 +41,7 @@ use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, Shell, ShortNumber, Units};
 use data::Data;
-use structure::Part;
+use part::Part;
 use topology::Entity;
 
 use body_check::bodies_deviation;

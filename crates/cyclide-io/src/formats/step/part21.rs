@@ -3,7 +3,7 @@
 //! The text is gone through once, every instance by the rules, and of each only its place is kept: the parameters of
 //! all at once would take several times the memory of the file. An instance is read again when it is asked for.
 
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 
 /// Lists nest this deep at most.
 const DEEPEST: usize = 16;

@@ -6,6 +6,7 @@
 
 use super::conversion;
 use super::data::{Data, fold, real, references, string};
+use super::part::Part;
 use super::styles;
 use cyclide::{Point3, Units, Vec3};
 
@@ -28,33 +29,6 @@ pub(super) fn file(data: Data, title: &str) -> String {
     text.insert_str(0, &header);
     text.push_str("ENDSEC;\nEND-ISO-10303-21;\n");
     text
-}
-
-/// An object of the model: what its shape consists of.
-pub(super) struct Part {
-    pub(super) name: String,
-    /// Index of the object in the model, which decides about its colours.
-    pub(super) index: usize,
-    pub(super) curve_sets: Vec<usize>,
-    pub(super) surfaces: Vec<usize>,
-    pub(super) solids: Vec<usize>,
-}
-
-impl Part {
-    pub(super) fn new(name: &str, index: usize) -> Self {
-        let (curve_sets, surfaces, solids) = (Vec::new(), Vec::new(), Vec::new());
-        Self { name: name.to_owned(), index, curve_sets, surfaces, solids }
-    }
-
-    /// All items, in the order of the kinds.
-    pub(super) fn items(&self) -> Vec<usize> {
-        [&self.solids[..], &self.surfaces, &self.curve_sets].concat()
-    }
-
-    /// True if there is a solid or a surface.
-    pub(super) fn has_faces(&self) -> bool {
-        !(self.solids.is_empty() && self.surfaces.is_empty())
-    }
 }
 
 /// The representation that holds things of one kind only, or the general one for a mixture: representations of one kind

@@ -1,7 +1,7 @@
 //! Colours and layers: each object in the colours of the pictures, on a layer of its own name.
 
 use super::data::{Data, real, references, string};
-use super::structure::Part;
+use super::part::Part;
 use crate::drawing::palette;
 use std::collections::HashMap;
 

@@ -8,9 +8,9 @@ mod reader;
 mod triangles;
 
 use crate::check::deviation::{Deviations, MeshForm, Normals};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named};
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::collapsed::Triangle;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
@@ -19,7 +19,7 @@ use crate::export::lowered::Forms;
 use crate::export::mesh::{body_meshes, check_single, single};
 use crate::export::single_mesh::SingleMesh;
 use crate::formats::entry::{Entry, Kind, Reading};
-use crate::formats::mesh_format::{MeshEntry, ReadMesh};
+use crate::formats::mesh_entry::{MeshEntry, ReadMesh};
 use crate::text::lines::printable;
 use cyclide::{Point3, Units};
 

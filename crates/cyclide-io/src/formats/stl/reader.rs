@@ -1,8 +1,9 @@
 //! Reads a binary STL file as one mesh of triangles that share no vertices.
 
 use super::{HEAD, RECORD, SEPARATOR, TITLE, UNITS};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
 
 /// Reads the triangles.

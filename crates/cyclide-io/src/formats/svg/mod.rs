@@ -15,9 +15,9 @@ mod plan;
 mod reader;
 
 use crate::check::deviation::{Deviations, View, lines_deviation};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named};
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::drawing;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written, WrittenCurve};

@@ -8,16 +8,13 @@ use super::{LEVEL, polyline, reader, three_digits};
 use crate::drawing::block_directions::others;
 use crate::drawing::parameter_circles::{Planes, halvings};
 use crate::drawing::plane_regions::drawn_edges;
-use crate::export::drawn_line::{DrawnLine, LinePlace, ShellLine};
+use crate::export::drawn_line::{LinePlace, ShellLine};
 use crate::export::error::ExportError;
-use crate::export::exported::{Promise, WrittenCurve};
+use crate::export::exported::{DrawnLine, Promise, WrittenCurve};
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
 use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, FaceGeometry as _, Shell, ShellFace};
-
-/// Names of the groups in the order in which they are drawn: inner circles, edges.
-pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
 /// Distance of the inner circles, about, relative to the model's size.
 const SPACING: f64 = 0.02;
 /// Width of edges and of inner circles, relative to that of a curve.
@@ -60,7 +57,7 @@ impl Plan {
     pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<DrawnLine> {
         let looks = [("#8a97a8", CIRCLE, self.circles), ("#17202e", EDGE, self.edges)];
         let mut drawn = Vec::new();
-        for (id, (colour, width, lines)) in GROUPS.into_iter().zip(looks) {
+        for (id, (colour, width, lines)) in reader::GROUPS.into_iter().zip(looks) {
             if lines.iter().all(|(_, path)| path.is_none()) {
                 drawn.extend(lines.into_iter().map(|(line, _)| line));
                 continue;

@@ -1,12 +1,14 @@
 //! Our own SVG back from the bytes: the contours' paths, and the lines of surfaces.
 
-use super::plan;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use cyclide::{Arc, ArcPath, CurveChain, Point3, ShortNumber, Units, Vec3};
 
 /// How the element of a contour starts.
 pub(super) const CONTOUR: &str = "<path class=\"contour\" d=\"";
+/// Names of the groups in the order in which they are drawn: inner circles, edges.
+pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
 /// How the group of the lines of surfaces starts, before its name, and each line in it.
 pub(super) const GROUP: &str = "<g id=\"";
 pub(super) const LINE: &str = "<path d=\"";
@@ -26,7 +28,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
     let labels = FileLabels { unit: unit(text)?, names: names(text) };
     let mut content = FileContent { labels, ..FileContent::from(paths(text, CONTOUR, "contour")?) };
-    for name in plan::GROUPS {
+    for name in GROUPS {
         if let Some((_, rest)) = text.split_once(&format!("{GROUP}{name}\" ")) {
             let group = rest.split_once("</g>").ok_or_else(|| ReadError::syntax(name, "the group has no end"))?.0;
             content.lines.extend(paths(group, LINE, name)?);

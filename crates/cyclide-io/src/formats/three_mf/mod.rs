@@ -8,9 +8,9 @@ mod package;
 mod reader;
 
 use crate::check::deviation::{Deviations, MeshForm, Normals};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named};
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;

@@ -1,8 +1,9 @@
 //! Our own 3MF back from the bytes: one mesh per object.
 
 use super::{OBJECT, TITLE, UNITS, package};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use crate::text::xml::attribute;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh};
 

@@ -2,10 +2,12 @@
 
 use super::arrays::{Arrays, Number};
 use super::linear_distance::LinearDistance;
+use super::order::{KIND, ORDER};
 use super::quality::{NAMES, Quality};
 use super::reader;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
@@ -13,10 +15,6 @@ use crate::export::provenance::Provenances;
 use crate::export::rational_cells::block_of;
 use cyclide::{CellQuality, Model, Point3, StructuredGrid};
 use std::collections::HashMap;
-
-/// VTK's number for plain hexahedra, and their corners in binary order.
-pub(super) const KIND: u8 = 12;
-pub(super) const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
 const NO_BLOCKS: &str = "plain cells are those of blocks, and there are none: write Bézier cells";
 const NOT_DIVIDED: &str = "its blocks are not divided into cells: give it `cells`, or write Bézier cells";

@@ -4,6 +4,10 @@
 
 use crate::export::rational_cells::Degrees;
 
+/// VTK's number for plain hexahedra, and their corners in binary order.
+pub(super) const KIND: u8 = 12;
+pub(super) const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+
 /// The indices `[i, j, k]` of the control points of a cell in the order of its nodes.
 pub(super) fn nodes([p, q, r]: Degrees) -> Vec<[usize; 3]> {
     match (q, r) {

@@ -1,14 +1,14 @@
 //! Our own VTU back from the bytes.
 
 use super::arrays::{Number, appended as appended_at};
-use super::linear::{KIND, ORDER};
-use super::order::nodes;
+use super::order::{KIND, ORDER, nodes};
 use super::quality::{NAMES, Quality};
 use super::{KINDS, spline_of};
 use crate::check::bodies::FileVolume;
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::rational_cells::{add_bodies, add_curves};
+use crate::check::read_error::ReadError;
 use crate::export::rational_cells::{Degrees, RationalCell, Tags};
 use crate::text::xml::attribute;
 use cyclide::{RationalBezier, RationalBezierVolume, Units};

@@ -15,8 +15,8 @@ mod tests;
 
 use crate::check::bodies::{FileBody, FileCurve, FileFace, FileShell};
 use crate::check::deviation::larger;
-use crate::check::file_content::ReadError;
 use crate::check::made::Made;
+use crate::check::read_error::ReadError;
 use crate::check::tiles::tile_faces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;

@@ -1,14 +1,15 @@
 //! Seams across faces: a line on a cylinder or a cone between the two loops that go round it, where no edges of the shell lie along one, as
 //! where a hole has faces of its own round it. It ends at vertices, or anywhere on a whole circle, whose vertex is then there.
 
+use super::bridgeheads::Bridgeheads;
 use super::chains::{ChainCurve, joined};
 use super::file_edges::Chains;
 use super::half_edges::HalfEdge;
 use super::parameters::{Developed, angle_between, place};
 use super::regions::Region;
 use super::{Draft, Drafts, EdgeForm, LayoutEdge, LoopEdge, turned};
-use cyclide::{Arc, Circle, PatchKind, Point3, Shell};
-use std::collections::{HashMap, HashSet};
+use cyclide::{Arc, Circle, PatchKind, Point3};
+use std::collections::HashSet;
 
 /// Angles nearer than this are one.
 const SAME_ANGLE: f64 = 1e-10;
@@ -22,30 +23,6 @@ pub(super) struct Bridge {
     line: Arc,
     /// Its vertices.
     ends: [usize; 2],
-}
-
-/// Where seams across faces end.
-#[derive(Default)]
-pub(super) struct Bridgeheads {
-    /// How many vertices the shell has.
-    count: usize,
-    /// Vertices that are none of the shell.
-    pub(super) points: Vec<Point3>,
-    /// All their vertices.
-    pub(super) vertices: HashSet<usize>,
-    /// Of edges of whole circles the vertex that such a circle has.
-    pub(super) on_edge: HashMap<usize, usize>,
-}
-
-impl Bridgeheads {
-    pub(super) fn new(shell: &Shell) -> Self {
-        Self { count: shell.vertices().len(), ..Self::default() }
-    }
-
-    /// A vertex that is none of the shell.
-    pub(super) fn point(&self, vertex: usize) -> Point3 {
-        self.points.get(vertex.wrapping_sub(self.count)).copied().unwrap_or(Point3::ORIGIN)
-    }
 }
 
 /// A loop round the surface.

@@ -1,6 +1,6 @@
 //! The edges of a shell as edges of the file: chains of arcs of one circle and of parts of one line are one.
 
-use super::bridges::Bridgeheads;
+use super::bridgeheads::Bridgeheads;
 use super::chains::{ChainCurve, continues, joined};
 use super::half_edges::HalfEdge;
 use super::{Draft, EdgeForm, LayoutEdge, LoopEdge, Merging};

@@ -6,6 +6,7 @@
 //! faces of the shell stay as they are. Each face is developed into the parameters of its surface before it is taken: its loops have
 //! to close there, one of them round the others, and the areas of the faces of the shell have to add up to that of the whole.
 
+mod bridgeheads;
 mod bridges;
 mod chains;
 mod file_edges;
@@ -16,7 +17,8 @@ mod seams;
 mod spheres;
 
 use super::polar_curves::PolarCurve;
-use bridges::{Bridge, Bridgeheads};
+use bridgeheads::Bridgeheads;
+use bridges::Bridge;
 use chains::as_arc;
 use cyclide::{Arc, EdgeCurve, Frame, PatchKind, Point3, Shell, Side};
 use file_edges::{Chains, edges_at, go_on};

@@ -1,8 +1,8 @@
 //! What a STEP file says besides its geometry: names, layers, products and the unit of lengths.
 
 use super::{File, Value, entity, enumeration, number_of, reference, references, text, value};
-use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName};
+use crate::check::read_error::ReadError;
 use crate::formats::step::conversion;
 use crate::formats::step::labels::{ASSEMBLY, BODY, CURVE, LAYER, OCCURRENCE, PRODUCT, SET};
 use cyclide::Units;

@@ -4,7 +4,8 @@ mod labels;
 mod shapes;
 
 use super::part21::{Instance, Instances, Value, parse};
-use crate::check::file_content::{FileContent, ReadError};
+use crate::check::file_content::FileContent;
+use crate::check::read_error::ReadError;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
 
 /// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding

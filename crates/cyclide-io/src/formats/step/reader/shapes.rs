@@ -2,7 +2,7 @@
 
 use super::{Basis, File, entity, enumeration, list, logical, number_of, numbers, reference, references, value};
 use crate::check::bodies::{FileBody, FileCurve, FileEdge, FileFace, FileShell, FileSurface};
-use crate::check::file_content::ReadError;
+use crate::check::read_error::ReadError;
 use cyclide::{Arc, ChainPiece, Circle, Frame, NurbsCurve, PatchKind, Point3, RationalBezierSurface, Vec3};
 
 /// Entities that are bodies.
