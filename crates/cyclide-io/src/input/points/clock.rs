@@ -5,8 +5,8 @@ use cyclide::ShortNumber;
 
 use super::civil_time::{CivilKind, CivilTime};
 use super::decimals::Decimals;
+use super::fields::Field;
 use super::pose_names::TimeUnit;
-use super::table::Field;
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// Seconds between poses from which on another unit may be meant, and those where all are whole, of so many at least.

@@ -2,10 +2,10 @@
 
 use cyclide::Units;
 
-use super::PointColumns;
-use super::decimals::is_number;
+use super::fields::is_number;
 use super::find::found;
 use super::names::{Role, words_of};
+use super::point_table::PointColumns;
 use super::sampled::Sampled;
 use super::table::Table;
 use super::unit::UnitWord;

@@ -1,10 +1,12 @@
 //! The order of two columns in which they are x and y of a map, and not its mirror image: by the directions that their names speak of, else by
 //! their figures.
 
-use super::names::{Role, folded};
+use super::fields::Field;
+use super::names::Role;
 use super::northing::{Order, northing_first};
 use super::sampled::Sampled;
-use super::table::{Field, Table};
+use super::table::{Table, numbers_of};
+use super::words::folded;
 
 /// A direction of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -133,7 +135,7 @@ pub(super) fn asked_for_mirrored(table: &Table<'_>, coordinates: &[usize]) -> Op
         "of {}, the first is a northing by their {why}, and the second an easting: taken as x and y, as asked for, the curve is mirrored; `--columns {}` \
          is the map (in a document `columns`)",
         table.names([first, second]),
-        super::find::numbers_of(turned)
+        numbers_of(turned)
     ))
 }
 

@@ -3,32 +3,11 @@
 
 use std::borrow::Cow;
 
-use super::groups::{Evidence, Groups, has_certain_groups, may_have_groups};
-use super::table::{Delimiter, Field, Table};
+use super::fields::{Delimiter, Field, has_decimal_comma, plain_sign};
+use super::groups::{Evidence, Groups, may_have_groups};
+use super::table::Table;
 use crate::text::number::{NEARER_TO_ZERO, vanishes};
 use crate::text::place::{Diagnostic, Source, quoted};
-
-/// True for a number with a decimal comma between digits: `-1,5`, `0,25e3`.
-pub(super) fn has_decimal_comma(text: &str) -> bool {
-    let Some((whole, fraction)) = text.split_once(',') else { return false };
-    whole.ends_with(|c: char| c.is_ascii_digit())
-        && fraction.starts_with(|c: char| c.is_ascii_digit())
-        && text.replacen(',', ".", 1).parse::<f64>().is_ok()
-}
-
-/// A number with the minus of typographers as programs write it.
-fn plain_sign(text: &str) -> Cow<'_, str> {
-    match text.strip_prefix('\u{2212}') {
-        Some(rest) => Cow::Owned(format!("-{rest}")),
-        None => Cow::Borrowed(text),
-    }
-}
-
-/// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
-pub(super) fn is_number(field: &Field<'_>) -> bool {
-    let text = plain_sign(field.text);
-    text.parse::<f64>().is_ok() || has_decimal_comma(&text) || has_certain_groups(&text)
-}
 
 /// How the numbers of a file write their fractions: one way in one file.
 #[derive(Debug, Default)]

@@ -1,12 +1,12 @@
 //! The coordinates of a table whose columns nobody chose: by their names, else the only numbers.
 
 use super::compass::{has_direction, in_right_order, mirrored_by_figures, mirrored_by_words, proposed};
-use super::decimals::is_number;
+use super::fields::is_number;
 use super::height_words::is_over_ellipsoid;
 use super::names::{GLOBE, Role, axis_kind, is_letter, is_of_system, speaks_of, words_of};
 use super::northing::{Order, northing_first};
 use super::sampled::Sampled;
-use super::table::Table;
+use super::table::{Table, numbers_of};
 use crate::text::place::Diagnostic;
 
 /// Coordinate columns that were found, with the sentence about a choice that could have been another one.
@@ -341,11 +341,6 @@ fn found_without_names(
         _ => (numbers[..2].to_vec(), Some(taken_columns(table, &numbers[..2]))),
     };
     in_order(table, sampled, all, None, remark)
-}
-
-/// Numbers of columns, from 1, as `--columns` takes them.
-pub(super) fn numbers_of(columns: impl IntoIterator<Item = usize>) -> String {
-    columns.into_iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>().join(",")
 }
 
 /// Two or three columns of those that may be meant, as `--columns` takes them.

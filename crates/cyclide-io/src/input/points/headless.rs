@@ -2,8 +2,8 @@
 
 use cyclide::Vec3;
 
-use super::decimals::has_decimal_comma;
-use super::table::{Delimiter, Field, Table};
+use super::fields::{Delimiter, Field, has_decimal_comma};
+use super::table::Table;
 
 /// Rotations may be off by this much: three decimals.
 const FEW_DECIMALS: f64 = 5e-3;

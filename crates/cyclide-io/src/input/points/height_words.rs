@@ -85,8 +85,8 @@ pub(super) fn is_over_ellipsoid(words: &[String]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fields::Field;
     use super::super::names::Role;
-    use super::super::table::Field;
 
     #[test]
     fn heights_are_known_in_many_forms() {

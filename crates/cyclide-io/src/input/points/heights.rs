@@ -1,8 +1,9 @@
 //! Grids of heights: a line of text for each row, a hole for each empty cell.
 
 use super::decimals::Decimals;
+use super::fields::Field;
 use super::missing_heights::MissingHeights;
-use super::table::{Field, Table};
+use super::table::Table;
 use super::{HEIGHTS_MISSING, MOST_POINTS};
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source};

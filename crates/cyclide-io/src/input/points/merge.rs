@@ -1,6 +1,6 @@
 //! Repeated points: neighbours that coincide, and a closed contour's last point that repeats its first.
 
-use super::PointList;
+use super::point_table::PointList;
 use cyclide::{Aabb, PointWarning, Warning};
 
 /// Neighbours closer than this part of the contour's size are one point: the rounding of coordinates that were

@@ -1,8 +1,9 @@
 //! What the name of a column says: the words of surveying, maps and CAD in English, German, French, Italian, Spanish and Portuguese.
 
+use super::fields::Field;
 use super::height_words::{height_in, is_height, is_system};
-use super::table::Field;
 use super::unit::unit_in_name;
+use super::words::folded;
 
 /// What a column is by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -226,60 +227,10 @@ pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
     (words, unit)
 }
 
-/// The words of a name in small letters, without accents.
-pub(super) fn folded(name: &str) -> Vec<String> {
-    let words = name.split(|c: char| !c.is_alphanumeric() && !is_accent(c)).filter(|word| !word.is_empty());
-    words
-        .flat_map(by_capitals)
-        .map(|word| word.chars().flat_map(char::to_lowercase).filter(|c| !is_accent(*c)).map(plain).collect())
-        .collect()
-}
-
-/// The words that capitals begin: `NorthUSft`, `pointX`. One letter (`mN`) is no word of its own.
-pub(super) fn by_capitals(word: &str) -> Vec<&str> {
-    let letters: Vec<(usize, char)> = word.char_indices().collect();
-    let (mut words, mut from) = (Vec::new(), 0);
-    for pair in letters.windows(2) {
-        let ((_, before), (at, c)) = (pair[0], pair[1]);
-        if before.is_lowercase() && c.is_uppercase() && word[from..at].chars().count() > 1 {
-            words.push(&word[from..at]);
-            from = at;
-        }
-    }
-    words.push(&word[from..]);
-    words
-}
-
 /// True if a name is this letter alone, or with its unit.
 pub(super) fn is_letter(letter: &str, field: &Field<'_>) -> bool {
     let (words, unit) = words_of(field.text);
     words.len() == 1 + usize::from(unit) && words[0] == letter
-}
-
-/// Accents that stand behind their letter.
-fn is_accent(c: char) -> bool {
-    matches!(c, '\u{300}'..='\u{36f}')
-}
-
-/// A letter without its accent.
-const fn plain(c: char) -> char {
-    match c {
-        'à' | 'á' | 'â' | 'ä' | 'ã' | 'å' | 'ą' | 'ă' => 'a',
-        'è' | 'é' | 'ê' | 'ë' | 'ę' | 'ě' => 'e',
-        'ì' | 'í' | 'î' | 'ï' | 'ı' => 'i',
-        'ò' | 'ó' | 'ô' | 'ö' | 'õ' | 'ø' | 'ő' => 'o',
-        'ù' | 'ú' | 'û' | 'ü' | 'ů' | 'ű' => 'u',
-        'ý' => 'y',
-        'ñ' | 'ń' => 'n',
-        'ç' | 'ć' | 'č' => 'c',
-        'ś' | 'š' | 'ş' | 'ș' => 's',
-        'ź' | 'ż' | 'ž' => 'z',
-        'ł' => 'l',
-        'ř' => 'r',
-        'ğ' => 'g',
-        'ț' => 't',
-        other => other,
-    }
 }
 
 #[cfg(test)]

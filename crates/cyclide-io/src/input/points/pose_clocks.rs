@@ -1,8 +1,9 @@
 //! Words of clocks in the names of columns: `elapsed_s`, `sim_time`, `Zeitstempel`, in English, German, French, Italian and Spanish.
 
+use super::fields::Field;
 use super::names::words_of;
 use super::pose_names::{Meaning, TimeUnit, unit_of_time};
-use super::table::{Field, Table};
+use super::table::Table;
 
 /// Words that are times.
 const CLOCKS: &str = "t time times timestamp timestamps stamp ts tstamp elapsed timecode clock epoch datetime unixtime gpstime simtime systime walltime \

@@ -1,6 +1,7 @@
 //! Which columns of a table of poses are what, by their names: units stand beside them as in tables of points.
 
 use super::columns::Chosen;
+use super::fields::Field;
 use super::names::words_of;
 use super::pose_clocks::{seconds_and_parts, take_clocks};
 use super::pose_entries::{is_entry, take_entries};
@@ -9,7 +10,7 @@ use super::pose_names::{
 };
 use super::pose_places::{refuse_globe, take_places};
 use super::pose_proposal::Proposal;
-use super::table::{Field, Table};
+use super::table::Table;
 use crate::text::place::{Diagnostic, Source, quoted};
 use crate::text::suggest::did_you_mean;
 
@@ -204,8 +205,9 @@ fn unknown(source: Source<'_>, table: &Table<'_>, meanings: &[Option<Meaning>], 
     let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
     let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
     let proposal = Proposal::new(table, meanings);
-    let remedy = match proposal.refusal(source, table) {
-        Some(refusal) => format!("; and the other columns are no table of poses yet: {refusal}"),
+    let refusal = proposal.typed(table).and_then(|typed| PoseColumns::new(source, &typed).err());
+    let remedy = match refusal {
+        Some(refusal) => format!("; and the other columns are no table of poses yet: {}", refusal.message),
         None => format!("; or say what each column is (`-`: nothing of the pose), as in the document {proposal}"),
     };
     field.refused(source, format!("`{}` is no column of poses, which are {NAMES}{hint}{remedy}", quoted(field.text)))

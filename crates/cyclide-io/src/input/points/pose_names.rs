@@ -1,7 +1,7 @@
 //! What the columns of a table of poses are by their names: our own, those of robots, of ROS messages and of data sets.
 
+use super::fields::Field;
 use super::names::{axis_kind, words_of};
-use super::table::Field;
 
 /// What a column is.
 #[derive(Debug, Clone, Copy, PartialEq)]

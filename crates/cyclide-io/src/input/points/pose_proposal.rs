@@ -3,12 +3,12 @@
 use std::fmt;
 
 use super::civil_time::CivilTime;
+use super::fields::Field;
 use super::names::{GLOBE, Role, speaks_of, words_of};
 use super::pose_clocks::speaks_of_clocks;
-use super::pose_columns::PoseColumns;
 use super::pose_names::{ANGLES, Meaning, POSITION, QUATERNION, TimeUnit, meaning as own_meaning};
-use super::table::{Field, Table};
-use crate::text::place::{Source, quoted};
+use super::table::Table;
+use crate::text::place::quoted;
 
 /// A column that is left out, and one whose meaning is unknown.
 const ASIDE: &str = "-";
@@ -68,15 +68,15 @@ impl Proposal {
         Self { words, rises }
     }
 
-    /// Why the columns are refused if somebody types them, where nothing in them is left open.
-    pub(super) fn refusal(&self, source: Source<'_>, table: &Table<'_>) -> Option<String> {
+    /// The table if somebody types the columns, where nothing in them is left open.
+    pub(super) fn typed<'a>(&'a self, table: &Table<'a>) -> Option<Table<'a>> {
         let same = || self.words.iter().zip(&table.header).all(|(word, field)| word == field.text);
         if self.words.iter().any(|word| word == UNTOLD) || same() {
             return None;
         }
-        let mut typed: Table<'_> = table.clone();
+        let mut typed = table.clone();
         typed.header = self.words.iter().zip(&table.header).map(|(text, f)| Field { text, start: f.start }).collect();
-        PoseColumns::new(source, &typed).err().map(|refusal| refusal.message)
+        Some(typed)
     }
 }
 
@@ -250,6 +250,7 @@ fn copied_names(table: &Table<'_>, meanings: &[Option<Meaning>]) -> Guess {
 mod tests {
     use super::super::pose_names::meaning;
     use super::*;
+    use crate::text::place::Source;
 
     fn of(text: &str) -> String {
         let table = Table::parse(Source { name: "t", text }, &[]).unwrap();

@@ -5,10 +5,11 @@ use std::f64::consts::{PI, TAU};
 
 use super::clock::Clock;
 use super::decimals::Decimals;
+use super::fields::Field;
 use super::headless::Headless;
 use super::pose_columns::{PoseColumns, RotationColumns};
 use super::pose_names::{LEFT_ASIDE, NAMES, is_of_pose};
-use super::table::{Field, Table};
+use super::table::Table;
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source};
 

@@ -1,8 +1,7 @@
 //! What stands above the data of a table: `sep=`, titles, the names of the columns, a line of units.
 
-use super::decimals::is_number;
+use super::fields::{Delimiter, Field, LONGEST_LINE, about, is_number, split};
 use super::names::Role;
-use super::table::{Delimiter, Field, LONGEST_LINE, about, split};
 use super::unit::{UnitWord, unit_alone};
 use super::unit_said::unit_said_by;
 use crate::text::lines::lines;

@@ -2,19 +2,16 @@
 
 use cyclide::Aabb;
 
-use super::PointList;
 use super::columns::Chosen;
 use super::decimals::Decimals;
+use super::fields::Field;
 use super::find::on_the_globe;
 use super::names::{Role, axis_kind};
-use super::table::{Field, Table};
+use super::point_table::PointList;
+use super::sampled::{GRID, PART_OF_GRID};
+use super::table::Table;
 use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
-
-/// Eastings and northings have six or seven figures before the point, wherever the grid begins.
-pub(super) const GRID: f64 = 1e5;
-/// What is measured there is far smaller than its distance from the origin.
-pub(super) const PART_OF_GRID: f64 = 0.1;
 
 /// What is said of coordinates that [`seem_to_be_of_a_grid`].
 pub(super) const GRID_COORDINATES: &str = "no unit is named, and the coordinates look like those of a map grid in metres: they are taken in the model's unit \

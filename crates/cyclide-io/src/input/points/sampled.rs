@@ -3,10 +3,9 @@
 use std::borrow::Cow;
 use std::collections::HashSet;
 
-use super::decimals::{has_decimal_comma, is_number};
+use super::fields::{Field, has_decimal_comma, is_number};
 use super::groups::{Evidence, Groups};
-use super::remarks::{GRID, PART_OF_GRID};
-use super::table::{Field, Table};
+use super::table::Table;
 
 /// Lines that are looked at.
 const LOOKED_AT: usize = 500;
@@ -18,6 +17,10 @@ const ENOUGH: usize = 6;
 const MAP_COLUMNS: usize = 3;
 /// Parts of a drawing have this many points, on average.
 const SHORTEST_RUN: usize = 3;
+/// Eastings and northings have six or seven figures before the point, wherever the grid begins.
+pub(super) const GRID: f64 = 1e5;
+/// What is measured there is far smaller than its distance from the origin.
+pub(super) const PART_OF_GRID: f64 = 0.1;
 /// Coordinates on a grid of whole numbers range about as far as the numbers of their points.
 const SAME_RANGE: f64 = 10.0;
 

@@ -3,9 +3,9 @@
 
 use cyclide::Point3;
 
-use super::PointList;
 use super::columns::Chosen;
 use super::names::words_of;
+use super::point_table::PointList;
 use super::sampled::Sampled;
 use super::table::Table;
 use crate::text::place::{Diagnostic, quoted};

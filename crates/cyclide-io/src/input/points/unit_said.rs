@@ -1,8 +1,8 @@
 //! The unit that a title or a remark above the data says the coordinates are in: `Coordinates in US survey feet`, `Einheit: m`.
 
 use super::height_words::is_height;
-use super::names::folded;
 use super::unit::{UnitWord, unit_alone};
+use super::words::folded;
 
 /// Words after which such a line says the unit.
 const UNITS: &str = "unit units einheit einheiten unite unites unita unidad unidades unidade";

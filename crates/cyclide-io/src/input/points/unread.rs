@@ -1,11 +1,11 @@
 //! Columns that are not read and may be meant to be: heights beside two coordinates, layers, radii, numbers that nobody knows.
 
-use super::PointColumns;
 use super::columns::Chosen;
-use super::find::{numbers_of, on_the_globe};
+use super::find::on_the_globe;
 use super::names::{Role, words_of};
+use super::point_table::PointColumns;
 use super::sampled::Sampled;
-use super::table::{Row, Table};
+use super::table::{Row, Table, numbers_of};
 use super::unit::unit_in_name;
 use crate::text::place::{Diagnostic, Source, quoted};
 
