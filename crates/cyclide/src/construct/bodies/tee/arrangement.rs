@@ -2,10 +2,11 @@
 //! (`docs/math/pipe-tees.md#branches-beside-each-other`).
 
 use super::Placed;
-use super::check::LEAST_REST;
 use crate::error::{Error, Result, TeeError};
 use std::f64::consts::{PI, TAU};
 
+/// A part of a pipe beyond a blend is longer than this part of its radius.
+pub(super) const LEAST_REST: f64 = 1e-3;
 /// The largest angle from the middle of a hole to a line beside it: arcs of nearly half a turn have weights near zero.
 const FARTHEST_LINE: f64 = 0.9 * PI;
 /// Two branches are opposite each other if they are off that by no more than this, in radians and in parts of the radius.

@@ -1,8 +1,9 @@
 //! The envelope of the balls of a piece of the loop, between their contacts: exact, of degree (12, 2)
 //! (`docs/math/pipe-tees.md#canal`).
 
-use super::crossing::{Crossing, PieceForms};
+use super::crossing::Crossing;
 use super::loop_piece::LoopPiece;
+use super::piece_forms::PieceForms;
 use crate::base::quat::Quat;
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezier, RationalBezierSurface};

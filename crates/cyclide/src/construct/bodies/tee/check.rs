@@ -1,6 +1,6 @@
 //! What is refused of a tee: balls without a radius, blends that fold, pipes that end within a blend, branches that meet.
 
-use super::arrangement::{self, Group};
+use super::arrangement::{self, Group, LEAST_REST};
 use super::canal::Canal;
 use super::crossing::Crossing;
 use super::loop_piece::LoopPiece;
@@ -10,9 +10,6 @@ use crate::base::bernstein;
 use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{ErrorItem, NumberError, PipeError, Result, TeeError};
 use std::f64::consts::FRAC_PI_2;
-
-/// A part of a pipe beyond a blend is longer than this part of its radius.
-pub(super) const LEAST_REST: f64 = 1e-3;
 
 /// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
 /// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.

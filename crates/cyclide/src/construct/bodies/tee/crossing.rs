@@ -2,8 +2,6 @@
 //! (`docs/math/pipe-tees.md#balls`).
 
 use super::boost::Boost;
-use super::equal;
-use super::loop_piece::LoopPiece;
 use super::{TeeBranch, TeeMain};
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
@@ -101,22 +99,6 @@ struct FactorForm {
     /// Their derivatives by the angle.
     weight_by_angle: [f64; 3],
     reach_by_angle: [f64; 3],
-}
-
-/// What a piece of the loop says about its balls, as polynomials over it.
-pub(in crate::construct::bodies) struct PieceForms {
-    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, the place of the contact along the main pipe from the foot, and
-    /// the radius. Of skins below the place of the contact is counted from where the mantle begins.
-    pub(in crate::construct::bodies) weight: Polynomial,
-    pub(in crate::construct::bodies) across: [Polynomial; 2],
-    pub(in crate::construct::bodies) height: Polynomial,
-    pub(in crate::construct::bodies) along: Polynomial,
-    pub(in crate::construct::bodies) radius: Polynomial,
-    /// Cosine and sine of half the angles of the contacts, up to a factor.
-    pub(in crate::construct::bodies) on_branch: [Polynomial; 2],
-    pub(in crate::construct::bodies) on_main: [Polynomial; 2],
-    /// First and last component of the factor that takes one contact to the other.
-    pub(in crate::construct::bodies) factor: [Polynomial; 2],
 }
 
 impl Crossing {
@@ -283,7 +265,7 @@ impl Crossing {
     }
 
     /// The radius of the branch times the cosine of its taper: what balls reach beyond their own radius.
-    fn reach_of_branch(&self) -> f64 {
+    pub(super) fn reach_of_branch(&self) -> f64 {
         self.radii[0] * self.taper.cos()
     }
 
@@ -339,45 +321,6 @@ impl Crossing {
     pub(in crate::construct::bodies) fn branch_point(&self, depth: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
         let ([x, y, z], radius) = (self.axes, self.branch_radius(depth, height));
         self.foot + x * (radius * (c - s) * (c + s)) + y * (radius * 2.0 * c * s) + z * height
-    }
-
-    /// The polynomials of a piece.
-    pub(in crate::construct::bodies) fn forms(&self, piece: &LoopPiece) -> PieceForms {
-        if self.equal {
-            return equal::forms(self, piece);
-        }
-        let [s, c] = piece.halves();
-        let minus = |p: &Polynomial, q: &Polynomial| p + &(q * -1.0);
-        let (ss, sc, cc, q) = (&s * &s, &s * &c, &c * &c, piece.value());
-        let [[a, b], [e, d]] = self.infinite;
-        let (beyond_c, beyond_s) = (minus(&(&q * a), &(&cc * b)), minus(&(&q * e), &(&ss * d)));
-        // Coordinates of balls are projective: weights are positive.
-        let sign = self.unit.signum();
-        let weight = &(&beyond_c * &beyond_s) * (sign / self.unit);
-        let y = &(&sc * &q) * sign;
-        let first = [&(&minus(&cc, &ss) * &q) * (0.5 * sign), y.clone(), &(&(&ss + &cc) * &q) * (0.5 * sign)];
-        let (qq, square) = (&q * &q, &sc * &sc);
-        let second = [&minus(&qq, &square) * (0.5 * sign), y, &(&qq + &square) * (0.5 * sign)];
-        let along = |row: [f64; 3], [m, y, n]: &[Polynomial; 3]| &(&(m * row[0]) + &(y * row[1])) + &(n * row[2]);
-        let [x_row, y_row, l_row] = self.boosts[0].rows();
-        let across = [x_row, y_row].map(|row| along(row, &first));
-        let up = along(self.boosts[1].rows()[0], &second);
-        let height = &(&up + &(&across[0] * self.cos)) * (1.0 / self.sin);
-        let (taper_sin, taper_cos) = self.taper.sin_cos();
-        let radius =
-            &(&(&along(l_row, &first) * taper_cos) + &(&height * taper_sin)) + &(&weight * -self.reach_of_branch());
-        let [by_s, by_c] = piece.gradient();
-        PieceForms {
-            along: &(&(&across[0] + &(&up * self.cos)) * (1.0 / self.sin)) + &(&radius * -self.main[1].sin()),
-            on_branch: self.boosts[0].halves([&c, &s]),
-            on_main: self.boosts[1].halves([&q, &sc]),
-            // Of balls inside the main pipe only, the root that it comes from is the other one.
-            factor: [&beyond_c * &by_c, &(&beyond_s * &by_s) * self.radii[1].signum()],
-            height,
-            across,
-            radius,
-            weight,
-        }
     }
 
     /// Half the angle by which the main pipe leans from a right angle to the branch.

@@ -1,10 +1,9 @@
 //! Pipes of one radius whose axes meet: the centres of balls of one radius are two half ellipses, in the planes that halve the angles between the axes,
 //! and everything is exact (`docs/math/pipe-tees.md#equal-pipes`).
 
-use super::TeeBlend;
-use super::crossing::{Crossing, PieceForms};
-use super::loop_piece::LoopPiece;
-use super::radius_law::Loop;
+use super::blend::TeeBlend;
+use super::crossing::Crossing;
+use super::loop_piece::{Loop, LoopPiece};
 use crate::construct::bodies::angle_law::check_radius;
 use crate::error::{PointError, Result, TeeError, check_tolerance};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -44,32 +43,4 @@ pub(super) fn pieces(crossing: &Crossing, blend: &TeeBlend) -> Result<Loop> {
 /// Whether a piece begins at a flank, where both pipes touch each other and the blend is one point.
 pub(super) fn begins_in_a_point(crossing: &Crossing, piece: &LoopPiece) -> bool {
     crossing.equal && piece.from.cos().abs() < FLANK
-}
-
-/// Whether a piece is in the crotch towards the end of the main pipe.
-pub(super) fn is_ahead(piece: &LoopPiece) -> bool {
-    (0.5 * (piece.from + piece.to)).cos() > 0.0
-}
-
-/// The polynomials of a piece.
-pub(super) fn forms(crossing: &Crossing, piece: &LoopPiece) -> PieceForms {
-    let [s, c] = piece.halves();
-    let reach = piece.factor(piece.from);
-    let ahead = is_ahead(piece);
-    let norm = &(&s * &s) + &(&c * &c);
-    let (cos, sin) = (&(&c * &c) + &(&(&s * &s) * -1.0), &(&s * &c) * 2.0);
-    let across = [&cos * reach, &sin * reach];
-    let up = &across[0] * if ahead { 1.0 } else { -1.0 };
-    let tan = (crossing.sin / (1.0 + crossing.cos)).abs();
-    let [along_way, beside] = if ahead { [&norm, &sin] } else { [&sin, &norm] };
-    PieceForms {
-        along: &(&across[0] + &(&up * crossing.cos)) * (1.0 / crossing.sin),
-        height: &(&up + &(&across[0] * crossing.cos)) * (1.0 / crossing.sin),
-        radius: &norm * (reach - crossing.radii[0]),
-        factor: [along_way * tan, beside.clone()],
-        on_main: if ahead { [c.clone(), s.clone()] } else { [s.clone(), c.clone()] },
-        on_branch: [c, s],
-        across,
-        weight: norm,
-    }
 }

@@ -72,12 +72,24 @@ impl LoopPiece {
         self.form[0] * a0 * b0 + self.form[1] * (a0 * b1 + a1 * b0) + self.form[2] * a1 * b1
     }
 
+    /// Whether it is in the crotch towards the end of the main pipe.
+    pub(super) fn is_ahead(&self) -> bool {
+        (0.5 * (self.from + self.to)).cos() > 0.0
+    }
+
     /// The angle at a parameter of the piece.
     pub(in crate::construct::bodies) fn angle(&self, t: f64) -> f64 {
         // The chord between the half directions is cut at t.
         let half = 0.5 * (self.to - self.from);
         self.from + half + 2.0 * (2.0 * (t - 0.5) * (0.5 * half).tan()).atan()
     }
+}
+
+/// The loop of the balls of a blend.
+pub(super) struct Loop {
+    pub(super) pieces: Vec<LoopPiece>,
+    /// The largest difference of a radius from the law.
+    pub(super) deviation: f64,
 }
 
 fn half(angle: f64) -> [f64; 2] {

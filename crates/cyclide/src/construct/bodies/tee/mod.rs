@@ -11,6 +11,7 @@
 
 mod apart;
 mod arrangement;
+mod blend;
 mod boost;
 mod canal;
 mod check;
@@ -18,15 +19,16 @@ mod crossing;
 mod equal;
 mod loop_piece;
 mod partition;
+mod piece_forms;
 mod radius_law;
 mod sewn;
 mod skin;
 
+pub use blend::TeeBlend;
 pub(super) use canal::Canal;
 pub(super) use crossing::Crossing;
+use loop_piece::Loop;
 pub(super) use loop_piece::LoopPiece;
-use radius_law::Loop;
-pub use radius_law::TeeBlend;
 
 use super::ball_centers::{BallCenters, closed_path};
 use crate::base::range;

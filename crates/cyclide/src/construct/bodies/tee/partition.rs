@@ -6,7 +6,6 @@
 
 use super::canal::Canal;
 use super::crossing::Crossing;
-use super::equal;
 use super::loop_piece::LoopPiece;
 use crate::base::bernstein;
 use crate::error::{Error, Result, TeeError};
@@ -100,7 +99,7 @@ impl Partition {
     fn from_flank_to_flank(crossing: &Crossing, pieces: &[LoopPiece]) -> Self {
         let mut sides = [Vec::new(), Vec::new()];
         for piece in pieces {
-            add_positive(crossing, *piece, HALVINGS, &mut sides[usize::from(!equal::is_ahead(piece))]);
+            add_positive(crossing, *piece, HALVINGS, &mut sides[usize::from(!piece.is_ahead())]);
         }
         let (ahead, count) = (sides[0].len(), sides[0].len() + sides[1].len());
         Self { pieces: sides.concat(), sides: [0, ahead, ahead, count, count] }

@@ -1,9 +1,10 @@
 //! Laws of the radius of the ball round a branch, and the loops that follow them.
 
+use super::blend::TeeBlend;
 use super::canal::Canal;
 use super::crossing::Crossing;
 use super::equal;
-use super::loop_piece::LoopPiece;
+use super::loop_piece::{Loop, LoopPiece};
 use crate::construct::bodies::angle_law::{Law, SAME_ANGLE, check_radius};
 use crate::construct::bodies::halving::Halving;
 use crate::error::{Result, TeeError, check_tolerance};
@@ -30,48 +31,6 @@ const PROOF_HALVINGS: u32 = 12;
 const PLACES_OF_PIECE: u32 = 8;
 /// What is a rounding of a derivative, in parts of its two terms.
 const ROUNDING: f64 = 1e-12;
-
-/// The radius of the ball that blends a branch with its main pipe.
-///
-/// Angles are counted round the branch, counter-clockwise seen from its end: 0 is the side of the end of the main pipe, +x, and π/2 the side that a positive offset is to, +y for
-/// a branch that goes up. So the crotches of a branch are at 0 and π, its flanks at π/2 and -π/2. Every loop is exact: the ball touches both pipes everywhere.
-///
-/// ```
-/// use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
-/// let tee = |blend| PipeTee::new(main, vec![TeeBranch { blend, ..TeeBranch::upright(1.0, 10.0, 0.5) }]);
-/// let [least, most] = tee(TeeBlend::Radius { radius: 0.5, tolerance: Some(1e-4) })?.made()?.blends[0].radii;
-/// assert!(least >= 0.4999 && most <= 0.5001);
-/// let [least, most] = tee(TeeBlend::Least(0.5))?.made()?.blends[0].radii;
-/// assert!((least - 0.5).abs() < 1e-12 && most > 0.6);
-/// # Ok::<(), cyclide::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub enum TeeBlend {
-    /// A ball of one radius: as nearly as this tolerance says, a thousandth of the radius by default. A loop of one radius is not rational.
-    Radius {
-        /// The radius.
-        radius: f64,
-        /// Largest difference from it.
-        tolerance: Option<f64>,
-    },
-    /// The ball has these radii at these angles, in any order, and changes smoothly between them, from one to the next without passing either.
-    Angles {
-        /// Pairs of an angle and the radius there.
-        values: Vec<[f64; 2]>,
-        /// Largest difference from the law between its values, a thousandth of the radius by default.
-        tolerance: Option<f64>,
-    },
-    /// The plainest loop, one quartic all round: this radius at the flank where it is least, and the larger ones in the crotches that follow from it.
-    Least(f64),
-}
-
-/// The loop of the balls of a blend.
-pub(super) struct Loop {
-    pub(super) pieces: Vec<LoopPiece>,
-    /// The largest difference of a radius from the law.
-    pub(super) deviation: f64,
-}
 
 impl TeeBlend {
     /// The loop that follows the law, from boosted angle 0 round to 2π.
