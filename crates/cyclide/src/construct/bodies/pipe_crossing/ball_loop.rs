@@ -1,29 +1,25 @@
 //! The loop of balls between two pipes that pass each other: pieces of the plane of the torus through balls whose radius follows a law, refined
 //! until it does within its tolerance (`docs/math/pipe-crossings.md#the-loop`).
 
-use super::CrossingSide;
+use super::balls::Balls;
+use super::contacts::PieceForms;
 use super::corners::Corners;
 use super::law_fold::LawFold;
-use super::mixed::{MixedPair, MixedPiece};
+use super::mixed::MixedPiece;
 use super::torus_pair::TorusPair;
 use crate::base::frame::Frame;
 use crate::base::vector::Vec3;
-use crate::construct::bodies::angle_law::Law;
 use crate::construct::bodies::ball_centers::{BallCenters, CenterTorus, closed_path, reach_of_places};
 use crate::construct::bodies::halving::Halving;
-use crate::construct::bodies::pierced::{HolePiece, Mantle, Node};
+use crate::construct::bodies::pierced::{HolePiece, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
 use crate::error::{CrossingError, Result};
-use crate::rational::{Polynomial, QuatPolynomial};
+use crate::rational::Polynomial;
 use crate::surface::{CanalPatch, Torus, TorusPiece, TorusSpline};
 
 /// Pieces of a loop at most. Shorter spans, in radians, are not halved: where a law leaps no blend follows it.
 const HALVING: Halving =
     Halving { what: "the blend", cap: 2048, least: 1e-6, remedy: "use a larger tolerance, or a law that changes less" };
-/// A blend keeps to its law to this part of the radius where no tolerance is given.
-const DEFAULT_TOLERANCE: f64 = 1e-3;
-/// The size of a loop is as the root of what its radius is off that at which it shrinks to a point: within this part of that it keeps its shape.
-const PART_OF_ROOM: f64 = 0.1;
 /// Places of a piece at which its radius is compared with the law.
 const PLACES: u32 = 8;
 /// Halvings of pieces at most, until as many are on both sides beside each hole.
@@ -50,47 +46,6 @@ enum Way {
     Mixed(Box<MixedPiece>),
 }
 
-/// Where a ball touches both pipes: its place along each and the angle round it, counted from where the other pipe is nearest, and the rates of these by the angle
-/// of the ball about the common normal.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Contacts {
-    pub(super) at: [[f64; 2]; 2],
-    pub(super) rates: [[f64; 2]; 2],
-}
-
-impl Contacts {
-    /// Half a turn about the common normal on.
-    pub(super) fn turned(&self) -> Self {
-        let back = |pairs: [[f64; 2]; 2]| pairs.map(|pair| pair.map(|x| -x));
-        Self { at: back(self.at), rates: back(self.rates) }
-    }
-}
-
-/// Canal, half directions and places of a piece.
-pub(super) struct PieceForms {
-    pub(super) patch: CanalPatch,
-    pub(super) halves: [[Polynomial; 2]; 2],
-    pub(super) along: [Polynomial; 2],
-}
-
-impl PieceForms {
-    /// Half a turn about the common normal on.
-    pub(super) fn turned(&self) -> Self {
-        let mut center = self.patch.center().clone();
-        for axis in [0, 1] {
-            center.0[axis] = &center.0[axis] * -1.0;
-        }
-        let turns = self
-            .patch
-            .turns()
-            .each_ref()
-            .map(|QuatPolynomial([w, x, y, z])| QuatPolynomial([w.clone(), x * -1.0, y * -1.0, z.clone()]));
-        let halves = self.halves.each_ref().map(|[cos, sin]| [cos.clone(), sin * -1.0]);
-        let along = self.along.each_ref().map(|along| along * -1.0);
-        Self { patch: CanalPatch::from_turns(center, self.patch.radius().clone(), turns), halves, along }
-    }
-}
-
 /// The whole loop, once round the common normal.
 pub(super) struct BallLoop {
     pub(super) pieces: Vec<LoopPiece>,
@@ -115,9 +70,11 @@ pub(super) struct HoleOrder {
 }
 
 impl BallLoop {
+    /// The width of its blend has to be near to that of `fold`.
+    ///
     /// # Errors
     /// `too-many-pieces`; as [`CanalPatch::along`].
-    pub(super) fn new(balls: &Balls<'_>) -> Result<Self> {
+    pub(super) fn new(balls: &Balls<'_>, fold: Option<&LawFold>) -> Result<Self> {
         let corners = Corners::new(balls)?;
         let mut made = Self {
             pieces: Vec::new(),
@@ -128,7 +85,7 @@ impl BallLoop {
         let mut nodes = vec![0];
         for ends in corners.bounds.windows(2) {
             HALVING.extend(&mut made.pieces, [ends[0], ends[1]], |part| {
-                let Some(span) = balls.span(part)? else { return Ok(None) };
+                let Some(span) = balls.span(part, fold)? else { return Ok(None) };
                 made.radii = [made.radii[0].min(span.radii[0]), made.radii[1].max(span.radii[1])];
                 made.deviation = made.deviation.max(span.deviation);
                 Ok(Some(span.pieces))
@@ -220,22 +177,6 @@ impl BallLoop {
     }
 }
 
-/// Balls whose radius follows a law, by the angle of their direction from the common normal of the axes; of cones, which have one radius, by the angle of their
-/// loop.
-pub(super) struct Balls<'a> {
-    pub(super) pair: TorusPair,
-    /// Both pipes.
-    pub(super) mantles: [Mantle; 2],
-    pub(super) mixed: Option<MixedPair>,
-    pub(super) law: &'a Law,
-    pub(super) tolerance: Option<f64>,
-    pub(super) side: CrossingSide,
-    /// The radius at which the loop shrinks to a point.
-    pub(super) limit: f64,
-    /// What the width of the blend has to be near to.
-    pub(super) fold: Option<LawFold>,
-}
-
 /// Pieces between two angles, with the bounds of their radius and what it is off the law.
 struct Span {
     pieces: Vec<LoopPiece>,
@@ -244,25 +185,6 @@ struct Span {
 }
 
 impl Balls<'_> {
-    /// Where the ball in a direction touches both pipes.
-    pub(super) fn contacts(&self, angle: f64) -> Result<Contacts> {
-        self.contacts_of(self.law.at(angle), angle)
-    }
-
-    /// The same of the ball with this radius and slope.
-    pub(super) fn contacts_of(&self, asked: [f64; 2], angle: f64) -> Result<Contacts> {
-        if let Some(mixed) = &self.mixed {
-            return mixed.towards(asked, angle);
-        }
-        self.pair.contacts(asked.map(|x| self.side.sign() * x), angle)
-    }
-
-    /// What the radius may be off one that is asked for.
-    fn allowed(&self, radius: f64) -> f64 {
-        let tolerance = self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius);
-        tolerance.min(PART_OF_ROOM * (radius - self.limit).abs())
-    }
-
     /// What pieces between two angles are made from, with balls and directions of the law at both.
     fn ways(&self, ends: [f64; 2]) -> Result<Option<Vec<Way>>> {
         if let Some(mixed) = &self.mixed {
@@ -290,7 +212,7 @@ impl Balls<'_> {
     }
 
     /// The pieces between two angles, no value of the law between them, if radius and width keep to the law and weights are positive.
-    fn span(&self, ends: [f64; 2]) -> Result<Option<Span>> {
+    fn span(&self, ends: [f64; 2], fold: Option<&LawFold>) -> Result<Option<Span>> {
         let Some(ways) = self.ways(ends)? else { return Ok(None) };
         let asked = ends.map(|angle| self.law.at(angle)[0]);
         let (low, high) = (asked[0].min(asked[1]), asked[0].max(asked[1]));
@@ -316,7 +238,7 @@ impl Balls<'_> {
             span.radii = [span.radii[0].min(least), span.radii[1].max(most)];
             span.pieces.push(made);
         }
-        if let Some(fold) = &self.fold {
+        if let Some(fold) = fold {
             let left = span.pieces.iter().map(|piece| fold.of_piece(&piece.patch)).fold(f64::INFINITY, f64::min);
             if !fold.is_met(self, ends, left) {
                 return Ok(None);

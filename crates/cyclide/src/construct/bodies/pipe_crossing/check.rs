@@ -1,6 +1,7 @@
 //! What is refused of a crossing: blends that fold, holes that go too far round a pipe.
 
-use super::ball_loop::{BallLoop, Balls};
+use super::ball_loop::BallLoop;
+use super::balls::Balls;
 use super::law_fold::LawFold;
 use crate::construct::bodies::pierced::Node;
 use crate::construct::bodies::tight_place::TightPlace;
@@ -20,7 +21,12 @@ const FARTHEST: f64 = 2.6;
 ///
 /// # Errors
 /// `crossing-folds`.
-pub(super) fn check_folds(asked: &Balls<'_>, balls: &BallLoop, depth: f64) -> Result<TightPlace> {
+pub(super) fn check_folds(
+    asked: &Balls<'_>,
+    fold: Option<&LawFold>,
+    balls: &BallLoop,
+    depth: f64,
+) -> Result<TightPlace> {
     let tightest = balls.pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         let canal = piece.patch.offset(depth);
         let angle = |s: f64| {
@@ -32,7 +38,7 @@ pub(super) fn check_folds(asked: &Balls<'_>, balls: &BallLoop, depth: f64) -> Re
     if tightest.left > 0.0 {
         Ok(tightest)
     } else {
-        let remedy = LawFold::remedy(asked.fold.as_ref(), asked, depth);
+        let remedy = LawFold::remedy(fold, asked, depth);
         Err(CrossingError::Folds { angle: tightest.angle, left: tightest.left, remedy, walled: depth > 0.0 }.into())
     }
 }

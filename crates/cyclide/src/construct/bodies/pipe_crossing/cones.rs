@@ -2,7 +2,7 @@
 //!
 //! Balls of one radius are a closed curve of places there too, told by an angle of its own, as those of another radius have another middle.
 
-use super::ball_loop::{Contacts, PieceForms};
+use super::contacts::{Contacts, PieceForms};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Vec3;
 use crate::construct::bodies::pierced::Mantle;

@@ -1,6 +1,6 @@
 //! The corners of the holes of a crossing: where the contacts run at 45 degrees to their pipes.
 
-use super::ball_loop::Balls;
+use super::balls::Balls;
 use crate::error::Result;
 use std::f64::consts::TAU;
 

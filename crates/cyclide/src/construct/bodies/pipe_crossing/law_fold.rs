@@ -4,7 +4,7 @@
 //! The pieces of a loop have the places and directions of the law at their ends. They bend as it does less closely than they keep to its radius, and what
 //! bends too much folds: the radius alone tells nothing of that.
 
-use super::ball_loop::Balls;
+use super::balls::Balls;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::FoldRemedy;

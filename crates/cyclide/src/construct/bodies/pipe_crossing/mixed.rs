@@ -4,7 +4,7 @@
 //! sideways offset is the distance of the axes. Neither contact goes round its pipe, so that no angle round one of them serves all the loop: spans run by
 //! that round the pipe along whose contact it changes more, with either as the branch.
 
-use super::ball_loop::{Contacts, PieceForms};
+use super::contacts::{Contacts, PieceForms};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::construct::bodies::tee::{Canal, Crossing, LoopPiece};

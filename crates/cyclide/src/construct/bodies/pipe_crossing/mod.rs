@@ -5,8 +5,10 @@
 //! is a bridge between them. All faces are exact; what is approximated is the radius, to a tolerance.
 
 mod ball_loop;
+mod balls;
 mod check;
 mod cones;
+mod contacts;
 mod corners;
 mod law_fold;
 mod mixed;
@@ -24,7 +26,8 @@ use crate::error::{
 };
 use crate::surface::SkewCylinders;
 use crate::topology::{Body, Sewing};
-use ball_loop::{BallLoop, Balls};
+use ball_loop::BallLoop;
+use balls::Balls;
 use law_fold::LawFold;
 use mixed::MixedPair;
 use std::f64::consts::PI;
@@ -305,14 +308,14 @@ impl PipeCrossing {
         // The larger balls are those of the inner skin, in the material those of the outer one.
         let larger = if self.side.is_in_material() { 0.0 } else { depth };
         let (law, tolerance, side) = (&self.law, self.tolerance, self.side);
-        let asked = Balls { pair, mantles, mixed, law, tolerance, side, limit, fold: None };
+        let asked = Balls { pair, mantles, mixed, law, tolerance, side, limit };
         check::check_reach_round(&asked)?;
-        let asked = Balls { fold: LawFold::new(&asked, larger), ..asked };
-        let balls = BallLoop::new(&asked)?;
+        let fold = LawFold::new(&asked, larger);
+        let balls = BallLoop::new(&asked, fold.as_ref())?;
         for pipe in 0..2 {
             if self.side.leaves(pipe) { check::check_hole(&balls, pipe)? } else { check::check_cap(&balls, pipe)? }
         }
-        let tight = check::check_folds(&asked, &balls, larger)?;
+        let tight = check::check_folds(&asked, fold.as_ref(), &balls, larger)?;
         self.check_room(&balls)?;
         let blend = TeeBlendFacts {
             radii: balls.radii,

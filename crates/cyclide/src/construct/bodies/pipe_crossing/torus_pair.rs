@@ -1,8 +1,8 @@
 //! The pair of pipes whose balls, all outside both or all inside both, are those of a torus: their contacts, and canals along pieces of its plane.
 
 use super::CrossingPipe;
-use super::ball_loop::{Contacts, PieceForms};
 use super::cones::ConePair;
+use super::contacts::{Contacts, PieceForms};
 use crate::base::planar::{Point2, Vec2};
 use crate::construct::bodies::ball_centers::CenterPair;
 use crate::construct::bodies::pierced::Mantle;
