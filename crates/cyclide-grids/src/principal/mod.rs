@@ -3,6 +3,7 @@
 
 mod arc_length;
 mod choice;
+mod continuation;
 mod coordinates;
 mod cover;
 mod cross_field;

@@ -1,6 +1,6 @@
 //! A grid of all whole cells: its border runs in steps, and what it goes round is an opening.
 
-use super::cover::continued;
+use super::continuation::continued;
 use super::rectangles::largest;
 use cyclide::Point3;
 use cyclide::Result;

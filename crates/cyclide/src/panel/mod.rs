@@ -10,6 +10,7 @@ mod measures;
 mod mould_shape;
 mod moulds;
 mod nearest;
+mod panel_fit;
 mod peaks;
 mod unit_patch;
 

@@ -1,7 +1,7 @@
 //! The form of a mould, without its place.
 
 use super::bent_plane::{Bend, BentPlane};
-use super::nearest::PanelFit;
+use super::panel_fit::PanelFit;
 
 /// The surface of a mould, wherever it stands.
 ///

@@ -5,7 +5,8 @@ use std::collections::HashMap;
 
 use super::bent_plane::Bend;
 use super::mould_shape::MouldShape;
-use super::nearest::{NearSurface, PanelFit, PanelPoints};
+use super::nearest::{NearSurface, PanelPoints};
+use super::panel_fit::PanelFit;
 use crate::error::{Result, check_tolerance};
 use crate::surface::CyclidePatch;
 

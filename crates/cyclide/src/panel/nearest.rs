@@ -3,6 +3,7 @@
 use super::bent_plane::{Bend, BentPlane, PLACE};
 use super::least_maximum::{LEVEL, ROUNDING};
 use super::mould_shape::MouldShape;
+use super::panel_fit::PanelFit;
 use super::peaks::peaks;
 use super::unit_patch::UnitPatch;
 use crate::base::frame::Frame;
@@ -105,15 +106,6 @@ impl NearSurface {
         let panel = PanelPoints::new(patch);
         Ok(panel.simplest(tolerance).and_then(|fit| panel.near_surface(&fit)))
     }
-}
-
-/// A surface fitted to a panel, in the panel's units.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct PanelFit {
-    pub(super) shape: BentPlane,
-    /// Largest distance of the panel, in the units of the given patch.
-    pub(super) max_distance: f64,
-    place: (f64, f64),
 }
 
 /// A panel with the points by which surfaces are fitted.

@@ -1,10 +1,11 @@
 //! The cone of revolution that comes nearest to points with normals (`docs/math/patches.md#rational-surfaces`).
 
-use super::rational_kind::ACROSS;
 use crate::base::elimination::solution;
 use crate::base::frame::Frame;
 use crate::base::vector::{Point3, Vec3};
 
+/// Normals are at one angle to the axis to this, a right one of cylinders; it only keeps other surfaces from the proof.
+pub(super) const ACROSS: f64 = 1e-8;
 /// Steps towards the nearest cone. What normals suggest is right to some digits, and each step squares what is left.
 const STEPS: usize = 4;
 /// Normals that span no more than this part of the sphere have no axis.

@@ -1,7 +1,7 @@
 //! Which rational surfaces are parts of planes and of cylinders and cones of revolution (`docs/math/patches.md#rational-surfaces`).
 
 use super::patch::PatchKind;
-use super::rational_cone::ConeFit;
+use super::rational_cone::{ACROSS, ConeFit};
 use crate::base::bernstein;
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
@@ -10,8 +10,6 @@ use crate::rational::RationalBezierSurface;
 
 /// Places per parameter whose normals give the axis.
 const PLACES: u32 = 5;
-/// Normals are at one angle to the axis to this, a right one of cylinders; it only keeps other surfaces from the proof.
-pub(super) const ACROSS: f64 = 1e-8;
 /// Sine of the angle between the normals that are farthest apart: below it the axis is undetermined.
 const SMALLEST_TURN: f64 = 1e-3;
 /// How far the surface may leave the cylinder: the first of its own size, the second, rounding, of coordinates and radius.

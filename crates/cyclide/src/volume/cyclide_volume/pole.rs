@@ -1,12 +1,17 @@
 //! No denominator vanishes: proved by the real weights of sub-volumes.
 
-use super::rational::real_weights;
 use super::{CyclideVolume, trilinear};
+use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
 use crate::error::{Result, VolumeError};
 
 /// Cells are halved in all directions this often before their centre is called a pole: what is taken goes into so small parts with positive weights.
 pub(super) const HALVINGS: u32 = 16;
+
+/// The 27 real weights: Bernstein coefficients of `|D|²`.
+pub(super) fn real_weights(w: &[Quat; 8]) -> [f64; 27] {
+    triquadratic(|k, l| [w[k].dot(w[l])]).map(|[v]| v)
+}
 
 impl CyclideVolume {
     /// Refuses a volume that passes through infinity: `|D|²` is triquadratic and has no zero where all its 27 Bernstein coefficients are

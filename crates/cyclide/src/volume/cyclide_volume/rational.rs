@@ -1,16 +1,11 @@
 //! The exact rational triquadratic form (`docs/math/volumes.md#exact-rational-form`).
 
 use super::CyclideVolume;
-use super::pole::{self, HALVINGS};
+use super::pole::{self, HALVINGS, real_weights};
 use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
 use crate::error::{Result, VolumeError};
 use crate::rational::RationalBezierVolume;
-
-/// The 27 real weights: Bernstein coefficients of `|D|²`.
-pub(super) fn real_weights(w: &[Quat; 8]) -> [f64; 27] {
-    triquadratic(|k, l| [w[k].dot(w[l])]).map(|[v]| v)
-}
 
 impl CyclideVolume {
     /// The rational triquadratic with the same parameters, homogeneous rows `[wx, wy, wz, w]`. Weights are zero or negative beside sides of

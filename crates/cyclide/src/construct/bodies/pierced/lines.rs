@@ -1,22 +1,10 @@
 //! The part of a pipe round a hole, between two lines along the pipe: rulings to its ends, arcs beside it, and corners (`docs/math/pipe-tees.md#faces`).
 
-use super::mantle::{Border, Mantle};
+use super::mantle::{Border, Mantle, between, half};
 use super::rail::Rail;
 use super::skin::{Ring, Skin};
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
-
-/// The half direction of an angle.
-pub(super) fn half(angle: f64) -> [f64; 2] {
-    let (s, c) = (0.5 * angle).sin_cos();
-    [c, s]
-}
-
-/// From one half direction to another, of degree 0 where they are one.
-pub(super) fn between([from, to]: [[f64; 2]; 2]) -> [Polynomial; 2] {
-    let one = (0..2).all(|d: usize| from[d] - to[d] == 0.0);
-    [0, 1].map(|d: usize| Polynomial::new(if one { vec![from[d]] } else { vec![from[d], to[d]] }))
-}
 
 /// A place of the border of a hole: half direction of length 1, and place along the pipe.
 #[derive(Debug, Clone, Copy)]

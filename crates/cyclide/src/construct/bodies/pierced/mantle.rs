@@ -11,6 +11,18 @@ use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::EdgeCurve;
 
+/// The half direction of an angle.
+pub(super) fn half(angle: f64) -> [f64; 2] {
+    let (s, c) = (0.5 * angle).sin_cos();
+    [c, s]
+}
+
+/// From one half direction to another, of degree 0 where they are one.
+pub(super) fn between([from, to]: [[f64; 2]; 2]) -> [Polynomial; 2] {
+    let one = (0..2).all(|d: usize| from[d] - to[d] == 0.0);
+    [0, 1].map(|d: usize| Polynomial::new(if one { vec![from[d]] } else { vec![from[d], to[d]] }))
+}
+
 /// A border on a pipe: half direction, and the place along it times the weight.
 pub(in crate::construct::bodies) struct Border {
     pub(in crate::construct::bodies) half: [Polynomial; 2],

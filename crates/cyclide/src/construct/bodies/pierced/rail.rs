@@ -1,8 +1,7 @@
 //! Lines across a pipe or along it, from vertex to vertex, and the strip between two of them: faces of four sides where their steps face each other, of three where
 //! one has more; exact.
 
-use super::lines::{between, half};
-use super::mantle::{Border, Mantle};
+use super::mantle::{Border, Mantle, between, half};
 use super::skin::{Ring, Skin};
 use crate::error::Result;
 use crate::rational::Polynomial;

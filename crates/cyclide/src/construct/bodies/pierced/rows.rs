@@ -1,8 +1,8 @@
 //! A stretch of a pipe with holes beside each other: rows of holes along the pipe, each between two lines of its own, and strips between the rows
 //! (`docs/math/pipe-tees.md#branches-beside-each-other`).
 
-use super::lines::{Hole, RuledSide, between, half};
-use super::mantle::Mantle;
+use super::lines::{Hole, RuledSide};
+use super::mantle::{Mantle, between, half};
 use super::rail::{Pairing, Rail};
 use super::skin::{Ring, Skin};
 use crate::error::{PointError, Result};

@@ -4,6 +4,7 @@ mod arcs;
 mod closed_quartic;
 mod detour;
 mod knot;
+mod local_data;
 mod projective_biarc;
 mod quartic_biarc;
 mod spline;

@@ -1,6 +1,6 @@
 //! Spans: data of two ends that one type of quartic joins, and how well (`docs/math/torus-splines.md#the-general-problem`).
 
-use super::quartic_biarc::LocalData;
+use super::local_data::LocalData;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::Result;
 use crate::surface::{QuarticType, TorusChain, within_a_turn};
