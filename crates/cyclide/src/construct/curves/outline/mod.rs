@@ -75,7 +75,7 @@ const ZIGZAG: f64 = 15.0 * PI / 180.0;
 /// Corners leave others without support; so often at most.
 const MAX_PASSES: usize = 16;
 
-/// Figures of no more points than this are polygons as well as samples,
+/// Figures of fewer points than this are polygons as well as samples,
 const FEW_POINTS: usize = 24;
 /// if their points turn by more than this: a 24th of a full turn.
 const LARGE_TURN: f64 = PI / 12.0;
@@ -172,7 +172,7 @@ impl Outline {
         has_target: bool,
     ) -> Option<Warning> {
         let n = points.len();
-        let is_few = n <= FEW_POINTS;
+        let is_few = n < FEW_POINTS;
         if !(is_few || self.has_noise || self.bound.contains(&true)) || distance <= AWAY * tolerance {
             return None;
         }
