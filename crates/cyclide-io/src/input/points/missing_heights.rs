@@ -1,11 +1,16 @@
 //! Heights that stand for none: -9999 and the like, as programs write them where nothing was measured.
 
-/// What is written for no height, and for hardly anything else.
-const NONE: [f64; 9] = [-999.0, -9999.0, -99_999.0, -999_999.0, 9999.0, 99_999.0, 999_999.0, -32_767.0, -32_768.0];
+/// What is written for no height, and for hardly anything else,
+const NONE: [f64; 14] = [
+    -999.0, -999.25, -9999.0, -9999.99, -99_999.0, -999_999.0, 9999.0, 9999.99, 99_999.0, 999_999.0, 32_767.0,
+    -32_767.0, -32_768.0, 65_535.0,
+];
+/// and heights above this, such as the largest number of single precision.
+const NO_HEIGHT: f64 = 1e15;
 /// What may be a height as well.
-const PERHAPS: [f64; 2] = [0.0, 999.0];
+const PERHAPS: [f64; 3] = [0.0, 999.0, 999.9];
 /// It is farther from the others than this many times their range,
-const APART: f64 = 10.0;
+const APART: f64 = 3.0;
 /// of which there are at least so many, and at most this part of all stands for none.
 const OTHERS: usize = 3;
 const PART: f64 = 0.5;
@@ -25,7 +30,9 @@ pub(super) struct MissingHeights {
 impl MissingHeights {
     /// Finds them among heights that were measured: others, equal to each other, may be levels.
     pub(super) fn of(heights: impl Iterator<Item = f64> + Clone) -> Option<Self> {
-        NONE.iter().chain(&PERHAPS).find_map(|&value| {
+        let huge = heights.clone().find(|z| z.abs() > NO_HEIGHT);
+        let values = huge.into_iter().chain(NONE).chain(PERHAPS);
+        values.into_iter().find_map(|value| {
             let is_value = |z: &f64| z.total_cmp(&value).is_eq();
             let first = heights.clone().position(|z| is_value(&z))?;
             let others = || heights.clone().filter(|z| !is_value(z));
@@ -35,7 +42,7 @@ impl MissingHeights {
             let are_measured = left >= OTHERS && high > low && apart > APART * (high - low);
             let count = total - left;
             let are_few = count as f64 <= PART * total as f64;
-            let is_certain = NONE.contains(&value);
+            let is_certain = !PERHAPS.contains(&value);
             (are_measured && are_few).then_some(Self { value, count, first, others: [low, high], is_certain })
         })
     }
@@ -45,6 +52,7 @@ impl MissingHeights {
         let Self { value, count, others: [low, high], is_certain, .. } = self;
         let heights = if *count == 1 { "height is" } else { "heights are" };
         let verb = if *is_certain { "stands" } else { "may stand" };
+        let value = if value.abs() > NO_HEIGHT { format!("{value:e}") } else { value.to_string() };
         format!("{count} {heights} {value}, which {verb} for a missing one: the others lie from {low} to {high}")
     }
 

@@ -77,7 +77,47 @@ impl<'a> Table<'a> {
         let preamble = Preamble::read(source, wanted, known)?;
         let Preamble { delimiter, header, units, unit_words, titles, said, first, start } = preamble;
         let width = if header.is_empty() { first.len() } else { header.len() };
-        Ok(Self { source, delimiter, header, units, unit_words, titles, said, width, first, start })
+        let table = Self { source, delimiter, header, units, unit_words, titles, said, width, first, start };
+        table.with_names_of_words(wanted)
+    }
+
+    /// Names of several words, in a table whose columns are separated by blanks, are parted by two blanks: else their columns are not known.
+    fn with_names_of_words(mut self, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
+        let count = self.header.len();
+        if self.delimiter != Delimiter::Blanks || count <= self.first.len() {
+            return Ok(self);
+        }
+        let mut widest = 0;
+        self.for_first_rows(|fields| {
+            widest = widest.max(fields.len());
+            widest < count
+        });
+        if widest >= count {
+            return Ok(self);
+        }
+        let mut joined: Vec<Field<'a>> = Vec::new();
+        for field in &self.header {
+            let after = joined.last().map(|last| last.start + last.text.len());
+            match (joined.last_mut(), after) {
+                (Some(last), Some(end)) if &self.source.text[end..field.start] == " " => {
+                    last.text = &self.source.text[last.start..field.start + field.text.len()];
+                }
+                _ => joined.push(*field),
+            }
+        }
+        let by_number = |name: &String| name.parse().is_ok_and(|n: usize| (1..=widest).contains(&n));
+        if joined.len() == widest {
+            self.header = joined;
+        } else if !wanted.is_empty() && wanted.iter().all(by_number) {
+            self.header.clear();
+        } else {
+            return Err(self.header_refused(format!(
+                "there are {count} names for {widest} columns, and which names have several words is not known: separate the columns by two \
+                 blanks, tabs or semicolons, or choose them by number (`--columns 2,3`, in a document `columns`)"
+            )));
+        }
+        self.width = widest;
+        Ok(self)
     }
 
     /// The unit of a column of coordinates: its own, else that of a title.

@@ -462,16 +462,25 @@ fn heights_that_stand_for_none_are_refused_or_said() {
         let rows = heights.split(' ').enumerate().map(|(i, z)| format!("{i}.5,{},{z}\n", i * i));
         format!("x,y,z\n{}", rows.collect::<String>())
     };
-    for (heights, line) in
-        [("100 101.5 -9999 102", 4), ("-9999.0 1 2 3 -9999 4", 2), ("1 2 3 99999", 5), ("1 2 3 -32768", 5)]
-    {
+    for (heights, line) in [
+        ("100 101.5 -9999 102", 4),
+        ("-9999.0 1 2 3 -9999 4", 2),
+        ("1 2 3 99999", 5),
+        ("1 2 3 -32768", 5),
+        ("1 2 3 -3.4028235e38", 5),
+        ("200 220 9999.99 210", 4),
+    ] {
         let message = read(&table(heights)).unwrap_err();
         assert!(message.starts_with(&format!("p.csv:{line}:1: ")), "{heights}: {message}");
         assert!(message.contains("`--columns 1,2`"), "{heights}: {message}");
     }
-    for (heights, said) in
-        [("100 101 0 102", true), ("100 101 0 103 102 0", true), ("1 2 3 999", true), ("5 5 5 0", false)]
-    {
+    for (heights, said) in [
+        ("100 101 0 102", true),
+        ("100 101 0 103 102 0", true),
+        ("1 2 3 999", true),
+        ("200 221 0 210", true),
+        ("5 5 5 0", false),
+    ] {
         assert_eq!(remarks(&table(heights)).contains(&"heights-missing"), said, "{heights}");
     }
     // Depths and mountains, levels, and what is typed.
@@ -488,4 +497,21 @@ fn heights_that_stand_for_none_are_refused_or_said() {
     let typed =
         PointColumns { coordinates: Some(["x", "y", "z"].map(str::to_owned).to_vec()), ..PointColumns::default() };
     assert!(read_points("p.csv", table("100 101 -9999 102").as_bytes(), &typed).is_ok());
+}
+
+#[test]
+fn names_of_several_words_do_not_move_columns() {
+    let rows = "1  4.5  5.5  3.1\n2  5.5  6.5  3.2\n";
+    let right = [[[4.5, 5.5, 3.1], [5.5, 6.5, 3.2]]];
+    for header in ["Punkt Nr  Ost  Nord  Höhe", "Pt No  Easting  Northing  RL", "Point ID   E   N   Ground level"] {
+        assert_eq!(xyz(&read(&format!("{header}\n{rows}")).unwrap()), right, "{header}");
+    }
+    let text = format!("Punkt Nr Ost Nord Höhe\n{rows}");
+    let message = read(&text).unwrap_err();
+    assert!(message.starts_with("p.csv:1:1: there are 5 names for 4 columns"), "{message}");
+    let columns =
+        PointColumns { coordinates: Some(["2", "3", "4"].map(str::to_owned).to_vec()), ..PointColumns::default() };
+    assert_eq!(xyz(&read_points("p.csv", text.as_bytes(), &columns).unwrap()), right);
+    // A column that some rows end before.
+    assert_eq!(xyz(&read("x y z code\n4.5 5.5 3.1\n5.5 6.5 3.2 A\n").unwrap()), right);
 }
