@@ -6,8 +6,11 @@ use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
 const PLACES: u32 = 8;
 /// A corner turns by more than samples of a curve do.
 const SHARP: f64 = 65.0 * std::f64::consts::PI / 180.0;
-/// Fewer corners make no outline that is open; one closed by a straight edge, or in a point, has one or two.
+/// Fewer corners make no outline, but of few points or by a long edge: one closed by that, or in a point, has one or two.
 const FEWEST: usize = 3;
+const FEW_POINTS: [usize; 2] = [6, 64];
+/// A long edge is this many times as long as they usually are.
+const LONG: f64 = 3.0;
 /// A curve that leaves an edge by this part of its length bulges: its corners may turn by less.
 const BULGE: f64 = 0.12;
 /// Farther from the edges than this part of their lengths, a curve is another figure.
@@ -24,7 +27,8 @@ pub fn warnings(model: &Model) -> Vec<String> {
         let n = points.len();
         let turn = |i: &usize| (points[*i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[*i]);
         let is_outline = if corners.iter().any(|i| turn(i) > SHARP) {
-            curve.is_closed() || corners.len() >= FEWEST
+            let few = points.len() <= FEW_POINTS[usize::from(curve.is_closed())];
+            corners.len() >= FEWEST || few || edge > LONG * usual_edge(&points)
         } else {
             corners.len() >= FEWEST && distance > BULGE * edge
         };
@@ -56,6 +60,13 @@ fn nodes(curve: &dyn ParamCurve) -> Vec<Point3> {
         points.push(curve.piece_point(count - 1, 1.0));
     }
     points
+}
+
+/// The median edge between points.
+fn usual_edge(points: &[Point3]) -> f64 {
+    let mut edges: Vec<f64> = points.windows(2).map(|w| w[0].distance(w[1])).collect();
+    edges.sort_by(f64::total_cmp);
+    edges.get(edges.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// How far the curve is from the edges between its points, and how long that edge is.
