@@ -314,26 +314,26 @@ fn poses_turned_wrong_are_named_in_angle() {
     }
 }
 
-/// A closed smoothed motion is C2 where it comes back, also round a whole turn, where quaternions change their sign.
+/// A closed smoothed motion is C2 where it comes back, also round a whole turn, where quaternions change their sign, and is the same wherever
+/// it begins, also under a tolerance so wide that it is smoothed over several rounds.
 #[test]
 fn closed_smoothing_is_smooth_where_it_comes_back() {
     let rough = |k: u32| 0.4 * (1.7 * f64::from(k) * f64::from(k)).sin();
-    for turns in [0.0, 1.0, 2.0] {
+    for (turns, wide) in [0.0, 1.0, 2.0].into_iter().flat_map(|turns| [(turns, 2.0), (turns, 25.0)]) {
         let pose = |k: u32| {
             let angle = std::f64::consts::TAU * f64::from(k) / 90.0;
             let place = [50.0 * angle.cos() + rough(k), 30.0 * angle.sin() - rough(k + 7), rough(k + 3)];
             at(f64::from(k) * 0.1 + 0.01 * rough(k), place, turns * angle + 0.01 * rough(k + 5))
         };
         let poses: Vec<TimedPose> = (0..90).map(pose).collect();
-        let tolerance = MotionTolerance { place: Some(2.0), angle: Some(0.03) };
+        let tolerance = MotionTolerance { place: Some(wide), angle: Some(0.03) };
         let motion = DecoupledMotion::smoothed_with(&poses, Some(9.0), tolerance, false).unwrap();
         let point = Point3::new(3.0, 1.0, 2.0);
         let [first, last] = [motion.jet(poses[0].time, point), motion.jet(9.0, point)];
         assert!(first.pose.angle_to(last.pose) < 1e-9 && first.point.point.distance(last.point.point) < 1e-9);
         assert!((first.point.d1 - last.point.d1).length() < 1e-8 && (first.point.d2 - last.point.d2).length() < 1e-6);
         let off = motion.deviation().unwrap();
-        assert!(off.place <= 2.0 && off.angle <= 0.03 && off.place > 0.2, "{off:?}");
-        // Begun at another pose it is the same one, as far as it does not matter.
+        assert!(off.place <= wide && off.angle <= 0.03 && off.place > 0.2, "{off:?}");
         let mut other: Vec<TimedPose> = (30..90).map(|k| poses[k]).collect();
         other.extend((0..30).map(|k| TimedPose { time: poses[k].time + 9.0 - poses[0].time, ..poses[k] }));
         let closing = other[0].time + 9.0 - poses[0].time;
@@ -342,7 +342,8 @@ fn closed_smoothing_is_smooth_where_it_comes_back() {
             let time = 3.2 + 0.1 * f64::from(k) - 0.3;
             let time = time.max(other[0].time);
             let apart = (motion.pose(time.min(9.0)).translation() - again.pose(time.min(9.0)).translation()).length();
-            assert!(apart < 0.3, "{apart}");
+            // The strongest smoothing averages over some thousands of steps, and is cut off there.
+            assert!(apart < 1e-4, "{turns}, {wide}: {apart}");
         }
     }
 }

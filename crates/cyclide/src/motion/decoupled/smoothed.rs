@@ -36,8 +36,10 @@ const ABOVE: f64 = 1.25;
 const FARTHER: f64 = 1.5;
 /// Tolerances above this part of the extent of the path are wide.
 const WIDE: f64 = 0.12;
-/// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended.
+/// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended;
 const BEYOND: usize = 64;
+/// and over which closed values are smoothed before and after: a few times the length over which the strongest smoothing averages.
+const MEMORY: usize = 6000;
 
 /// How far a smoothed motion may be from its poses. What has no tolerance is interpolated.
 ///
@@ -287,25 +289,26 @@ impl<const D: usize> Values<'_, D> {
         if !self.closed {
             return strongest(&self.values, &self.steps, &off, 0..self.values.len());
         }
-        // Three times round: the middle one does not know where it begins, up to what is smoothed over more than a whole round. The spline through
-        // its values is closed however that is.
+        // Several times round: the middle one does not know where the first begins. The spline through its values is closed however that is.
         let count = self.steps.len();
-        let (values, steps) = self.rounds(&self.values, count);
-        let smooth = strongest(&values, &steps, &|i, x| off(i % count, x), count..2 * count);
-        let mut middle: Vec<[f64; D]> = smooth[count..2 * count].iter().map(|x| x.map(|x| x * self.sign)).collect();
+        let beyond = MEMORY.div_ceil(count) * count;
+        let (values, steps) = self.rounds(&self.values, beyond);
+        let middle = beyond..beyond + count;
+        let smooth = strongest(&values, &steps, &|i, x| off(i % count, x), middle.clone());
+        let mut middle = smooth[middle].to_vec();
         middle.push(middle[0].map(|x| x * self.sign));
         middle
     }
 
-    /// Closed values with so many of them, at most a round, before and behind, and the steps between.
+    /// Closed values with so many of them before and behind, and the steps between. Every other round has the other sign.
     fn rounds(&self, values: &[[f64; D]], beyond: usize) -> (Vec<[f64; D]>, Vec<f64>) {
         let count = self.steps.len();
+        let first = beyond.div_ceil(count);
         let around = |k: usize| {
             let (round, i) = (k / count, k % count);
-            values[i].map(|x| if round == 1 { x } else { x * self.sign })
+            values[i].map(|x| if round.abs_diff(first) % 2 == 0 { x } else { x * self.sign })
         };
-        // The numbers of values and steps from a round before on: that one and that behind have the other sign.
-        let numbers = count - beyond..2 * count + beyond;
+        let numbers = first * count - beyond..(first + 1) * count + beyond;
         let steps = numbers.clone().map(|k| self.steps[k % count]).take(count + 2 * beyond - 1).collect();
         (numbers.map(around).collect(), steps)
     }
@@ -339,7 +342,7 @@ fn angle_between(a: Quat, b: Quat) -> f64 {
     2.0 * between.vector().length().atan2(between.w.abs())
 }
 
-/// The values smoothed as much as leaves all that count off by 1 at most; `off` says how far one is.
+/// The values smoothed as much as leaves all that count off by 1 at most; `off` says how far one is. Values before and after are those again.
 fn strongest<const D: usize>(
     values: &[[f64; D]],
     steps: &[f64],
@@ -353,11 +356,12 @@ fn strongest<const D: usize>(
         let mut weights = vec![1.0; values.len()];
         for _ in 0..ROUNDS {
             let smooth = smoothed(values, steps, &weights, 10.0_f64.powf(power));
-            let offs: Vec<f64> = smooth.iter().enumerate().map(|(i, x)| off(i, x)).collect();
-            if offs[counted.clone()].iter().all(|off| *off <= 1.0) {
+            let offs: Vec<f64> = counted.clone().map(|i| off(i, &smooth[i])).collect();
+            if offs.iter().all(|off| *off <= 1.0) {
                 return Some(smooth);
             }
-            for (weight, off) in weights.iter_mut().zip(offs).filter(|(_, off)| *off > NEARLY) {
+            // Those that count are as many rounds of closed values from the first: all rounds get the same weights.
+            for (weight, off) in weights.iter_mut().zip(offs.iter().cycle()).filter(|(_, off)| **off > NEARLY) {
                 *weight *= (off / NEARLY).powi(2).min(1e3);
             }
         }

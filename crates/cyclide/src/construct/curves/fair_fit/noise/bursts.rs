@@ -12,8 +12,9 @@ const COUNTS: [usize; 4] = [2, 3, 4, 5];
 const OFF: f64 = 5.0;
 /// so many on either side,
 const AROUND: isize = 10;
-/// which are no exact points: from the polynomials through two neighbours on either side they are off by more than this part of it.
-const EXACT: f64 = 1e-3;
+/// which are no exact points: from the polynomials through two neighbours on either side they are off by more than this part of it; heights,
+/// of which a wrong one may be a thousand deviations off, by more than the second.
+const EXACT: [f64; 2] = [1e-3, 1e-7];
 /// And by more than this part of what they are off the next ones alone: a coarse curve is off those by more.
 const SCATTERED: f64 = 0.3;
 /// The points beside the run are at least and at most this many times as far apart as so many edges usually are: those beside a slit
@@ -68,7 +69,7 @@ fn runs(points: &[Point3], closed: bool, jumping: bool) -> Vec<usize> {
             }
             let noise = usual(&singles, from);
             let off_two = usual(&two, from);
-            let is_noisy = off_two > EXACT * off && off_two > SCATTERED * usual(&next, from);
+            let is_noisy = off_two > EXACT[usize::from(!jumping)] * off && off_two > SCATTERED * usual(&next, from);
             let expected = (count + 1) as f64 * usual(&lengths, from);
             let goes_on = apart + MOVED * noise > APART[0] * expected && apart < APART[1] * expected;
             if is_noisy && goes_on && off > OFF * noise {
