@@ -15,7 +15,7 @@ pub(super) fn page(page: &KindPage, picture: &str) -> String {
     let mut text = format!("# {}\n\n{MADE}\n", page.word)
         + &page.text.iter().map(|text| paragraph(text)).collect::<Vec<_>>().join("\n");
     if !picture.is_empty() {
-        text += &format!("\n![what the document below makes]({picture})\n");
+        text += &format!("\n![the object built from the document below]({picture})\n");
     }
     text += "\n## Fields\n\n";
     if !page.rules.is_empty() {
@@ -42,8 +42,8 @@ pub(super) fn page(page: &KindPage, picture: &str) -> String {
 pub(super) fn index(groups: &[Group]) -> String {
     let kind = |(word, sentence): &(&str, String)| item(&format!("[`{word}`]({word}.md): {sentence}"), 0);
     let group = |(name, kinds): &Group| format!("\n## {name}\n\n{}", kinds.iter().map(kind).collect::<String>());
-    let intro = "Each page has the fields, a document to start from and its picture. `cyclide help KIND` prints the same page in a \
-                 terminal. What all documents share is in [the model document](../document.md).";
+    let intro = "Each page lists the fields and has a document to start from, with a picture of the result. `cyclide help KIND` prints \
+                 the same page in a terminal. [The model document](../document.md) describes what all documents share.";
     let head = format!("# Kinds of object\n\n{MADE}\n") + &paragraph(intro);
     head + &groups.iter().map(group).collect::<String>()
 }
