@@ -11,16 +11,17 @@
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
-    schemars(rename = "UmbilicRule", description = "What becomes of umbilics.")
+    schemars(rename = "UmbilicRule", description = "What happens at umbilics.")
 )]
 pub enum UmbilicRule {
-    /// The surface is cut from each of them to the border, and several grids are laid beside them.
+    /// The surface is cut from each umbilic to the border, and several grids are laid beside them, with gaps between the
+    /// grids.
     #[default]
     Pieces,
-    /// Umbilics are extraordinary vertices of one mesh of quads, with six quads or with two: the grids that it falls into share their
-    /// borders. The border runs in steps.
+    /// Umbilics are extraordinary vertices, with six quads or with two, of one mesh of quads, which consists of several grids
+    /// that share their borders. The border runs in steps.
     Joined,
-    /// The directions are smoothed until no umbilic is left: one grid, which leaves the lines of curvature.
+    /// The directions are smoothed until no umbilic is left: one grid, which departs from the lines of curvature.
     Smooth,
 }
 
@@ -34,15 +35,16 @@ pub enum UmbilicRule {
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
-    schemars(rename = "GridBorder", description = "How far a grid along lines of curvature goes.")
+    schemars(rename = "GridBorder", description = "How far a grid along lines of curvature extends.")
 )]
 pub enum GridBorder {
     /// The largest rectangle of whole cells on the surface.
     #[default]
     Inside,
-    /// All whole cells on the surface that hang together: the border runs in steps along that of the surface, and round its holes. A
-    /// grid that is closed is the largest band.
+    /// All connected whole cells on the surface: the border runs in steps along that of the surface, and holes are openings. A
+    /// closed grid is the largest closed band.
     Staircase,
-    /// All of the surface: where the box of its points is larger, the grid is continued smoothly, and the net is to be trimmed.
+    /// The whole surface and more: where the rectangle of the grid is larger than the surface, the grid is continued smoothly,
+    /// and the net is to be trimmed.
     Cover,
 }

@@ -82,7 +82,7 @@ impl JsonSchema for ThreeAngles {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "Three angles: each a number of radians or degrees with their name, or all in degrees.",
+            "description": "Three angles: each in radians or as an object in degrees, or all three in degrees.",
             "anyOf": [
                 { "type": "array", "items": generator.subschema_for::<Angle>(), "minItems": 3, "maxItems": 3 },
                 {
@@ -138,7 +138,7 @@ impl JsonSchema for Angle {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "An angle: a number of radians, or degrees with their name.",
+            "description": "An angle: a number in radians, or an object with the angle in degrees.",
             "anyOf": [
                 { "type": "number" },
                 {

@@ -80,7 +80,8 @@ pub enum PointSource {
     File(PointFile),
 }
 
-/// A file of points: delimited text, one point per line, contours separated by blank lines or told apart by a column.
+/// A file of points: delimited text with one point per line. Contours are separated by blank lines or identified by a
+/// column.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -98,11 +99,12 @@ pub struct PointFile {
     /// Path of the file, relative to the document.
     pub csv: String,
     /// Names (or numbers from 1) of the two or three coordinate columns. Default: the columns named x, y (and z) or
-    /// easting and northing, else the only two or three numbers of a line, without a header the first two of more.
+    /// easting and northing; else the only two or three numbers of a line; if there are more and no header, the first
+    /// two.
     #[schemars(length(min = 2, max = 3))]
     pub columns: Option<Vec<String>>,
-    /// Name (or number) of the column that says which contour a point belongs to. Default: the column `contour` if
-    /// there is one; else blank lines separate contours.
+    /// Name (or number) of the column that identifies the contour of a point. Default: the column `contour` if there is
+    /// one; else blank lines separate contours.
     pub contour: Option<String>,
 }
 
@@ -331,7 +333,7 @@ impl JsonSchema for PointSource {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let (lists, file) = (generator.subschema_for::<Lists>(), generator.subschema_for::<PointFile>());
         json_schema!({
-            "description": "The points: in the document, or in a file of their own.",
+            "description": "The points: in the document, or in a separate file.",
             "anyOf": [lists, file]
         })
     }

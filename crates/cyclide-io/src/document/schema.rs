@@ -10,21 +10,21 @@ use serde_json::{Value, json};
 use super::kinds::ObjectSpec;
 use super::kinds::fields::comment::Comment;
 
-/// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
-/// angles are in radians or say `degrees`.
+/// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never
+/// rescaled, angles are in radians or say `degrees`.
 #[derive(JsonSchema)]
 #[schemars(rename = "cyclide model document", deny_unknown_fields)]
 #[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]
 struct DocumentShape {
-    /// Address of this schema, for editors; not read.
+    /// Address of this schema, for editors; ignored.
     #[schemars(rename = "$schema")]
     schema: Option<String>,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     comment: Option<Comment>,
     /// Version of the document format.
     #[schemars(extend("const" = 1))]
     cyclide: u64,
-    /// What one unit of the coordinates is.
+    /// The unit of the coordinates.
     #[schemars(default)]
     units: Units,
     /// The objects by name.

@@ -41,7 +41,7 @@ pub enum Units {
     /// Feet.
     #[cfg_attr(feature = "serde", serde(rename = "ft"))]
     Foot,
-    /// US survey feet, 1200/3937 m, 2 parts in a million longer than a foot: those of older maps of the United States.
+    /// US survey feet, 1200/3937 m, 2 parts in a million longer than a foot: used on older maps of the United States.
     #[cfg_attr(feature = "serde", serde(rename = "us-ft"))]
     UsSurveyFoot,
 }

@@ -26,9 +26,10 @@ pub enum PoseTimes {
     /// 0, 1, 2, ….
     #[default]
     Uniform,
-    /// By the way from pose to pose: the straight way of the tool, with the turn at the arm. A motion through uneven poses is about as fast everywhere.
+    /// In proportion to the length from pose to pose: the straight distance of the tool, with rotation weighted by
+    /// `arm`. A motion through uneven poses is then about equally fast everywhere.
     Chord,
-    /// By the root of that.
+    /// In proportion to the square root of that length.
     Centripetal,
 }
 

@@ -28,13 +28,13 @@ const BISECTIONS: u32 = 56;
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline))]
 pub enum TimeLaw {
-    /// By the times of the poses.
+    /// With the times of the poses.
     #[default]
     AsGiven,
     /// At constant speed.
     ConstantSpeed,
-    /// From rest to rest: the part of the way after the part x of the time is `10x³ − 15x⁴ + 6x⁵`, so that velocity and acceleration
-    /// vanish at both ends.
+    /// From rest to rest: after the fraction x of the time the body has covered the fraction `10x³ − 15x⁴ + 6x⁵` of the
+    /// path, so that velocity and acceleration vanish at both ends.
     Eased,
 }
 

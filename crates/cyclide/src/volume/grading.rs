@@ -22,7 +22,7 @@ const HALVINGS: usize = 200;
 /// Most cells along a range.
 const MOST: usize = 1 << 16;
 
-/// At which end of a range its small cells are.
+/// The end of a range at which its small cells are.
 ///
 /// ```
 /// use cyclide::{FineEnd, Grading};
@@ -40,7 +40,7 @@ pub enum FineEnd {
     Start,
     /// At the end.
     End,
-    /// At both ends, alike.
+    /// At both ends equally.
     Both,
 }
 

@@ -19,8 +19,8 @@ const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
 /// whose numbers cannot tell the points near the end of such an arc apart.
 const EVEN_RATIO: f64 = 1e3;
 
-/// A circular arc or straight segment: through three points, or from one point to another with one more datum
-/// (`tangent`, `end_tangent`, `weights` or `bulge`).
+/// A circular arc or straight segment: through three points, or between two points with one more item (`tangent`,
+/// `end_tangent`, `weights` or `bulge`).
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -48,13 +48,13 @@ pub struct ArcSpec {
     /// The word `arc`.
     #[schemars(with = "String", extend("const" = "arc"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Start, a point between, end.
+    /// Start, intermediate point and end.
     pub through: Option<[Coordinates; 3]>,
     /// Start.
     pub from: Option<Coordinates>,
@@ -64,11 +64,12 @@ pub struct ArcSpec {
     pub tangent: Option<Coordinates>,
     /// Direction of travel at the end, of any length.
     pub end_tangent: Option<Coordinates>,
-    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be perpendicular to the chord. Where
-    /// their lengths differ by more than a factor of 1000 the parameter is evened; the points stay the same.
+    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be
+    /// perpendicular to the chord. If their lengths differ by more than a factor of 1000 the parameter is evened out;
+    /// the points stay the same.
     pub weights: Option<[[f64; 4]; 2]>,
-    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is the straight segment. At most
-    /// a million (`nearly-full-circle`).
+    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is a
+    /// straight segment. At most a million (`nearly-full-circle`).
     pub bulge: Option<f64>,
     /// Axis about which a positive bulge turns counter-clockwise. Default `[0, 0, 1]`.
     pub normal: Option<Coordinates>,

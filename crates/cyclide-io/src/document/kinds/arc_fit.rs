@@ -57,7 +57,7 @@ pub struct ArcFitSpec {
     /// The word `arc-fit`.
     #[schemars(with = "String", extend("const" = "arc-fit"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -65,8 +65,9 @@ pub struct ArcFitSpec {
     pub construction: bool,
     /// The points.
     pub points: Option<PointSource>,
-    /// Name of a curve of any kind, in place of points; it may be construction geometry. The arcs are within the tolerance of it, both ways. An arc
-    /// or a circle gives itself, and so do arcs that meet smoothly and cannot be fewer: the deviation is 0.
+    /// Name of a curve of any kind, instead of points; it may be construction geometry. The arcs and the curve are
+    /// within the tolerance of each other; an arc, a circle, and a chain of tangent arcs that needs no fewer arcs are
+    /// returned unchanged (deviation 0).
     pub of: Option<String>,
     /// The last point joins the first.
     #[serde(default)]
@@ -74,20 +75,21 @@ pub struct ArcFitSpec {
     /// Largest distance between the arcs and the target.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: f64,
-    /// What the points are.
+    /// What the points represent.
     #[serde(default)]
     pub target: FitTarget,
     /// How hard to search for fewer arcs.
     #[serde(default)]
     pub effort: Effort,
-    /// Turns of the points above this angle are kept as corners, others are not. Default: those above pi/6 that no samples of a smooth curve
-    /// explain.
+    /// Points that turn by more than this angle are kept as corners, others are not. Default: turns above pi/6 that no
+    /// samples of a smooth curve explain.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
-    /// Least radius of an arc; what cannot keep it is refused. Default: any.
+    /// Smallest radius of an arc; a fit that is not possible with it is rejected. Default: no limit.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub min_radius: Option<f64>,
-    /// Least length of an arc (lines may be shorter), for machines that reject short arcs; what cannot keep it is refused. Default: any.
+    /// Smallest length of an arc (lines may be shorter), for machines that reject short arcs; a fit that is not
+    /// possible with it is rejected. Default: no limit.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub min_arc_length: Option<f64>,
 }

@@ -30,7 +30,7 @@ pub struct ArcSplineSpec {
     /// The word `arc-spline`.
     #[schemars(with = "String", extend("const" = "arc-spline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.

@@ -1,4 +1,4 @@
-//! The ways of the centres of the balls of blends.
+//! The paths of the centers of the balls of blends.
 
 use cyclide::{BallCenters, CurveObject};
 use schemars::JsonSchema;
@@ -10,10 +10,11 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
-/// The ways of the centres of the balls that make the blends of a tee, a crossing or a contact blend: closed, exact rational curves.
+/// The paths of the centers of the balls that make the blends of a tee, a crossing or a contact blend: closed, exact
+/// rational curves.
 ///
-/// They are one for each branch of a tee. A ball-nose cutter of that radius follows such a curve. The object that they are of may be
-/// construction geometry; they are mapped by a `transform` of their own.
+/// A tee has one path for each branch. A ball-nose cutter with the radius of the ball follows such a path. The blended
+/// object may be construction geometry. To map the paths, apply a `transform` to them.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -32,7 +33,7 @@ pub struct BallCentersSpec {
     /// The word `ball-centers`.
     #[schemars(with = "String", extend("const" = "ball-centers"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -63,7 +64,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The ways of the centres.
+    /// The paths of the centers.
     pub(in crate::document) fn ball_centers(&self) -> Result<Vec<CurveObject>> {
         Ok(self.centers_of_source()?.paths().iter().cloned().map(CurveObject::Nurbs).collect())
     }

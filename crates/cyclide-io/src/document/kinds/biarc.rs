@@ -27,7 +27,7 @@ pub struct BiarcSpec {
     /// The word `biarc`.
     #[schemars(with = "String", extend("const" = "biarc"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.

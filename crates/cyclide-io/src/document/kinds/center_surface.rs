@@ -1,4 +1,4 @@
-//! The surface of the centres of the balls between two pipes.
+//! The surface of the centers of all balls that touch two pipes.
 
 use cyclide::{Body, CrossingError, Shell, SurfaceObject};
 use schemars::JsonSchema;
@@ -11,10 +11,11 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
-/// The surface of the centres of all balls that touch the two pipes of a crossing, round the way of those that make its blend: an exact patch of degree (2, 2).
+/// The surface of the centers of all balls that touch both pipes of a crossing, around the path of the centers of its
+/// blend: an exact patch of degree (2, 2).
 ///
-/// The balls are of any radius. Between pipes that overlap some have a negative radius, which is that of a ball inside both pipes that touches
-/// them from within. The surface is mapped by a `transform` of its own.
+/// The balls have any radius. Between overlapping pipes some radii are negative: such a ball is inside both pipes and
+/// touches them from within. To map the surface, apply a `transform` to it.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,15 +32,16 @@ pub struct CenterSurfaceSpec {
     /// The word `center-surface`.
     #[schemars(with = "String", extend("const" = "center-surface"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the `pipe-crossing`, outside or inside both pipes; it may be construction geometry.
+    /// Name of the `pipe-crossing`, with the ball outside or inside both pipes; it may be construction geometry.
     pub of: String,
-    /// How much more than the path of the centers it shows: the part of what is left to the balls without end, from 0 to below 1. Default 0.25.
+    /// How far the surface extends beyond the path of the centers, as a fraction of the remaining range up to balls of
+    /// infinite radius: from 0 to below 1. Default 0.25.
     #[serde(default = "quarter")]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub margin: f64,
@@ -56,7 +58,7 @@ impl Kind for CenterSurfaceSpec {
 }
 
 impl Builder<'_> {
-    /// The surface of all centres.
+    /// The surface of all centers.
     pub(in crate::document) fn center_surface(&self, spec: &CenterSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let surface = self.centers_of_source()?.surface(spec.margin).map_err(|e| {
             let field =

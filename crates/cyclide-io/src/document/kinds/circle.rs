@@ -11,7 +11,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
-/// A full circle: by its centre and radius, or through three points.
+/// A full circle: by its center and radius, or through three points.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +31,7 @@ pub struct CircleSpec {
     /// The word `circle`.
     #[schemars(with = "String", extend("const" = "circle"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -39,7 +39,7 @@ pub struct CircleSpec {
     pub construction: bool,
     /// Three points of the circle: it starts at the first and runs through the second to the third.
     pub through: Option<[Coordinates; 3]>,
-    /// Centre.
+    /// Center.
     pub center: Option<Coordinates>,
     /// Axis about which the circle runs counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub normal: Option<Coordinates>,

@@ -16,10 +16,10 @@ use crate::document::objects::refuse::blame_ends;
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// A smooth curve through points: neighbouring circles blended into each other.
+/// A smooth curve through points: neighbouring circles are blended into each other.
 ///
-/// It bends by four neighboring points only, which makes it waver more than a `fair-spline`. With the orders 3 and 4 even the change of
-/// curvature is continuous.
+/// It depends only on four neighbouring points at a time, so it wavers more than a `fair-spline`. With the orders 3 and
+/// 4 the rate of change of the curvature is continuous too.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -34,7 +34,7 @@ pub struct CircleSplineSpec {
     /// The word `circle-spline`.
     #[schemars(with = "String", extend("const" = "circle-spline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -45,7 +45,7 @@ pub struct CircleSplineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Blend order: joints are continuous of this order (2: no jump of curvature).
+    /// Blend order: the joints are continuous of this order (2: the curvature is continuous).
     #[serde(default = "default_order")]
     #[schemars(range(min = 1, max = 4))]
     pub order: u32,
@@ -55,8 +55,8 @@ pub struct CircleSplineSpec {
     /// What happens at the ends of an open curve. Default `natural`.
     #[serde(default)]
     pub ends: EndsSpec,
-    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of
-    /// points marks corners too).
+    /// Points that turn by more than this angle are kept as corners. Default: none (a column `corner` of a file of
+    /// points also marks corners).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
 }
@@ -92,7 +92,7 @@ enum NaturalWord {
     Natural,
 }
 
-/// Directions of travel at the ends of an open curve; an end that is left out is natural.
+/// Directions of travel at the ends of an open curve; an omitted end is natural.
 ///
 /// ```
 /// use cyclide_io::Document;

@@ -12,7 +12,8 @@ use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
 use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
-/// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.
+/// Arcs between two curves. They connect points at equal parameters, piece by piece, and leave the first curve in given
+/// directions.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -28,16 +29,17 @@ pub struct CircularSurfaceSpec {
     /// The word `circular-surface`.
     #[schemars(with = "String", extend("const" = "circular-surface"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Names of the two curves, each of one contour and both of as many pieces; a whole circle takes those of the other closed curve. They may be construction geometry.
+    /// Names of the two curves, which may be construction geometry. Each has one contour, and both have the same number
+    /// of pieces; a whole circle is divided like the other closed curve.
     pub rails: [String; 2],
-    /// The direction in which the arcs leave the first curve: one for all, or a list with one for each point between its pieces and at its
-    /// ends, linear in between.
+    /// Direction in which the arcs leave the first curve: one for all, or a list with one for each joint between its
+    /// pieces and for its ends, linear in between.
     pub tangent: Directions,
 }
 

@@ -1,4 +1,4 @@
-//! A cylinder or cone blended with a sphere or a plate.
+//! A cylinder or cone joined to a sphere or a plate by a rolling-ball fillet.
 
 use cyclide::{
     BlendBase, BlendRing, BlendTube, BridgeError, ContactBlend, ContactError, NeckSide, NumberError, PipeError,
@@ -17,8 +17,12 @@ use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
-/// A cylinder or a cone blended with a `sphere` about the origin, or with a `plate` whose upper side is z = 0, by a ball that rolls round it: a strut on a node, a nozzle on a
-/// tank, a boss. Or a `ring`, a torus about the z axis, blended in the corner round it and in that of its hole. Inside, the ball rolls in the rim of a tube that ends there: a rod with a domed end or, with a `wall`, a dished head.
+/// A cylinder or cone joined by a rolling-ball fillet to a `sphere` about the origin, or to a `plate` whose upper side
+/// is z = 0: a strut on a node, a nozzle on a tank, a boss. Alternatively a `ring`, a torus about the z axis, with
+/// fillets in the corner around it and in the corner of its hole.
+///
+/// With the side `inside` the ball rolls in the rim of a tube that ends at the sphere or plane: a rod with a domed end
+/// or, with a `wall`, a dished head.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -45,22 +49,23 @@ pub struct ContactBlendSpec {
     /// The word `contact-blend`.
     #[schemars(with = "String", extend("const" = "contact-blend"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The tube; or instead a `ring`.
+    /// The tube; alternatively a `ring`.
     pub tube: Option<BlendTubeSpec>,
-    /// A torus about the z axis, on a sphere or a round plate. Its ball has exactly one radius.
+    /// A torus about the z axis, on a sphere or a round plate. The radius of its ball is exact.
     pub ring: Option<BlendRingSpec>,
-    /// Radius of the sphere about the origin that it is blended with. Without it that is the plane z = 0.
+    /// Radius of the sphere about the origin. Without it the blend is with the plane z = 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub sphere: Option<f64>,
-    /// The border of the plate about the origin, from which the tube goes up. With the side `inside` there is none: the tube ends at the plane.
+    /// Outline of the plate about the origin from which the tube rises. With the side `inside` there is no plate: the
+    /// tube ends at the plane.
     pub plate: Option<PlateSpec>,
-    /// Thickness of the plate below a filled tube: makes a solid. With a `wall` the plate is as thick as that.
+    /// Thickness of the plate below a filled tube; makes a solid. With a `wall` the plate is as thick as the wall.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: Option<f64>,
     /// The radius of the ball.
@@ -69,13 +74,14 @@ pub struct ContactBlendSpec {
     /// Whether the ball rolls outside or inside the tube.
     #[serde(default)]
     pub side: NeckSide,
-    /// Largest difference from that one radius, which no rational blend with a sphere off the axis has exactly. Default: a thousandth of it.
+    /// Largest deviation from the radius of the ball, which no rational blend with a sphere off the axis keeps exactly.
+    /// Default: a thousandth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Thickness of all walls: of the tube, the sphere or plate, and the blend between. Default: filled.
+    /// Thickness of all walls: of the tube, the sphere or plate, and the blend between them. Default: filled.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How the tube ends. `open` leaves a surface, and goes without a wall.
+    /// How the tube ends. `open` leaves a surface, without a wall.
     #[serde(default)]
     pub ends: TeeEnds,
 }
@@ -96,17 +102,17 @@ pub struct ContactBlendSpec {
 #[schemars(rename = "BlendTube")]
 #[non_exhaustive]
 pub struct BlendTubeSpec {
-    /// A point of its axis. Default: the origin.
+    /// A point on its axis. Default: the origin.
     #[serde(default)]
     pub through: Coordinates,
-    /// Along its axis towards its end. Default: up, along z.
+    /// Direction of its axis, towards its end. Default: up, along z.
     pub direction: Option<Coordinates>,
-    /// Its outer radius, of a cone that at the point.
+    /// Its outer radius; for a cone, the radius at the point `through`.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    /// Half the cone angle: positive narrows towards the end, negative widens. Default 0, a cylinder.
     pub taper: Option<Angle>,
-    /// Where it ends: distance from the point along the axis.
+    /// Position of its end: distance from the point along the axis.
     pub length: f64,
 }
 
@@ -126,13 +132,13 @@ pub struct BlendTubeSpec {
 #[schemars(rename = "BlendRing")]
 #[non_exhaustive]
 pub struct BlendRingSpec {
-    /// Radius of the circle in the middle of its tube.
+    /// Radius of the center circle of its tube.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Radius of its tube, less than that.
+    /// Radius of its tube, smaller than `radius`.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tube: f64,
-    /// Height of that circle above the origin. Default 0.
+    /// Height of the center circle above the origin. Default 0.
     #[serde(default)]
     pub height: f64,
 }

@@ -12,7 +12,8 @@ use crate::document::objects::idle::NO_EFFECT;
 use crate::document::objects::kind::{Kind, Reference, Shape, of};
 use crate::error::Result;
 
-/// Surfaces inside blocks on which one parameter is constant, as patches; or the outer boundary of all blocks as a solid.
+/// Surfaces inside blocks on which one parameter is constant, as patches; or the outer boundary of all blocks as a
+/// solid.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -29,13 +30,13 @@ pub struct CoordinateSurfacesSpec {
     /// The word `coordinate-surfaces`.
     #[schemars(with = "String", extend("const" = "coordinate-surfaces"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of an object of blocks.
+    /// Name of an object that consists of blocks.
     pub of: String,
     /// Values of s, from 0 to 1 in each block.
     #[serde(default)]
@@ -49,7 +50,7 @@ pub struct CoordinateSurfacesSpec {
     #[serde(default)]
     #[schemars(inner(range(min = 0.0, max = 1.0)))]
     pub u: Vec<f64>,
-    /// The outer boundary of all blocks, instead: the faces that belong to one block only, sewn to solids.
+    /// Makes the outer boundary of all blocks instead: the faces that belong to one block only, sewn into solids.
     #[serde(default)]
     pub outer: bool,
 }

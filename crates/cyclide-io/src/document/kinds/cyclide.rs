@@ -16,8 +16,8 @@ use crate::error::Result;
 /// Patches of a whole cyclide round the hole and round the tube.
 pub(in crate::document) const SEGMENTS: [u32; 2] = [4, 4];
 
-/// A whole Dupin cyclide by its three parameters: the points with
-/// `(|p|^2 + b^2 - mu^2)^2 = 4 (a x - c mu)^2 + 4 b^2 y^2`, `b^2 = a^2 - c^2`. `c = 0` is the torus with radii a, mu.
+/// A whole Dupin cyclide, given by its three parameters: the points with `(|p|^2 + b^2 - mu^2)^2 = 4 (a x - c mu)^2 + 4
+/// b^2 y^2`, where `b^2 = a^2 - c^2`. With `c = 0` it is the torus with the radii a and mu.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -33,30 +33,30 @@ pub struct CyclideSpec {
     /// The word `cyclide`.
     #[schemars(with = "String", extend("const" = "cyclide"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Half the long axis of the ellipse of centres.
+    /// Half the long axis of the ellipse of centers.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub a: f64,
-    /// Distance of its foci from the centre, less than `a`. A ring has c < mu < a.
+    /// Distance of the foci of that ellipse from its center, less than `a`. A ring has c < mu < a.
     #[serde(default)]
     #[schemars(range(min = 0.0))]
     pub c: f64,
-    /// The mean radius of the tube.
+    /// Mean radius of the tube.
     #[schemars(range(min = 0.0))]
     pub mu: f64,
-    /// Where the centre is. Default: the origin.
+    /// Position of the center. Default: the origin.
     pub center: Option<Coordinates>,
-    /// Direction across the ring (of z above), of any length. Default `[0, 0, 1]`.
+    /// Axis of the ring (z above), of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// Direction of the long axis (of x above), perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for
-    /// another axis the direction nearest to it.
+    /// Direction of the long axis (x above), perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for
+    /// another `axis` the direction nearest to it.
     pub x_direction: Option<Coordinates>,
-    /// Patches round the hole and round the tube, odd numbers rounded up. Default `[4, 4]`.
+    /// Number of patches around the hole and around the tube; odd numbers are rounded up. Default `[4, 4]`.
     #[schemars(inner(range(min = 3, max = 4096)))]
     pub segments: Option<[u32; 2]>,
 }

@@ -21,8 +21,8 @@ const ONE_NODE: f64 = 1e-12;
 /// Points of two planes that are one may be so far apart, relative to the size of the grid.
 const ONE_POINT: f64 = 1e-9;
 
-/// Blocks in a grid, neighbours of which share faces, vertices and parameters: from points on three coordinate planes, or between parallel Dupin cyclides,
-/// closed in both directions.
+/// Blocks in a grid, whose neighbours share faces, vertices and parameters. The grid is given by points on three
+/// coordinate planes, or it fills the space between parallel Dupin cyclides (closed in both directions for rings).
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -38,25 +38,26 @@ pub struct CyclideGridSpec {
     /// The word `cyclide-grid`.
     #[schemars(with = "String", extend("const" = "cyclide-grid"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Points on three coordinate planes. Or `whole`.
+    /// Points on three coordinate planes; alternatively `whole`.
     pub planes: Option<CoordinatePlanesSpec>,
-    /// With `planes`: the directions of growing s and t at the first vertex, perpendicular and of any length; that of u is perpendicular to both, on the
-    /// side of the third side. `"auto"`, the
-    /// default, takes the frame of a `cyclide-volume` there.
+    /// With `planes`: directions of increasing s and t at the first vertex, perpendicular and of any length; that of u
+    /// is perpendicular to both, on the side of the third edge. Default: `"auto"`, which takes the frame of a
+    /// `cyclide-volume` there.
     pub frame: Option<FrameSpec>,
     /// The space between parallel cyclides.
     pub whole: Option<WholeCyclideSpec>,
-    /// How every block is divided into cells: for VTU of cells, `report` and `sample`.
+    /// How every block is divided into cells, for VTU cells, `report` and `sample`.
     pub cells: Option<CellsSpec>,
 }
 
-/// Points on the three planes on which one of the indices along s, t, u is 0: every quad has its corners on one circle. All other points follow.
+/// Points on the three planes on which one of the indices along s, t, u is 0; the corners of every quad lie on one
+/// circle. All other points follow from them.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -70,13 +71,15 @@ pub struct CyclideGridSpec {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct CoordinatePlanesSpec {
-    /// Rows of points of the plane u = 0: s grows along a row, t from row to row.
+    /// Rows of points of the plane u = 0: s increases along a row, t from row to row.
     #[schemars(length(min = 2))]
     pub st: Vec<Vec<Coordinates>>,
-    /// Rows of points of the plane t = 0: s grows along a row, u from row to row. Its first row is that of `st`.
+    /// Rows of points of the plane t = 0: s increases along a row, u from row to row. Its first row is the first row of
+    /// `st`.
     #[schemars(length(min = 2))]
     pub su: Vec<Vec<Coordinates>>,
-    /// Rows of points of the plane s = 0: t grows along a row, u from row to row. Its first row is the first column of `st`, its first column that of `su`.
+    /// Rows of points of the plane s = 0: t increases along a row, u from row to row. Its first row is the first column
+    /// of `st`, its first column the first column of `su`.
     #[schemars(length(min = 2))]
     pub tu: Vec<Vec<Coordinates>>,
 }
@@ -95,24 +98,26 @@ pub struct CoordinatePlanesSpec {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct WholeCyclideSpec {
-    /// Half the long axis of the ellipse of centres.
+    /// Half the long axis of the ellipse of centers.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub a: f64,
-    /// Distance of its foci from the centre, less than `a`. Default 0: tori.
+    /// Distance of the foci of that ellipse from its center, less than `a`. Default 0: tori.
     #[serde(default)]
     #[schemars(range(min = 0.0))]
     pub c: f64,
-    /// Mean radii of the tubes between which there are blocks, rising: u grows outwards. A ring has c < mu < a. Where the last one is a spindle (mu > a), or the first
-    /// one a horn (mu < c), blocks lie along its outer part, from node to node.
+    /// Mean radii of the tubes between which the blocks lie, increasing: u grows outwards, and a ring has c < mu < a.
+    /// If the last one is a spindle (mu > a) or the first one a horn (mu < c), the blocks lie along its outer part,
+    /// from node to node.
     #[schemars(length(min = 2), inner(range(min = 0.0)))]
     pub mu: Vec<f64>,
-    /// Where the centre is. Default: the origin.
+    /// Position of the center. Default: the origin.
     pub center: Option<Coordinates>,
-    /// Direction across the ring, of any length. Default `[0, 0, 1]`.
+    /// Axis of the ring, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// Direction of the long axis, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another axis the direction nearest to it.
+    /// Direction of the long axis, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another `axis`
+    /// the direction nearest to it.
     pub x_direction: Option<Coordinates>,
-    /// Blocks round the hole and round the tube, odd numbers rounded up. Default `[4, 4]`.
+    /// Number of blocks around the hole and around the tube; odd numbers are rounded up. Default `[4, 4]`.
     #[schemars(inner(range(min = 3, max = 4096)))]
     pub segments: Option<[u32; 2]>,
 }

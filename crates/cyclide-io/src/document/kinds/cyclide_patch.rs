@@ -12,8 +12,8 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 
-/// One principal patch of a Dupin cyclide: four corners on one circle and a frame at one of them. All its parameter
-/// lines are circular arcs.
+/// One principal patch of a Dupin cyclide, given by four corners on one circle and a frame at one of them. All its
+/// parameter lines are circular arcs.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -29,18 +29,18 @@ pub struct CyclidePatchSpec {
     /// The word `cyclide-patch`.
     #[schemars(with = "String", extend("const" = "cyclide-patch"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The corners at (s, t) = (0, 0), (1, 0), (0, 1), (1, 1). Round their circle they follow each other as the
-    /// first, second, fourth, third.
+    /// The corners at (s, t) = (0, 0), (1, 0), (0, 1), (1, 1). Their order around the circle is first, second, fourth,
+    /// third.
     pub corners: [Coordinates; 4],
-    /// Directions of the two edges at one corner, of growing s and growing t: perpendicular, of any length.
+    /// Directions of the edges of increasing s and increasing t at one corner: perpendicular, of any length.
     pub frame: [Coordinates; 2],
-    /// The corner at which the frame is given, from 0. Default: the first.
+    /// Number of the corner at which the frame is given, from 0. Default: the first.
     #[serde(default)]
     #[schemars(range(min = 0, max = 3))]
     pub frame_corner: u32,

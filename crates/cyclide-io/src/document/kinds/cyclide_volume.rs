@@ -1,4 +1,4 @@
-//! A block whose coordinate surfaces are cyclides that cross at right angles.
+//! A block whose coordinate surfaces are cyclides that intersect at right angles.
 
 use cyclide::{CyclideVolume, ErrorItem, NumberError, Point3, PointError, SphericalCube};
 use schemars::JsonSchema;
@@ -20,8 +20,8 @@ const LAST_CORNER: f64 = 1e-9;
 /// Rounding of the eight corners together, relative to the largest coordinate: a side turns by that over its length, and what follows with it.
 const CORNERS_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// A block whose six faces are patches of Dupin cyclides, and so are all surfaces on which one of its three parameters is constant: they
-/// cross at right angles everywhere.
+/// A block whose six faces are patches of Dupin cyclides, as are all surfaces on which one of its three parameters is
+/// constant. These surfaces intersect at right angles everywhere.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -38,28 +38,31 @@ pub struct CyclideVolumeSpec {
     /// The word `cyclide-volume`.
     #[schemars(with = "String", extend("const" = "cyclide-volume"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Eight corners at (s, t, u) = 000, 100, 010, 110, 001, 101, 011, 111, of which the last may be left out, as it follows from the others: the
-    /// four of each face on one circle. Or four: the first and its neighbours along s, t and u; the others are then found.
+    /// Eight corners at (s, t, u) = 000, 100, 010, 110, 001, 101, 011, 111, the four of each face on one circle; the
+    /// last one follows from the others and may be omitted. Or four corners: the first and its neighbours along s, t
+    /// and u; the others are then determined automatically.
     #[schemars(length(min = 4, max = 8))]
     pub corners: Vec<Coordinates>,
-    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default: the squared lengths of the three
-    /// sides, which give a cuboid where these are perpendicular.
+    /// With four corners: position of the last corner among the three neighbours of the first, as their positive
+    /// weights. Default: the squared lengths of the three sides, which give a cuboid if the sides are perpendicular.
     #[schemars(inner(range(min = 0.0)))]
     pub inside: Option<[f64; 3]>,
-    /// With four corners: how far the corners between the neighbours are turned, from 0 to 1. Default 0.5.
+    /// With four corners: how far the corners between the neighbours are turned within the possible range, from 0 to 1.
+    /// Default 0.5.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub turn: Option<f64>,
-    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is perpendicular to both, on the side of the
-    /// third side. `"auto"`, the default, takes the frame nearest to the three sides, the more so the shorter they are, or one that makes more sides straight.
+    /// Directions of increasing s and t at the first corner, perpendicular and of any length; that of u is
+    /// perpendicular to both, on the side of the third side. Default: `"auto"`, the frame nearest to the three sides,
+    /// the more so the shorter they are, or one that makes more sides straight.
     #[serde(default)]
     pub frame: FrameSpec,
-    /// How the block is divided into cells: for VTU of cells, `report` and `sample`.
+    /// How the block is divided into cells, for VTU cells, `report` and `sample`.
     pub cells: Option<CellsSpec>,
 }
 

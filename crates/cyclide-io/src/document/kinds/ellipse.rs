@@ -1,4 +1,4 @@
-//! An ellipse or an arc of one.
+//! An ellipse or an elliptical arc.
 
 use cyclide::{CurveObject, Ellipse, NumberError, PointError, Vec3};
 use schemars::JsonSchema;
@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 /// Part of the radius that the tolerance of a helix is if none is given.
 pub(in crate::document) const TOLERANCE: f64 = 1e-6;
 
-/// An ellipse or an arc of one, exact: a rational curve of degree 2.
+/// An ellipse or an elliptical arc, exact: a rational curve of degree 2.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +31,7 @@ pub struct EllipseSpec {
     /// The word `ellipse`.
     #[schemars(with = "String", extend("const" = "ellipse"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -39,15 +39,16 @@ pub struct EllipseSpec {
     pub construction: bool,
     /// Center.
     pub center: Coordinates,
-    /// Both semi-axes, that along `x_direction` first.
+    /// Both semi-axes; the first one is along `x_direction`.
     pub semi_axes: [f64; 2],
-    /// Axis about which it runs counter-clockwise, of any length. Default `[0, 0, 1]`.
+    /// Axis about which the ellipse runs counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub normal: Option<Coordinates>,
-    /// Direction of the first semi-axis. Default `[1, 0, 0]`, as far as it is in the plane; `[0, 1, 0]` where that is its normal.
+    /// Direction of the first semi-axis. Default: `[1, 0, 0]`, projected onto the plane of the ellipse; `[0, 1, 0]` if
+    /// that is the normal of the plane.
     pub x_direction: Option<Coordinates>,
-    /// Where an arc starts, as an angle of the parameter (as in DXF): `center + cos(angle) a + sin(angle) b`. Default 0.
+    /// Start of an arc, as a parameter angle (as in DXF): `center + cos(angle) a + sin(angle) b`. Default 0.
     pub start: Option<Angle>,
-    /// How far it runs in this angle; negative clockwise. Default: a whole turn.
+    /// Range of the arc in this angle; negative values run clockwise. Default: a whole turn.
     pub sweep: Option<Angle>,
 }
 

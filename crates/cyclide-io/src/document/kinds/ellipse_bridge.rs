@@ -11,7 +11,8 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
-/// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.
+/// Half circles over the chords between two ellipses about the origin, in upright planes. The surface is tangent to the
+/// elliptic cylinders below both ellipses.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +32,7 @@ pub struct EllipseBridgeSpec {
     /// The word `ellipse-bridge`.
     #[schemars(with = "String", extend("const" = "ellipse-bridge"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -42,15 +43,15 @@ pub struct EllipseBridgeSpec {
         "type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2
     }))]
     pub ellipses: [[f64; 2]; 2],
-    /// Half circles, or whole ones.
+    /// Half circles or whole circles.
     #[serde(default)]
     pub arcs: BridgeArcs,
-    /// Makes a solid: the elliptic cylinders go down to a base at z = -depth. One ellipse must be inside the other.
+    /// Makes a solid: the elliptic cylinders extend down to a base at z = -depth. One ellipse must be inside the other.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub depth: Option<f64>,
 }
 
-/// What stands on the chords between two ellipses.
+/// The arcs over the chords between two ellipses.
 ///
 /// ```
 /// use cyclide_io::Document;

@@ -18,17 +18,39 @@ use crate::error::Result;
 /// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
 /// data.
 ///
-/// It is a circle spline of fair segments with few nodes that are no points of the list, exact in files as a rational curve of degree 4.
-/// Fairness is the variation of curvature, the integral of `k'²` over the length. Corners are kept exactly, each piece between them is fitted
-/// on its own, and the curve keeps to straight sides. Points that were measured while nothing moved are a stop: it is named (`stop`) and counts
-/// as one point.
+/// It is a circle spline of fair segments, exact in files as a rational curve of degree 4. Its nodes are few and are
+/// not points of the list. Fairness is the variation of curvature, the integral of `k'²` over the length. Corners are
+/// kept exactly, each piece between them is fitted separately, and straight sides stay straight. Points that were
+/// measured while nothing moved are a stop: they are named (`stop`) and count as one point.
 ///
-/// The report gives the nodes, the largest distance of a point, and a proved bound on the distance between curve and polyline both ways. Where
-/// points are denser than their noise their locations on the curve step back (`feet-not-monotone`), and the bound is from the curve to the
-/// polyline only. More than one node for three points is warned of: `tolerance-below-noise` if the points change between left and right as
-/// noise does, else `many-nodes`. There is never more than a node for each point (and location on an edge): `tolerance-not-reached` names the
-/// points that stay outside; raise the tolerance, or mark corners where the data turn sharply. Neighbors nearer to each other than 1e-9 of the
-/// figure's size and a hundredth of the tolerance are one point (`points-merged`).
+/// The tolerance `"auto"` is right for measured points. The standard deviation of the noise across the curve is
+/// estimated from the points and reported (`noise`); the root mean square of the distances is about the same.
+///
+/// A numeric tolerance is proved. One above 1/32 of the size of the figure lets the curve swing out or get lost between
+/// turns: smaller ones are tried too, and if one of them gives a better curve, the warning `wide-tolerance` names the
+/// tolerance used. Bends and loops within the tolerance may vanish (`shape-smoothed-away`: the curve is shorter than
+/// 0.8 of the polyline).
+///
+/// A fit with `centre` 0 touches the bounds of the tolerance, farther than necessary from the true positions of noisy
+/// points. The warning `leans-on-walls` gives the scatter of the points from one to the next, which is the standard
+/// deviation of their noise. For noisy points use the tolerance `"auto"` instead, for exact points 0.
+///
+/// Outliers are named, each with its row and its distance (`outlier`). Those that are kept have little influence if the
+/// tolerance is `"auto"`.
+///
+/// With `polyline`, a tolerance below the sagitta of the edges leaves little room (`samples-too-coarse`). A curve that
+/// leaves an edge by more than the tolerance and 0.146 of its length, as no smooth curve with such samples does, swings
+/// out: it is fitted again with three positions or more on each edge, and the warning `swings-out` reports this.
+///
+/// The report gives the nodes, the largest distance of a point, and a proved bound on the distance between curve and
+/// polyline in both directions. Where points are denser than their noise, their nearest positions on the curve run
+/// backwards (`feet-not-monotone`), and the bound applies only from the curve to the polyline.
+///
+/// More than one node for three points is a warning: `tolerance-below-noise` if the points change between left and
+/// right as noise does, else `many-nodes`. There is never more than one node for each point (and position on an edge):
+/// `tolerance-not-reached` names the points that remain outside. Increase the tolerance, or mark corners where the data
+/// turn sharply. Neighbouring points nearer to each other than 1e-9 of the size of the figure and a hundredth of the
+/// tolerance are one point (`points-merged`).
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -44,7 +66,7 @@ pub struct FairFitSpec {
     /// The word `fair-fit`.
     #[schemars(with = "String", extend("const" = "fair-fit"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -55,59 +77,55 @@ pub struct FairFitSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// `"auto"`: the curve follows the points as closely as their noise asks; this is right for measured points. The standard deviation of the
-    /// noise across the curve is estimated from them and reported (`noise`); the root mean square of the distances is about the same. A number:
-    /// largest distance of a point from the curve, which is the fairest there; it is proved. One above 1/32 of the figure's size lets a curve swing
-    /// out or get lost between turns: narrower ones are tried too, and the warning `wide-tolerance` says which is kept to if that gives a better
-    /// curve. Bends and loops within the tolerance may vanish (`shape-smoothed-away`: the curve is shorter than 0.8 of the polyline).
+    /// `"auto"`, for measured points: the curve follows the points as closely as their noise requires. A number: the
+    /// largest distance of a point from the curve, which is the fairest within it.
     pub tolerance: FairTolerance,
-    /// With the tolerance `"auto"`: the standard deviation of the noise across the curve. Give it where errors drift, as those of a GPS receiver do
-    /// over minutes: a drift cannot be distinguished from shape. Default: estimated from the points.
+    /// With the tolerance `"auto"`: the standard deviation of the noise across the curve. Give it if errors drift, like
+    /// those of a GPS receiver over minutes: drift cannot be distinguished from shape. Default: estimated from the
+    /// points.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub noise: Option<f64>,
-    /// What becomes of points that do not belong to the others. They are named, each with its row and its distance (`outlier`); kept ones have
-    /// little influence where the tolerance is `"auto"`. A number as tolerance that is not reached because of them is refused (`outliers`).
+    /// What happens to outliers, which are points that do not agree with the others. If a numeric tolerance is not
+    /// reached because of them, the fit is rejected (`outliers`).
     #[serde(default)]
     pub outliers: Outliers,
-    /// A tolerance for the heights (z) alone, as of GPS points, whose heights are two to three times worse: a number larger than `tolerance`, or
-    /// `"auto"` with the tolerance `"auto"`, which estimates the noise of the heights on its own (`noise_z`). Default: that of all directions.
+    /// A separate tolerance for the heights (z), for example of GPS points, whose heights are two to three times worse:
+    /// a number larger than `tolerance`, or `"auto"` with the tolerance `"auto"`, which estimates the noise of the
+    /// heights separately (`noise_z`). Default: the tolerance of all directions.
     pub tolerance_z: Option<FairTolerance>,
-    /// With a number as tolerance: how much the curve keeps to the middle of the points. 0 (default) gives the fairest curve. It leans on the
-    /// bounds of the tolerance, farther from what noisy points were measured from than need be; the warning `leans-on-walls` says how far the
-    /// points scatter from one to the next, the standard deviation of their noise. 1 keeps as close to noisy points as their noise allows; 10 and
-    /// more approach least squares. For noisy points use the tolerance `"auto"` instead, for exact ones 0.
+    /// With a numeric tolerance: how closely the curve keeps to the middle of the points. 0 (default) gives the fairest
+    /// curve, 1 keeps as close to noisy points as their noise allows, and 10 and more approach least squares.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e6))]
     pub centre: f64,
-    /// An open curve starts and ends exactly at the first and last point. Else its ends are as free as the rest. A closed curve has none
-    /// (`no-effect`), and does not depend on the point its list starts with.
+    /// An open curve starts and ends exactly at the first and last point; otherwise its ends are as free as the rest. A
+    /// closed curve has no ends (`no-effect`), and does not depend on the point at which its list starts.
     #[serde(default)]
     pub fix_ends: bool,
-    /// Turns of the points above this angle that last over eight tolerances are kept as corners, others are not (a column `corner` of a file of
-    /// points marks corners too). Default: the corners of an outline, which no samples of a smooth curve explain and which are sharp over eight
-    /// tolerances on both sides, so that noise makes none.
+    /// Points that turn by more than this angle over a length of eight tolerances are kept as corners, others are not
+    /// (a column `corner` of a file of points also marks corners). Default: the corners of an outline, which no samples
+    /// of a smooth curve explain and which are sharp over eight tolerances on both sides, so that noise makes none.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
-    /// Fits spent on taking nodes out, in batches with a fit after each; 0 keeps those of the first fit, and is about five times as fast. Default:
-    /// 16.
+    /// Number of fits spent on removing nodes, in batches with a fit after each; 0 keeps the nodes of the first fit and
+    /// is about five times as fast. Default: 16.
     pub max_fits: Option<u32>,
-    /// Nodes of each smooth piece at which taking out stops. Where they are not reached the program says why (`nodes-not-reached`). Default: as few
-    /// as the budget allows.
+    /// Number of nodes of each smooth piece at which the removal stops. If it is not reached the program says why
+    /// (`nodes-not-reached`). Default: as few as the budget allows.
     #[schemars(range(min = 2))]
     pub nodes: Option<u32>,
-    /// The part of its fairness that the curve may lose for fewer nodes: the variation of curvature grows by no more than this part. Default: 0.1.
+    /// Fraction of its fairness that the curve may lose for fewer nodes: the variation of curvature grows by no more
+    /// than this fraction. Default: 0.1.
     #[schemars(range(min = 0, max = 1000))]
     pub budget: Option<f64>,
-    /// Locations on each straight edge between two points that the tolerance binds too, for polylines that are meant themselves. A tolerance below
-    /// the sagitta of the edges has little room then (`samples-too-coarse`). A curve that leaves an edge by more than the tolerance and 0.146 of
-    /// its length, as no smooth curve with such samples does, swings out: it is fitted again with three locations or more on each edge, and the
-    /// warning `swings-out` says so. Default: 0, the points are samples of a smooth curve.
+    /// Number of positions on each straight edge between two points to which the tolerance also applies, for polylines
+    /// whose edges are themselves the target. Default: 0, the points are samples of a smooth curve.
     #[serde(default)]
     #[schemars(range(min = 0, max = 100))]
     pub polyline: u32,
 }
 
-/// How closely a fair fit follows its points: a number, or the word `auto`.
+/// How closely a fair fit follows its points: a number or the word `auto`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -124,7 +142,7 @@ pub struct FairFitSpec {
 pub enum FairTolerance {
     /// Largest distance of a point from the curve.
     Within(#[schemars(extend("exclusiveMinimum" = 0))] f64),
-    /// As the noise of the points asks.
+    /// As closely as the noise of the points requires.
     Auto(AutoWord),
 }
 
@@ -150,7 +168,7 @@ impl FairTolerance {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AutoWord {
-    /// As the noise of the points asks.
+    /// As closely as the noise of the points requires.
     #[default]
     Auto,
 }

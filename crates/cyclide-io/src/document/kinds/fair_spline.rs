@@ -16,10 +16,16 @@ use crate::document::objects::refuse::blame_ends;
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// The fairest smooth curve through points: continuous curvature that varies as little as that of an Euler spiral.
+/// The fairest smooth curve through points: its curvature is continuous and varies as little as that of an Euler
+/// spiral.
 ///
-/// It is the smooth curve to start with, and it gives back circles, lines and spheres. Every point acts on the whole curve, with an influence
-/// that falls to a quarter from point to point. A `circle-spline` bends by four neighbors only, which makes it waver more.
+/// It is the smooth curve to start with, and it reproduces circles, lines and spheres. Every point influences the whole
+/// curve, but the influence falls to a quarter from point to point. A `circle-spline` depends only on four neighbouring
+/// points at a time, so it wavers more.
+///
+/// Where the points turn by nearly half a turn such a curve may not exist, or it may swing out. It is then made less
+/// fair (the warning `relaxed` names the segments) or cut (`sharp-turn-cut`): mark such points as corners with
+/// `corner_angle`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -34,7 +40,7 @@ pub struct FairSplineSpec {
     /// The word `fair-spline`.
     #[schemars(with = "String", extend("const" = "fair-spline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -45,28 +51,27 @@ pub struct FairSplineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// 0 is the fairest curve; with 1 every point follows its neighbours alone, as in a `circle-spline` of order 2.
+    /// 0 is the fairest curve; with 1 every point follows only its neighbours, as in a `circle-spline` of order 2.
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub tension: f64,
-    /// Round corners beside straight runs tightly: within this part of the shorter of their two legs, below 0.5. With 0.2 the curve leaves the legs
-    /// by a fifth of what it does without.
+    /// Rounds corners beside straight runs tightly: within this fraction, below 0.5, of the shorter of their two legs.
+    /// With 0.2 the curve leaves the legs by a fifth of what it does otherwise.
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 0.5))]
     pub tight: Option<f64>,
-    /// What happens at the ends of an open curve. Default `circle` at both; a closed curve has none.
+    /// What happens at the ends of an open curve; a closed curve has none. Default `circle` at both.
     #[serde(default)]
     pub ends: FairEndsSpec,
-    /// Whether runs of points on a line beside a corner stay straight.
+    /// Whether runs of collinear points beside a corner stay straight.
     #[serde(default)]
     pub straight: StraightWord,
-    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of points marks corners too). Where
-    /// no such curve exists or it swings out, at turns near half a turn, it is made less fair (the warning `relaxed` names the segments) or cut
-    /// (`sharp-turn-cut`): mark such points as corners.
+    /// Points that turn by more than this angle are kept as corners. Default: none (a column `corner` of a file of
+    /// points also marks corners).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
 }
 
-/// Whether runs of points on a line beside a corner stay straight.
+/// Whether runs of collinear points beside a corner stay straight.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -79,11 +84,11 @@ pub struct FairSplineSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Straight")]
 pub enum StraightWord {
-    /// They stay straight, and the curve bends at the corner only: where neighboring points turn by more than 30 to 60 degrees and the run by less
-    /// than a hundredth of that.
+    /// They stay straight, and the curve bends only at the corner, if neighbouring points turn by more than 30 to 60
+    /// degrees there and by less than a hundredth of that along the run.
     #[default]
     Auto,
-    /// The curve is as fair as it can be and swings a little along them.
+    /// The curve is as fair as possible and swings slightly along them.
     Off,
 }
 
@@ -101,9 +106,9 @@ pub enum StraightWord {
 #[schemars(untagged, rename = "FairEnds")]
 #[non_exhaustive]
 pub enum FairEndsSpec {
-    /// Both ends alike.
+    /// The same for both ends.
     Both(FairEndWord),
-    /// Each end on its own.
+    /// Each end separately.
     Each(FairEndPair),
 }
 
@@ -113,7 +118,7 @@ impl Default for FairEndsSpec {
     }
 }
 
-/// The two ends of an open curve; one that is left out is `circle`.
+/// The two ends of an open curve; an omitted end is `circle`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -171,7 +176,7 @@ pub enum FairEndWord {
     Circle,
     /// The end segment is an arc.
     Arc,
-    /// The curvature vanishes.
+    /// The curvature is zero.
     Free,
 }
 

@@ -12,7 +12,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
-/// A helix: a spring, a thread, a coil. Two of `pitch`, `height` and `turns` say how it rises.
+/// A helix: a spring, a thread, a coil. Its rise is given by two of `pitch`, `height` and `turns`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -29,37 +29,39 @@ pub struct HelixSpec {
     /// The word `helix`.
     #[schemars(with = "String", extend("const" = "helix"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The point of the axis at the height of the start. Default: the origin.
+    /// Point on the axis at the height of the start. Default: the origin.
     pub center: Option<Coordinates>,
     /// The axis, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// From the axis to the start. Default `[1, 0, 0]`, as far as it is across the axis; `[0, 1, 0]` where that is the axis.
+    /// Direction from the axis to the start. Default: `[1, 0, 0]`, projected perpendicular to the axis; `[0, 1, 0]` if
+    /// that is the direction of the axis.
     pub x_direction: Option<Coordinates>,
     /// Distance from the axis.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
     /// Rise along the axis over one turn.
     pub pitch: Option<f64>,
-    /// Rise along the axis in all.
+    /// Total rise along the axis.
     pub height: Option<f64>,
-    /// Number of turns, which need not be whole.
+    /// Number of turns, not necessarily whole.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub turns: Option<f64>,
-    /// Which way it turns.
+    /// Handedness of the helix.
     #[serde(default)]
     pub hand: Hand,
-    /// Largest distance of the curve from the helix, which is not rational; it is proved, and the curve lies on the cylinder exactly. Default: a millionth of the radius.
+    /// Largest distance of the curve from the helix, which is not rational. The distance is proved, and the curve lies
+    /// exactly on the cylinder. Default: a millionth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }
 
-/// Which way a helix turns as it rises.
+/// The handedness of a helix.
 ///
 /// ```
 /// use cyclide_io::kinds::Hand;
@@ -69,7 +71,7 @@ pub struct HelixSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum Hand {
-    /// As a common screw: counter-clockwise seen from above.
+    /// Like a common screw: counter-clockwise seen from above.
     #[default]
     Right,
     /// Clockwise seen from above.

@@ -15,7 +15,7 @@ use crate::error::Result;
 /// Most layers that a number asks for.
 const MOST_LAYERS: u32 = 4096;
 
-/// Blocks in layers over a net: the spaces between its offsets, with lines across that are normal to all layers.
+/// Blocks in layers over a net: the spaces between its offsets. The lines across the layers are normal to all of them.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +31,7 @@ pub struct LayersSpec {
     /// The word `layers`.
     #[schemars(with = "String", extend("const" = "layers"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -39,18 +39,19 @@ pub struct LayersSpec {
     pub construction: bool,
     /// Name of a patch, net or cyclide.
     pub of: String,
-    /// Distances of the surfaces between layers along the normals, rising; 0 is the surface itself. Or `first`.
+    /// Distances of the surfaces between layers along the normals, increasing; 0 is the surface itself. Alternatively
+    /// `first`.
     #[schemars(length(min = 2))]
     pub distances: Option<Vec<f64>>,
-    /// Height of the first layer, next to the surface; negative: layers on the other side. With `count`.
+    /// Height of the first layer, next to the surface; if negative, the layers are on the other side. Requires `count`.
     pub first: Option<f64>,
-    /// Each layer is so many times as high as the one before. Default 1.
+    /// Ratio of the height of each layer to that of the one before. Default 1.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub growth: Option<f64>,
     /// Number of layers.
     #[schemars(range(min = 1, max = 4096))]
     pub count: Option<u32>,
-    /// How every block is divided into cells: for VTU of cells, `report` and `sample`.
+    /// How every block is divided into cells, for VTU cells, `report` and `sample`.
     pub cells: Option<CellsSpec>,
 }
 

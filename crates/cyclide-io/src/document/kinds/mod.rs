@@ -144,13 +144,13 @@ kinds! {
         arc: Arc(ArcSpec) = "arc",
         /// A full circle.
         circle: Circle(CircleSpec) = "circle",
-        /// An ellipse or an arc of one.
+        /// An ellipse or an elliptical arc.
         ellipse: Ellipse(EllipseSpec) = "ellipse",
         /// A helix.
         helix: Helix(HelixSpec) = "helix",
         /// Two arcs between two points with given directions.
         biarc: Biarc(BiarcSpec) = "biarc",
-        /// Segments through points, corners rounded by arcs.
+        /// Segments through points, with corners rounded by arcs.
         polyline: Polyline(PolylineSpec) = "polyline",
         /// Arcs through points, tangent-continuous.
         arc_spline: ArcSpline(ArcSplineSpec) = "arc-spline",
@@ -164,7 +164,7 @@ kinds! {
         circle_spline: CircleSpline(CircleSplineSpec) = "circle-spline",
         /// A rational B-spline curve.
         nurbs: Nurbs(NurbsSpec) = "nurbs",
-        /// A local smooth curve through points that Möbius maps keep.
+        /// A local smooth curve through points, of a kind that Möbius maps preserve.
         moebius_spline: MoebiusSpline(MoebiusSplineSpec) = "moebius-spline",
         /// A rational curve of lowest degree through points.
         qb_interpolation: QbInterpolation(QbInterpolationSpec) = "qb-interpolation",
@@ -172,15 +172,15 @@ kinds! {
     "Curves on a torus" {
         /// A smooth curve on a torus through points.
         torus_spline: TorusSpline(TorusSplineSpec) = "torus-spline",
-        /// A curve that runs evenly round a torus both ways.
+        /// A curve that winds evenly around the axis and the tube of a torus.
         torus_knot: TorusKnot(TorusKnotSpec) = "torus-knot",
         /// A closed quartic of one type on a torus.
         torus_quartic: TorusQuartic(TorusQuarticSpec) = "torus-quartic",
-        /// A circle of a torus.
+        /// A circle on a torus.
         torus_circle: TorusCircle(TorusCircleSpec) = "torus-circle",
-        /// A curve of a torus laid flat.
+        /// A curve on a torus, laid flat.
         unrolled: Unrolled(UnrolledSpec) = "unrolled",
-        /// A raised or sunk seam along a curve of a torus.
+        /// A raised or sunk seam along a curve on a torus.
         torus_seam: TorusSeam(TorusSeamSpec) = "torus-seam",
     }
     "Surfaces" {
@@ -190,11 +190,11 @@ kinds! {
         cyclide: Cyclide(CyclideSpec) = "cyclide",
         /// A smooth surface of patches over a grid of points.
         cyclidic_net: CyclidicNet(CyclidicNetSpec) = "cyclidic-net",
-        /// Regular grids along the lines of curvature of a mesh.
+        /// Regular grids along the lines of curvature of a surface.
         principal_grid: PrincipalGrid(PrincipalGridSpec) = "principal-grid",
     }
     "Volumes" {
-        /// A block whose coordinate surfaces are cyclides that cross at right angles.
+        /// A block whose coordinate surfaces are cyclides that intersect at right angles.
         cyclide_volume: CyclideVolume(CyclideVolumeSpec) = "cyclide-volume",
         /// Blocks in a grid.
         cyclide_grid: CyclideGrid(CyclideGridSpec) = "cyclide-grid",
@@ -212,13 +212,13 @@ kinds! {
         sphere_blend: SphereBlend(SphereBlendSpec) = "sphere-blend",
     }
     "Surfaces from curves" {
-        /// What a curve sweeps when it turns about an axis.
+        /// The surface or solid swept by a curve that turns about an axis.
         revolution: Revolution(RevolutionSpec) = "revolution",
-        /// The tube about a curve of arcs and segments.
+        /// A tube of constant radius about a curve of arcs and segments.
         pipe: Pipe(PipeSpec) = "pipe",
-        /// The tube of changing radius along a curve, or through balls.
+        /// A tube of changing radius along a curve or through balls.
         tube: Tube(TubeSpec) = "tube",
-        /// A plane section along a path.
+        /// A plane section moved along a path.
         sweep: Sweep(SweepSpec) = "sweep",
         /// Arcs between two curves.
         circular_surface: CircularSurface(CircularSurfaceSpec) = "circular-surface",
@@ -226,15 +226,15 @@ kinds! {
         ruled: Ruled(RuledSpec) = "ruled",
     }
     "Pipes and blends" {
-        /// A main pipe with branches, blended by rolling balls.
+        /// A main pipe with branches, joined by rolling-ball fillets.
         pipe_tee: PipeTee(PipeTeeSpec) = "pipe-tee",
-        /// Two pipes that pass each other, blended by a rolling ball.
+        /// Two pipes that pass each other, joined by a rolling-ball fillet.
         pipe_crossing: PipeCrossing(PipeCrossingSpec) = "pipe-crossing",
-        /// A cylinder or cone blended with a sphere or a plate.
+        /// A cylinder or cone joined to a sphere or a plate by a rolling-ball fillet.
         contact_blend: ContactBlend(ContactBlendSpec) = "contact-blend",
-        /// The ways of the centres of the balls of blends.
+        /// The paths of the centers of the balls of blends.
         ball_centers: BallCenters(BallCentersSpec) = "ball-centers",
-        /// The surface of the centres of the balls between two pipes.
+        /// The surface of the centers of all balls that touch two pipes.
         center_surface: CenterSurface(CenterSurfaceSpec) = "center-surface",
         /// A pipe on a plate with a rounded neck.
         plate_with_neck: PlateWithNeck(PlateWithNeckSpec) = "plate-with-neck",
@@ -246,13 +246,13 @@ kinds! {
         motion: Motion(MotionSpec) = "motion",
         /// The path of a point of a moving body.
         trajectory: Trajectory(TrajectorySpec) = "trajectory",
-        /// What a curve of a moving body runs over.
+        /// The surface swept by a curve of a moving body.
         swept_surface: SweptSurface(SweptSurfaceSpec) = "swept-surface",
     }
     "Made from other objects" {
-        /// A parallel surface, or the solid between.
+        /// A parallel surface, or the solid between it and the original.
         offset: Offset(OffsetSpec) = "offset",
-        /// An object mapped.
+        /// The image of an object under a chain of maps.
         transform: Transform(TransformSpec) = "transform",
         /// The edges of a surface as arcs.
         support_structure: SupportStructure(SupportStructureSpec) = "support-structure",

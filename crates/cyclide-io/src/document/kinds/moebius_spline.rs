@@ -1,4 +1,4 @@
-//! A local smooth curve through points that Möbius maps keep.
+//! A local smooth curve through points, of a kind that Möbius maps preserve.
 
 use cyclide::{
     CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, NumberError, NurbsError,
@@ -20,14 +20,15 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// A local smooth curve through points that Möbius maps, inversions too, take to a curve of the same kind: points on a circle, at any
-/// distances, give the circle.
+/// A local smooth curve through points, of a kind that Möbius maps (including inversions) preserve. Points on a circle,
+/// at any distances, give that circle.
 ///
-/// It is local, and of degree 4 as a rational curve. A `transform` with a sphere takes it to the Möbius spline of the mapped points with the
-/// same `knots` (a list, or `uniform`: chords change under inversions, and with them the knots that follow them), as long as the center of the
-/// sphere is on its side of all spans. Else the image is exact too, and another curve than the spline of the images.
+/// A span depends on four points, and the curve is rational of degree 4. A `transform` by an inversion gives the Möbius
+/// spline of the mapped points with the same `knots`: as a list or `uniform`, since chords change under inversions, and
+/// with them the knots derived from chords. This holds as long as the inversion does not make a span take the long way
+/// round. Otherwise the image is exact too, but it is not the spline of the mapped points.
 ///
-/// The curvature jumps at its points: where that is seen, take a `fair-spline`.
+/// The curvature jumps at its points; where that is visible, use a `fair-spline`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -42,7 +43,7 @@ pub struct MoebiusSplineSpec {
     /// The word `moebius-spline`.
     #[schemars(with = "String", extend("const" = "moebius-spline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -53,16 +54,18 @@ pub struct MoebiusSplineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// What is continuous at the points besides the curve.
+    /// What is continuous at the points in addition to the curve itself.
     #[serde(default)]
     pub continuity: MoebiusContinuity,
-    /// Of `c1`: the parameters at which the curve passes its points. A list increases, and has one number more for a closed curve. Default `auto`.
+    /// For `c1`: the parameters at which the curve passes through its points. A list increases, and has one more number
+    /// for a closed curve. Default `auto`.
     #[serde(default)]
     pub knots: ParametersSpec,
-    /// Of `c1`: derivatives by the knots, one per point, the word `free` for those of the circles. Default: those of the circles everywhere.
+    /// For `c1`: derivatives with respect to the knots, one per point, or the word `free` for that of the circle.
+    /// Default: those of the circles everywhere.
     pub tangents: Option<Vec<FreeOr<Coordinates>>>,
-    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of points marks
-    /// corners too).
+    /// Points that turn by more than this angle are kept as corners. Default: none (a column `corner` of a file of
+    /// points also marks corners).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
 }
@@ -78,11 +81,11 @@ pub struct MoebiusSplineSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MoebiusContinuity {
-    /// The derivative by the knots, that of the circle through each point and its neighbours.
+    /// The derivative with respect to the knots, which is that of the circle through each point and its neighbours.
     #[default]
     C1,
-    /// The direction only, by the directions of those circles alone: without knots, the circle spline of order 1. Its images under inversions are
-    /// exact, though not the splines of the mapped points.
+    /// Only the direction, which is that of these circles: no knots are needed, and the curve is the circle spline of
+    /// order 1. Its images under inversions are exact, though not the splines of the mapped points.
     G1,
 }
 

@@ -13,16 +13,29 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// A rational B-spline curve (NURBS) by its degree, knots, control points and weights.
+/// A rational B-spline curve (NURBS), given by its degree, knots, control points and weights.
 ///
-/// This is for curves of other programs, by what STEP, Rhino, Blender and SciPy hold of them; what `-o FILE.json` writes of any curve can be
-/// used in a `nurbs` again. A `transform` maps it by similarities, and by inversions and any other Möbius map exactly: to twice the degree, at
-/// most 25 (a curve of degree 13 or more is refused by `parameter-out-of-range`), in as many pieces as it takes for positive weights. A curve
-/// that meets the center of an inversion is refused (`point-at-infinity`).
+/// It is for curves from other programs, in the form in which STEP, Rhino, Blender and SciPy store them. What `-o
+/// FILE.json` writes of any curve can be used in a `nurbs` again.
 ///
-/// STEP and JSON hold it exactly, cut where it has kinks: JSON with the knots and weights given, STEP too unless all inner knots have full
-/// multiplicity and joints are C1 (as of circles). Then STEP has the degree 3 more with C1 knots, since CAD programs take the knots for the
-/// continuity. DXF and SVG have arcs within the tolerance, DXF with `--dxf-splines` the curve as it is.
+/// OpenNURBS (Rhino) omits the first and the last knot: repeat them. Ends that are not clamped (`degree + 1` equal
+/// knots), as of periodic curves, are clamped by exact knot insertion: the curve is the part from knot number `degree`
+/// to that number from the end, where all control points contribute. The warning `knots-clamped` then gives the number
+/// of control points.
+///
+/// From an end of a span weights may grow by a factor of 1e9 with each step (`weights-uneven`). Weights that grow by
+/// more than a factor of 1000 from one to the next over a whole span are evened out: the points are the same, the
+/// parameter is another.
+///
+/// A `transform` maps the curve exactly by similarities, and by inversions and any other Möbius map. The latter double
+/// the degree, to at most 25 (a curve of degree 13 or more is rejected with `parameter-out-of-range`), in as many
+/// pieces as positive weights require. A curve that passes through the center of an inversion is rejected
+/// (`point-at-infinity`).
+///
+/// STEP and JSON contain it exactly, cut where it has kinks. JSON has the knots and weights given. So does STEP, unless
+/// all inner knots have full multiplicity and the joints are C1 (as of circles): then the degree in STEP is higher by 3
+/// and the knots are C1, since CAD programs take the continuity from the knots. DXF and SVG contain arcs within the
+/// tolerance; DXF with `--dxf-splines` contains the curve itself.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -39,7 +52,7 @@ pub struct NurbsSpec {
     /// The word `nurbs`.
     #[schemars(with = "String", extend("const" = "nurbs"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -48,19 +61,16 @@ pub struct NurbsSpec {
     /// Degree of the polynomials; the order is one more.
     #[schemars(range(min = 1, max = 25))]
     pub degree: u32,
-    /// Knots with their repetitions, as many as control points, degree and 1 together. None is less than the one before (`knots-decrease`), inner
-    /// ones are repeated `degree` times at most and those at the ends once more (`knot-multiplicity`). OpenNURBS (Rhino) leaves out the first and
-    /// the last one: repeat them. Ends that are not clamped (`degree + 1` equal knots), as of periodic curves, are clamped by exact knot insertion:
-    /// the curve is the part from the knot number `degree` to that number from the end, where all control points count. The warning `knots-clamped`
-    /// has the number of control points then.
+    /// Knots with their repetitions, never decreasing (`knots-decrease`); their number is that of the control points
+    /// plus the degree plus 1. Inner knots are repeated at most `degree` times, those at the ends once more
+    /// (`knot-multiplicity`).
     #[schemars(length(min = 4))]
     pub knots: Vec<f64>,
-    /// Control points, `degree + 1` at least. The curve is closed if the last one is the first.
+    /// Control points, at least `degree + 1`. The curve is closed if the last one equals the first.
     #[schemars(length(min = 2))]
     pub control_points: Vec<Coordinates>,
-    /// Weights of the control points, all positive (`weight-not-positive`); control points are Cartesian, not multiplied by them. From an end of a
-    /// span they may grow by a factor of 1e9 with each step (`weights-uneven`). Weights that grow by more than a factor of 1000 from one to the
-    /// next over a whole span are evened: the points are the same, the parameter is another. Default: 1, a polynomial spline.
+    /// Weights of the control points, all positive (`weight-not-positive`); control points are Cartesian, not
+    /// multiplied by them. Default: 1, a polynomial spline.
     pub weights: Option<Vec<f64>>,
 }
 

@@ -1,4 +1,4 @@
-//! A parallel surface, or the solid between.
+//! A parallel surface, or the solid between it and the original.
 
 use cyclide::{
     Body, CurveObject, CyclidePatch, NetWarning, NumberError, PartError, PatchError, Shell, ShellError, ShellFace,
@@ -15,7 +15,12 @@ use crate::document::objects::kind::{Blame, Kind, OfPanels, Reference, Shape, of
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 
-/// A parallel surface of another object, exact, or the solid between both; of a curve on a torus the parallel curve along the normal of the torus.
+/// A parallel surface of another object, exact, or the solid between the two. For a curve on a torus it is the parallel
+/// curve along the normal of the torus.
+///
+/// The normal of a whole cyclide is outward, that of other surfaces is along `f_s x f_t`. An offset keeps the normal of
+/// its surface, so that distances add up: beyond a focal set the normal is opposite to its own `f_s x f_t`, and the
+/// report lists the patch as flipped.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +36,7 @@ pub struct OffsetSpec {
     /// The word `offset`.
     #[schemars(with = "String", extend("const" = "offset"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -39,11 +44,9 @@ pub struct OffsetSpec {
     pub construction: bool,
     /// Name of the surface, or of a `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`.
     pub of: String,
-    /// Distance along the normal; negative to the other side. The normal of a whole cyclide is outward, that of other
-    /// surfaces along `f_s x f_t`. An offset keeps the normal of its surface, so that distances add up: beyond a focal
-    /// set it is against its own `f_s x f_t`, and the report lists the patch as flipped.
+    /// Distance along the normal; negative values are on the other side.
     pub distance: f64,
-    /// Make the solid between the surface and its parallel surface, with a rim along free edges.
+    /// Makes the solid between the surface and its parallel surface, with a rim along free edges.
     #[serde(default)]
     pub thick: bool,
 }

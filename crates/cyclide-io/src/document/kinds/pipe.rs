@@ -1,4 +1,4 @@
-//! The tube about a curve of arcs and segments.
+//! A tube of constant radius about a curve of arcs and segments.
 
 use cyclide::{
     CurveObject, FairFit, FairFitOptions, Lower as _, ParamCurve as _, Pipe, PipeEnds, PipeError, Point3, ShortNumber,
@@ -20,7 +20,7 @@ const TOLERANCES: [f64; 5] = [0.125, 0.25, 0.5, 1.0, 2.0];
 
 const ARCS: f64 = 0.25;
 
-/// The tube of a radius about a curve of arcs and segments.
+/// A tube of constant radius about a curve of arcs and segments.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -36,7 +36,7 @@ pub struct PipeSpec {
     /// The word `pipe`.
     #[schemars(with = "String", extend("const" = "pipe"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -44,16 +44,17 @@ pub struct PipeSpec {
     pub construction: bool,
     /// Name of the curve, which may be construction geometry.
     pub of: String,
-    /// Radius of the outer side.
+    /// Outer radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Thickness of the wall about a bore. Default: no bore.
+    /// Thickness of the wall around a bore. Default: no bore.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How it ends, if the curve is open.
+    /// How the pipe ends, if the curve is open.
     #[serde(default)]
     pub ends: PipeEnds,
-    /// Distance within which arcs replace a curve that is not made of arcs and segments. Default: such a curve is refused.
+    /// Distance within which arcs replace a curve that does not consist of arcs and segments. Default: such a curve is
+    /// rejected.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }

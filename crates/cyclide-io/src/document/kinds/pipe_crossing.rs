@@ -1,4 +1,4 @@
-//! Two pipes that pass each other, blended by a rolling ball.
+//! Two pipes that pass each other, joined by a rolling-ball fillet.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,7 +19,12 @@ use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
-/// Two pipes that pass each other, cylinders or cones, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.
+/// Two pipes (cylinders or cones) that pass each other, joined by a rolling-ball fillet. The first pipe is about the x
+/// axis, the second `distance` above it, at an `angle` to it; the body is solid, or has a `wall` and one bore. If the
+/// pipes do not touch, the blend is a bridge between them.
+///
+/// With the `side` `inside` the body is the intersection of the pipes, with `mixed` it is the second pipe minus the
+/// first; its edge is rounded.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -39,7 +44,7 @@ pub struct PipeCrossingSpec {
     /// The word `pipe-crossing`.
     #[schemars(with = "String", extend("const" = "pipe-crossing"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -47,23 +52,27 @@ pub struct PipeCrossingSpec {
     pub construction: bool,
     /// The pipe about the x axis, and the one above it.
     pub pipes: [CrossingPipeSpec; 2],
-    /// Distance of the axes, more than the radii differ.
+    /// Distance between the axes, greater than the difference of the radii.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub distance: f64,
-    /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees, off both by more than the tapers together. Default: a right angle.
+    /// Angle of the second axis from the first, about the upward normal: between 0 and 180 degrees, and farther from
+    /// both than the sum of the tapers. Default: a right angle.
     pub angle: Option<Angle>,
-    /// The radius of the ball, or of cylinders a law of it; of pipes that do not touch more than half the gap.
+    /// Radius of the ball, or for cylinders a law of the radius. If the pipes do not touch, it is more than half the
+    /// gap.
     pub blend: CrossingBlendSpec,
-    /// The sides of the pipes on which the ball rolls; `mixed` of cylinders. Default: outside both.
+    /// The sides of the pipes on which the ball rolls; `mixed` is for cylinders only. Default: outside both.
     #[serde(default)]
     pub side: CrossingSide,
-    /// Largest difference from that radius or law, which no rational blend has exactly. Default: a thousandth of the radius.
+    /// Largest deviation from that radius or law, which no rational blend keeps exactly. Default: a thousandth of the
+    /// radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Thickness of the wall of both pipes, also within the blend: one bore, of what both have in common a hollow. Default: the crossing is filled.
+    /// Wall thickness of both pipes, also in the blend: there is one bore, or a hollow in the intersection (`inside`).
+    /// Default: the crossing is filled.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How the pipes end. `open` leaves a surface, and goes without a wall. What both have in common has no ends.
+    /// How the pipes end; the intersection has no ends. `open` leaves a surface, without a wall.
     #[serde(default)]
     pub ends: TeeEnds,
 }
@@ -83,12 +92,12 @@ pub struct PipeCrossingSpec {
 #[schemars(rename = "CrossingPipe")]
 #[non_exhaustive]
 pub struct CrossingPipeSpec {
-    /// Its outer radius; with a `taper` that where the axes are nearest.
+    /// Its outer radius; with a `taper`, that where the axes are nearest to each other.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Half the angle of the cone that it is: above zero it grows thinner along its axis, below wider. Default: a cylinder.
+    /// Half the cone angle: positive narrows along its axis, negative widens. Default: a cylinder.
     pub taper: Option<Angle>,
-    /// Where it ends along its axis, counted from where the axes are nearest; the lower place first.
+    /// Positions of its ends along its axis, measured from the point nearest to the other axis; the lower one first.
     pub ends: [f64; 2],
 }
 
@@ -116,11 +125,12 @@ impl CrossingPipeSpec {
 pub enum CrossingBlendSpec {
     /// One radius.
     Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
-    /// A law.
+    /// A law of the radius.
     Law(CrossingLawSpec),
 }
 
-/// A law of the radius of the ball of a crossing: `first` with `second`, or `values`. Between what is given it changes smoothly, passing none of it.
+/// A law of the radius of the ball of a crossing: `first` with `second`, or `values`. Between the given radii it
+/// changes smoothly and does not overshoot.
 ///
 /// ```
 /// use cyclide_io::Document;

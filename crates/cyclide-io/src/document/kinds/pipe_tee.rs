@@ -1,4 +1,4 @@
-//! A main pipe with branches, blended by rolling balls.
+//! A main pipe with branches, joined by rolling-ball fillets.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,8 +17,9 @@ use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::error::Result;
 
-/// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
-/// main pipe and within its breadth, or of its radius with meeting axes.
+/// A main pipe about the x axis with branches, each joined to it by a rolling-ball fillet; solid, or with a `wall`.
+/// Branches are thinner than the main pipe and within its width, or have the same radius and an axis that intersects
+/// that of the main pipe.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -38,7 +39,7 @@ pub struct PipeTeeSpec {
     /// The word `pipe-tee`.
     #[schemars(with = "String", extend("const" = "pipe-tee"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -49,10 +50,10 @@ pub struct PipeTeeSpec {
     /// The branches, at least one, behind or beside each other on the main pipe.
     #[schemars(length(min = 1))]
     pub branches: Vec<TeeBranchSpec>,
-    /// Thickness of the wall of all pipes, also within the blends. Default: the tee is filled.
+    /// Wall thickness of all pipes, also in the blends. Default: the tee is filled.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How the pipes end. `open` leaves a surface, and goes without a wall.
+    /// How the pipes end. `open` leaves a surface, without a wall.
     #[serde(default)]
     pub ends: TeeEnds,
 }
@@ -72,12 +73,12 @@ pub struct PipeTeeSpec {
 #[schemars(rename = "TeeMain")]
 #[non_exhaustive]
 pub struct TeeMainSpec {
-    /// Its outer radius; with a `taper` that where x is 0.
+    /// Its outer radius; with a `taper`, that at x = 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// The angle between its axis and its lines: above zero it grows thinner along x, below wider. Default 0, a cylinder.
+    /// Half the cone angle: positive narrows along x, negative widens. Default 0, a cylinder.
     pub taper: Option<Angle>,
-    /// The places on the x axis where it ends, the lower one first.
+    /// Positions of its ends on the x axis, the lower one first.
     pub ends: [f64; 2],
 }
 
@@ -96,28 +97,30 @@ pub struct TeeMainSpec {
 #[schemars(rename = "TeeBranch")]
 #[non_exhaustive]
 pub struct TeeBranchSpec {
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
-    /// Its outer radius; with a `taper` that where its axis is nearest to that of the main pipe.
+    /// Its outer radius; with a `taper`, that at the point of its axis nearest to the axis of the main pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// The angle between its axis and its lines, a draft: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    /// Half the cone angle, a draft: positive narrows towards its end, negative widens. Default 0, a cylinder.
     pub taper: Option<Angle>,
-    /// Distance of its end, along its axis, from the place nearest to the axis of the main pipe.
+    /// Distance of its end, along its axis, from the point nearest to the axis of the main pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub length: f64,
     /// Angle between its direction and the x axis. Default: a right angle.
     pub angle: Option<Angle>,
-    /// How far its axis passes beside that of the main pipe: towards +y if it goes up. Below the difference of the radii.
+    /// Distance at which its axis passes that of the main pipe: towards +y for a branch that goes up. Less than the
+    /// difference of the radii.
     #[serde(default)]
     pub offset: f64,
-    /// The place on the x axis that its axis is nearest to. Default 0.
+    /// Position on the x axis to which its axis is nearest. Default 0.
     #[serde(default)]
     pub at: f64,
-    /// Its direction round the main pipe, seen against the x axis counter-clockwise: 0, the default, up along z, a quarter turn -y.
+    /// Its direction around the main pipe, counter-clockwise seen from +x: 0, the default, is up along z, a quarter
+    /// turn is -y.
     pub azimuth: Option<Angle>,
-    /// The ball that blends it with the main pipe.
+    /// The radius of the ball that blends it with the main pipe.
     pub blend: TeeBlendSpec,
 }
 
@@ -134,13 +137,13 @@ pub struct TeeBranchSpec {
 #[schemars(untagged, rename = "TeeBlend")]
 #[non_exhaustive]
 pub enum TeeBlendSpec {
-    /// One radius, to a thousandth of it.
+    /// One radius, kept to a thousandth of it.
     Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
-    /// One radius to a tolerance, or a law.
+    /// One radius with a tolerance, or a law.
     Law(TeeLawSpec),
 }
 
-/// A law of the radius of a ball; one of `radius`, `least`, `crotch` with `flank`, and `values`.
+/// A law of the radius of a ball: one of `radius`, `least`, `crotch` with `flank`, and `values`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -165,19 +168,20 @@ pub struct TeeLawSpec {
     /// One radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<f64>,
-    /// Largest difference from that one radius or from the law, which no rational blend has exactly. Default: a thousandth of the radius.
+    /// Largest deviation from that radius or law, which no rational blend keeps exactly. Default: a thousandth of the
+    /// radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// The plainest blend, with this radius at the flank where it is least and larger ones in the crotches.
+    /// The simplest blend: this radius at the flank, where it is least, and larger ones at the inner corners.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub least: Option<f64>,
-    /// The radius in both crotches, where the branch leans towards the ends of the main pipe.
+    /// The radius at both inner corners, on the sides towards the ends of the main pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub crotch: Option<f64>,
     /// The radius at both flanks.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub flank: Option<f64>,
-    /// Radii at angles round the branch.
+    /// Radii at angles around the branch.
     #[schemars(length(min = 1))]
     pub values: Option<Vec<TeeRadiusSpec>>,
 }
@@ -198,7 +202,9 @@ pub struct TeeLawSpec {
 #[schemars(rename = "TeeRadius")]
 #[non_exhaustive]
 pub struct TeeRadiusSpec {
-    /// Angle round a branch, counter-clockwise seen from its end: 0 on the side of the end of the main pipe, +x, 90 degrees on the side of a positive `offset`, +y if it goes up. Of a crossing that of the ball about the upward normal, 0 in the direction of the first axis.
+    /// Angle around a branch, counter-clockwise seen from its end: 0 is the side of the end of the main pipe (+x), 90
+    /// degrees that of a positive `offset` (+y for a branch that goes up). For a crossing it is the angle of the ball
+    /// about the upward normal, 0 in the direction of the first axis.
     pub angle: Angle,
     /// The radius there.
     #[schemars(extend("exclusiveMinimum" = 0))]

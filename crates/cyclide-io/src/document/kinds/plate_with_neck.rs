@@ -12,8 +12,9 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::refuse::blame_size;
 use crate::error::Result;
 
-/// A pipe on a plate with a rounded neck between them, that of a ball rolling round the pipe; an open surface, or with a
-/// `thickness` a solid. The upper side of the plate is the plane z = 0, the axis of the pipe meets it in the origin.
+/// A pipe on a plate with a rounded neck between them, made by a ball that rolls around the pipe; an open surface, or
+/// with a `thickness` a solid. The upper side of the plate is the plane z = 0, and the axis of the pipe meets it at the
+/// origin.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -35,16 +36,16 @@ pub struct PlateWithNeckSpec {
     /// The word `plate-with-neck`.
     #[schemars(with = "String", extend("const" = "plate-with-neck"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Radius of the pipe on the side of the ball: its outer radius, or with the side `inside` its inner one.
+    /// Radius of the pipe on the side of the ball: its outer radius, or with the side `inside` its inner radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub pipe_radius: f64,
-    /// Radius of the ball, which rounds the corner. Inside a pipe it is below that of the pipe.
+    /// Radius of the ball, which rounds the corner. Inside a pipe it is smaller than that of the pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub ball_radius: f64,
     /// Angle between the axis of the pipe and the normal of the plate; the pipe leans towards y. Default 0.
@@ -52,7 +53,7 @@ pub struct PlateWithNeckSpec {
     /// Distance of the end of the pipe from the plate, along the axis.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub height: f64,
-    /// The plate round the axis. A pipe with a neck inside has none but its floor.
+    /// The plate around the axis. A pipe with the neck inside has no plate, only its floor.
     pub plate: Option<PlateSpec>,
     /// Whether the ball rolls outside or inside the pipe.
     #[serde(default)]
@@ -60,16 +61,16 @@ pub struct PlateWithNeckSpec {
     /// The arcs of the neck.
     #[serde(default)]
     pub variant: NeckVariant,
-    /// Thickness of the plate, or of the floor inside a pipe, downwards: makes a solid.
+    /// Thickness of the plate, or of the floor inside a pipe, downwards; makes a solid.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: Option<f64>,
-    /// Thickness of the wall of the pipe in a solid. Default: outside the pipe is filled, and with a wall it is bored through the
-    /// plate; inside as thick as the floor.
+    /// Wall thickness of the pipe in a solid. Default: with the neck outside the pipe is filled (with a wall it has a
+    /// bore through the plate); with the neck inside the wall is as thick as the floor.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
 }
 
-/// The border of a plate: the sides of a rectangle along x and y, or the radius of a disk.
+/// The outline of a plate: the sides of a rectangle along x and y, or the radius of a disk.
 ///
 /// ```
 /// use cyclide_io::Document;

@@ -1,4 +1,4 @@
-//! Segments through points, corners rounded by arcs.
+//! Segments through points, with corners rounded by arcs.
 
 use cyclide::{ArcPath, CurveObject, ErrorItem, NumberError};
 use schemars::JsonSchema;
@@ -13,7 +13,7 @@ use crate::document::objects::contours::{Contour, Made};
 use crate::document::objects::kind::{Kind, Shape};
 use crate::error::Result;
 
-/// Segments through points, with corners that arcs round.
+/// Segments through points, with corners rounded by arcs.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -28,7 +28,7 @@ pub struct PolylineSpec {
     /// The word `polyline`.
     #[schemars(with = "String", extend("const" = "polyline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -39,8 +39,8 @@ pub struct PolylineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Radius of the arcs that round the corners, or a list of one per point. Both legs of a corner must be long enough for its arc
-    /// (`bend-does-not-fit`). Default 0: the corners are sharp.
+    /// Radius of the arcs that round the corners, or a list with one per point. Both legs of a corner must be long
+    /// enough for its arc (`bend-does-not-fit`). Default 0: the corners are sharp.
     #[serde(default)]
     pub radius: RadiiSpec,
 }

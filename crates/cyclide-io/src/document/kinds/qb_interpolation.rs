@@ -15,15 +15,16 @@ use crate::document::objects::kind::{Blame, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// The rational curve of lowest degree of its kind through an odd number of points: the quotient of two quaternion polynomials, which
-/// Möbius maps keep. Points on a circle, a sphere or a plane give a curve on it.
+/// The rational curve of lowest degree of its kind through an odd number of points: the quotient of two quaternion
+/// polynomials, a kind that Möbius maps preserve. Points on a circle, a sphere or a plane give a curve on it.
 ///
-/// Through `2n + 1` points both polynomials have the degree `n`, and the curve is rational of degree `2n`; the degree drops to what the points
-/// need.
+/// Through `2n + 1` points both polynomials have degree `n`, and the curve is rational of degree `2n`; the degree drops
+/// to what the points require.
 ///
-/// It is a tool for few points: above a dozen it swings, and above degree 12 it is refused (`degree-too-high`), which is more than 25 points
-/// and derivatives, unless all lie on a curve of a degree up to 12. It is refused too if it would pass through infinity, or if a point cannot
-/// be attained, the others being on a curve of lower degree that misses it (`unattainable-point`).
+/// It is suitable for few points: above a dozen it swings. Above degree 12, which is more than 25 points and
+/// derivatives, it is rejected (`degree-too-high`), unless all lie on a curve of a degree up to 12. It is also rejected
+/// if it would pass through infinity, or if a point cannot be attained because the others lie on a curve of lower
+/// degree that misses it (`unattainable-point`).
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -38,18 +39,20 @@ pub struct QbInterpolationSpec {
     /// The word `qb-interpolation`.
     #[schemars(with = "String", extend("const" = "qb-interpolation"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The points. They and all `derivatives` are an odd number together, `2n + 1` for a curve of degree `n`.
+    /// The points. Together with all `derivatives` their number is odd, `2n + 1` for a curve of degree `n`.
     pub points: PointSource,
-    /// The parameters at which the curve meets its points: a rule, or numbers from 0 to 1. They shape it. Default `auto`.
+    /// The parameters at which the curve passes through its points, which influence its shape: a rule, or numbers from
+    /// 0 to 1. Default `auto`.
     #[serde(default)]
     pub parameters: ParametersSpec,
-    /// Derivatives by the parameter: for each point a list of the first, the second and so on, `[]` for none. Default: none at all.
+    /// Derivatives with respect to the parameter: for each point a list of the first, the second and so on, `[]` for
+    /// none. Default: none at all.
     pub derivatives: Option<Vec<Vec<Coordinates>>>,
 }
 

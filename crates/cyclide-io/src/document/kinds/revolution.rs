@@ -1,4 +1,4 @@
-//! What a curve sweeps when it turns about an axis.
+//! The surface or solid swept by a curve that turns about an axis.
 
 use cyclide::{CurveObject, NumberError, PointError, Revolution, ShortNumber, SurfaceObject, Vec3};
 use schemars::JsonSchema;
@@ -19,7 +19,7 @@ const NEARLY_WHOLE: f64 = 5e-3;
 /// Places of a curve that are looked at for its distance from the axis, which is only told.
 const PLACES: u32 = 256;
 
-/// What a curve sweeps when it turns about an axis.
+/// The surface or solid swept by a curve that turns about an axis.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -35,20 +35,20 @@ pub struct RevolutionSpec {
     /// The word `revolution`.
     #[schemars(with = "String", extend("const" = "revolution"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the curve, which may be construction geometry. It may meet the axis with its ends only; closed, or with both
-    /// ends on the axis, it gives a solid.
+    /// Name of the curve, which may be construction geometry. It may meet the axis only at its ends; if it is closed,
+    /// or both ends are on the axis, the result is a solid.
     pub of: String,
     /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// A point of the axis. Default: the origin.
+    /// A point on the axis. Default: the origin.
     pub center: Option<Coordinates>,
-    /// The angle. Default: a whole turn.
+    /// Angle of the turn. Default: a whole turn.
     pub angle: Option<Angle>,
 }
 

@@ -21,9 +21,11 @@ use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{BadPolygons, TriangleMesh};
 
-/// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbours share edges. The mesh
-/// is in a file (`mesh`), or given by `vertices` and `triangles`. It has no exact form: GLB, OBJ and STL hold meshes of it within
-/// the tolerance, STEP and JSON do not hold it.
+/// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbours share
+/// edges. The mesh is in a file (`mesh`), or given by `vertices` and `triangles`.
+///
+/// The surface has no exact form: GLB, OBJ and STL contain meshes of it within the tolerance, STEP and JSON cannot
+/// contain it.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -46,25 +48,25 @@ pub struct SmoothMeshSpec {
     /// The word `smooth-mesh`.
     #[schemars(with = "String", extend("const" = "smooth-mesh"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// A mesh of polygons, which are cut into triangles. Points that are equal are one.
+    /// A mesh of polygons, which are cut into triangles. Equal points are merged.
     pub mesh: Option<PolygonMeshFile>,
     /// The vertices.
     #[schemars(length(min = 3))]
     pub vertices: Option<Vec<Coordinates>>,
-    /// The triangles: three vertices each by their number from 0, counter-clockwise from outside.
+    /// The triangles: three vertex numbers each, from 0, counter-clockwise seen from outside.
     #[schemars(length(min = 1))]
     pub triangles: Option<Vec<[u32; 3]>>,
     /// Where the normals at the vertices come from.
     #[serde(default)]
     pub normals: NormalsSpec,
-    /// Edges at which triangles meet at a larger angle than this (between their normals, 0 to π) stay creases. Default: none; with
-    /// normals from the file its own.
+    /// Edges stay creases if their triangles meet at a larger angle than this (between the normals, 0 to π). Default:
+    /// no creases; with normals from the file, those of the file.
     pub crease_angle: Option<Angle>,
 }
 
@@ -83,14 +85,14 @@ pub struct SmoothMeshSpec {
 #[schemars(untagged, rename = "VertexNormals")]
 #[non_exhaustive]
 pub enum NormalsSpec {
-    /// The mean of those of the triangles around a vertex, weighted by their angles.
+    /// The mean of the normals of the triangles around a vertex, weighted by their angles.
     #[default]
     #[schemars(with = "NormalsWord")]
     Angle,
-    /// The mean with weights that are exact where all vertices are on a sphere: better on meshes of smooth surfaces.
+    /// The mean with weights that are exact if all vertices are on a sphere: better on meshes of smooth surfaces.
     #[schemars(skip)]
     Sphere,
-    /// Those of the file; where a vertex has several, the edges between them are creases.
+    /// The normals of the file; where a vertex has several, the edges between them are creases.
     #[schemars(skip)]
     File,
     /// One for each of `vertices`, of any length.
@@ -101,13 +103,13 @@ pub enum NormalsSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(inline)]
 enum NormalsWord {
-    /// The mean of those of the triangles around a vertex, weighted by their angles.
+    /// The mean of the normals of the triangles around a vertex, weighted by their angles.
     #[serde(rename = "angle")]
     Angle,
-    /// The mean with weights that are exact where all vertices are on a sphere: better on meshes of smooth surfaces.
+    /// The mean with weights that are exact if all vertices are on a sphere: better on meshes of smooth surfaces.
     #[serde(rename = "sphere")]
     Sphere,
-    /// Those of the file; where a vertex has several, the edges between them are creases.
+    /// The normals of the file; where a vertex has several, the edges between them are creases.
     #[serde(rename = "file")]
     File,
 }

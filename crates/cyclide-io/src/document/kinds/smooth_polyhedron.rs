@@ -27,9 +27,9 @@ const SINGLE: f64 = 4.8e-7;
 /// Edges reflex by less than this, radians, and corners off their plane by less than this part of the size, speak of few digits.
 const FEW_DIGITS: f64 = 1e-3;
 
-/// A convex polyhedron with all edges and corners rounded: the points within a distance of it. A solid of planes, cylinders and
-/// parts of spheres. The polyhedron is a mesh in a file (`mesh`), the convex hull of points (`points`), or given by `vertices` and
-/// `faces`.
+/// A convex polyhedron with all edges and corners rounded: the points within a distance of it. It is a solid of planes,
+/// cylinders and parts of spheres. The polyhedron is a mesh in a file (`mesh`), the convex hull of points (`points`),
+/// or given by `vertices` and `faces`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -50,30 +50,32 @@ pub struct SmoothPolyhedronSpec {
     /// The word `smooth-polyhedron`.
     #[schemars(with = "String", extend("const" = "smooth-polyhedron"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The radius of the rounding, by which the polyhedron grows; 0 for the polyhedron itself.
+    /// Radius of the rounding, by which the polyhedron grows; 0 gives the polyhedron itself.
     #[schemars(range(min = 0.0))]
     pub radius: f64,
-    /// A closed mesh of any planar polygons. Points that are equal are one; faces in one plane become one.
+    /// A closed mesh of planar polygons with any number of corners. Equal points are merged, and so are faces in one
+    /// plane.
     pub mesh: Option<PolygonMeshFile>,
-    /// Points whose convex hull it is.
+    /// Points whose convex hull is the polyhedron.
     pub points: Option<PointSource>,
     /// The vertices.
     #[schemars(length(min = 4))]
     pub vertices: Option<Vec<Coordinates>>,
-    /// The faces: lists of vertices by their number from 0, counter-clockwise from outside.
+    /// The faces: lists of vertex numbers from 0, counter-clockwise seen from outside.
     #[schemars(length(min = 4), inner(length(min = 3)))]
     pub faces: Option<Vec<Vec<u32>>>,
-    /// Take the convex hull of the vertices in place of the faces, which need not be convex then.
+    /// Take the convex hull of the vertices instead of the faces, which then need not be convex.
     #[serde(default)]
     pub hull: bool,
-    /// Corners this near to a plane are in it: faces are planar, and those in one plane become one. Default: 1e-9 of the diameter,
-    /// of an STL or GLB file the rounding of its numbers, 5e-7 of the largest coordinate.
+    /// Largest distance at which corners count as lying in a plane: faces are planar, and those in one plane become
+    /// one. Default: 1e-9 of the diameter; for an STL or GLB file the rounding of its numbers, 5e-7 of the largest
+    /// coordinate.
     #[schemars(range(min = 0.0))]
     pub flatness: Option<f64>,
 }

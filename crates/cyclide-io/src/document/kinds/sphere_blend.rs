@@ -15,9 +15,9 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Kind, Shape};
 use crate::error::{Error, Result};
 
-/// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners: given by a point
-/// of each sphere (`control`), or by the normals that the patch should have at the corners (`normals`). It has no exact form, as a
-/// smooth mesh.
+/// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners. The
+/// spheres are given by a point of each (`control`), or by the normals that the patch should have at the corners
+/// (`normals`). Like a smooth mesh, the patch has no exact form.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -39,7 +39,7 @@ pub struct SphereBlendSpec {
     /// The word `sphere-blend`.
     #[schemars(with = "String", extend("const" = "sphere-blend"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -47,9 +47,10 @@ pub struct SphereBlendSpec {
     pub construction: bool,
     /// The corners, counter-clockwise seen from outside.
     pub corners: [Coordinates; 3],
-    /// A point of the sphere of each corner, off the circle of the corners. On the side of these points the patch bulges.
+    /// A point on the sphere of each corner, off the circle of the corners. The patch bulges to the side of these
+    /// points.
     pub control: Option<[Coordinates; 3]>,
-    /// The normal at each corner, of any length; it is turned about the circle's tangent there as far as the sphere asks for.
+    /// The normal at each corner, of any length; its component along the circle's tangent there has no effect.
     pub normals: Option<[Coordinates; 3]>,
 }
 

@@ -10,7 +10,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Kind, OfPanels, Reference, Shape, of};
 use crate::error::Result;
 
-/// The edges of another surface as arcs: what carries a skin.
+/// The edges of another surface as arcs: the structure that carries a skin.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -26,7 +26,7 @@ pub struct SupportStructureSpec {
     /// The word `support-structure`.
     #[schemars(with = "String", extend("const" = "support-structure"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.

@@ -1,4 +1,4 @@
-//! A plane section along a path.
+//! A plane section moved along a path.
 
 use cyclide::{
     CurveError, CurveObject, EdgeCurve, NumberError, PipeError, ProfileError, ShortNumber, SurfaceObject, Sweep,
@@ -23,10 +23,14 @@ const TOLERANCE: f64 = 1e-3;
 /// Turns about a closed path that are this near to whole ones are these, radians.
 const WHOLE: f64 = 1e-6;
 
-/// A plane section led across a path: of closed contours a solid, with mitres at corners between segments. Exact along arcs and segments where the section does not turn
-/// about the path.
+/// A plane section moved along a path. Closed contours make a solid, with mitres at corners between segments; contours
+/// inside others are holes, and open contours make surfaces. The sweep is exact along arcs and segments where the
+/// section does not rotate about the path.
 ///
-/// Where rectangles about the section overlap in distant parts of the path the warning `sweep-meets-itself` says so.
+/// Corners between segments are mitred. A corner beside an arc is rejected (`corner-not-mitred`), and so are segments
+/// too short for their mitres (`mitre-does-not-fit`) and bends narrower than the section (`tube-folds`).
+///
+/// If rectangles around the section overlap in distant parts of the path, the warning `sweep-meets-itself` is issued.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -45,36 +49,35 @@ pub struct SweepSpec {
     /// The word `sweep`.
     #[schemars(with = "String", extend("const" = "sweep"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the path, which may be construction geometry. Corners between segments are mitred; a corner beside an arc is refused
-    /// (`corner-not-mitred`), and so are segments too short for their mitres (`mitre-does-not-fit`) and bends narrower than the section
-    /// (`tube-folds`). Arcs within half the `tolerance` stand for a curve of another kind.
+    /// Name of the path, which may be construction geometry. Arcs within half the `tolerance` replace a path of another
+    /// kind.
     pub of: String,
-    /// Name of the section, a curve in the plane z = 0: its origin runs on the path, x and y stay across it, and z points along it
-    /// (`section-not-plane`, `section-meets-itself`). Closed contours make a solid, contours inside others are holes, open ones make surfaces. It
-    /// may be construction geometry.
+    /// Name of the section, a curve in the plane z = 0, which may be construction geometry (`section-not-plane`,
+    /// `section-meets-itself`). Its origin follows the path, x and y stay across it, and z points along it.
     pub section: String,
-    /// The section is drawn in space, across the path at its start, and is taken as it lies there. Default `false`.
+    /// The section is drawn in space, across the path at its start, and is used where it lies. Default `false`.
     #[serde(default)]
     pub in_place: bool,
-    /// How the section is turned about the path.
+    /// How the section is oriented about the path.
     #[serde(default)]
     pub frame: SweepFrame,
-    /// Where the y axis of the section points at the start; with `"frame": "up"` everywhere, as far as the path allows. Default `[0, 0, 1]`; where the path starts along it, x of
-    /// the section is x of space.
+    /// Direction of the y axis of the section at the start; with `"frame": "up"` everywhere, as far as the path allows.
+    /// Default `[0, 0, 1]`; if the path starts along it, x of the section is x of space.
     pub up: Option<Coordinates>,
-    /// Turn about the path in proportion to its length, right-handed; on a closed path whole turns. A closed path in space that brings the section
-    /// back turned is twisted by what is missing. Default 0.
+    /// Rotation about the path in proportion to its length, right-handed; on a closed path whole turns. If a closed
+    /// path in space returns the section rotated, the missing rotation is added as a twist. Default 0.
     pub twist: Option<Angle>,
     /// How closed sections end on an open path.
     #[serde(default)]
     pub ends: SweepEnds,
-    /// Largest distance of arcs from a path of another kind, and of points from the law of a turn. Default: a thousandth of the size of the section.
+    /// Largest distance of arcs from a path of another kind, and of points from the law of rotation. Default: a
+    /// thousandth of the size of the section.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }
@@ -89,10 +92,10 @@ pub struct SweepSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum SweepEnds {
-    /// Plane faces: a solid.
+    /// Planar faces: a solid.
     #[default]
     Flat,
-    /// None: the surface only.
+    /// No end faces: the surface only.
     Open,
 }
 

@@ -1,4 +1,4 @@
-//! What a curve of a moving body runs over.
+//! The surface swept by a curve of a moving body.
 
 use cyclide::{
     CurveObject, MotionError, Point3, RationalMotion, ShortNumber, SurfaceObject, SweptSurface, Vec3, bounds,
@@ -20,7 +20,7 @@ const ACROSS: f64 = 0.035;
 const PLACES: u32 = 64;
 const STEP: f64 = 1e-5;
 
-/// What a curve of a moving body runs over: an exact rational surface.
+/// The surface swept by a curve of a moving body: an exact rational surface.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -38,17 +38,17 @@ pub struct SweptSurfaceSpec {
     /// The word `swept-surface`.
     #[schemars(with = "String", extend("const" = "swept-surface"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the motion, of any kind but `sclerp`; it may be construction geometry.
+    /// Name of the motion, of any kind except `sclerp`; it may be construction geometry.
     pub of: String,
     /// Name of the curve, in the frame of the body; each of its contours makes a surface. It may be construction geometry.
     pub profile: String,
-    /// How what a closed plane curve runs over ends, where the motion does not come back.
+    /// How the surface of a closed plane curve ends, if the motion does not return to its start.
     #[serde(default)]
     pub ends: SweepEnds,
 }

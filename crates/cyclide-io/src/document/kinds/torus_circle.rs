@@ -1,4 +1,4 @@
-//! A circle of a torus.
+//! A circle on a torus.
 
 use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusError, TorusSpline};
 use schemars::JsonSchema;
@@ -14,7 +14,7 @@ use crate::document::objects::contours::ContourFacts;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::Result;
 
-/// A circle of a torus through a point of it.
+/// A circle on a torus through a given point.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -36,13 +36,14 @@ pub struct TorusCircleSpec {
     /// The word `torus-circle`.
     #[schemars(with = "String", extend("const" = "torus-circle"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    /// The torus on which the curve lies: given here, or the name of a `cyclide` that is a torus (`c` = 0) or of a
+    /// `transform` that moves, turns, scales or mirrors one.
     pub torus: TorusSource,
     /// Which of the four circles through the point.
     #[serde(default)]
@@ -51,7 +52,7 @@ pub struct TorusCircleSpec {
     pub through: Option<Coordinates>,
     /// Longitude and meridian angle of the point.
     pub at: Option<[Angle; 2]>,
-    /// Distance within which the point must be near the torus. Default: a millionth of its major radius.
+    /// Largest distance of the point from the torus. Default: a millionth of its major radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }
@@ -70,14 +71,14 @@ pub struct TorusCircleSpec {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FamilySpec {
-    /// Villarceau circles: longitude and meridian angle rise together.
+    /// Villarceau circles along which longitude and meridian angle increase together.
     #[default]
     Villarceau,
-    /// Villarceau circles along which the meridian angle falls as the longitude rises.
+    /// Villarceau circles along which the meridian angle decreases as the longitude increases.
     MirrorVillarceau,
-    /// Round the axis.
+    /// Circles around the axis.
     Parallel,
-    /// Round the tube.
+    /// Circles around the tube.
     Meridian,
 }
 
@@ -138,7 +139,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A circle of a torus.
+    /// A circle on a torus.
     pub(in crate::document) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
         let torus = self.torus(&spec.torus)?;
         let (at, moved) = self.place_of_circle(spec, &torus)?;

@@ -1,4 +1,4 @@
-//! A curve that runs evenly round a torus both ways.
+//! A curve that winds evenly around the axis and the tube of a torus.
 
 use cyclide::{CurveObject, Point2, TorusSpline};
 use schemars::JsonSchema;
@@ -12,10 +12,11 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::Result;
 
-/// A torus knot: the closed curve that runs evenly round the axis and round the tube of a torus.
+/// A torus knot: the closed curve that winds evenly around the axis and around the tube of a torus.
 ///
-/// It is the straight line of the `conformal` map of an `unrolled` curve, which crosses all parallels at one angle, to 4e-3 rad, and not the
-/// curve with the meridian angle linear in the longitude: on a torus of 40 and 15 the two are up to 0.4 rad apart.
+/// It is the straight line of the `conformal` map of an `unrolled` curve, which crosses all parallels at the same
+/// angle, to 4e-3 rad. It is not the curve whose meridian angle is linear in the longitude: on a torus with the radii
+/// 40 and 15 the two are up to 0.4 rad apart.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,15 +32,17 @@ pub struct TorusKnotSpec {
     /// The word `torus-knot`.
     #[schemars(with = "String", extend("const" = "torus-knot"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    /// The torus on which the curve lies: given here, or the name of a `cyclide` that is a torus (`c` = 0) or of a
+    /// `transform` that moves, turns, scales or mirrors one.
     pub torus: TorusSource,
-    /// Turns round the axis and turns round the tube, without a common divisor (`not-coprime`); negative ones run the other way.
+    /// Turns around the axis and turns around the tube, without a common divisor (`not-coprime`); negative numbers
+    /// reverse the direction.
     pub turns: [i32; 2],
     /// Longitude and meridian angle of its start. Default `[0, 0]`.
     pub start: Option<[Angle; 2]>,

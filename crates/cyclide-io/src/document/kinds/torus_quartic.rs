@@ -16,7 +16,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
-/// A closed quartic of a torus of one of its six types: it runs once round two families of circles, along both at once.
+/// A closed quartic on a torus, of one of six types: it runs once around two families of circles at the same time.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -33,18 +33,19 @@ pub struct TorusQuarticSpec {
     /// The word `torus-quartic`.
     #[schemars(with = "String", extend("const" = "torus-quartic"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    /// The torus on which the curve lies: given here, or the name of a `cyclide` that is a torus (`c` = 0) or of a
+    /// `transform` that moves, turns, scales or mirrors one.
     pub torus: TorusSource,
-    /// Two different families of circles: the type.
+    /// Two different families of circles, which determine the type.
     pub families: [FamilySpec; 2],
-    /// How fast it runs along the second family at its start, for its speed along the first; negative ones run back. From 1/32 to 32. A quarter of
-    /// the way on it is the other way round.
+    /// Speed along the second family at the start, relative to that along the first; negative values run backwards. Its
+    /// size is from 1/32 to 32; halfway around the curve the ratio is the inverse.
     pub ratio: f64,
     /// Longitude and meridian angle of its start. Default `[0, 0]`.
     pub start: Option<[Angle; 2]>,

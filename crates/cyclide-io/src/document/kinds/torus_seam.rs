@@ -1,4 +1,4 @@
-//! A raised or sunk seam along a curve of a torus.
+//! A raised or sunk seam along a curve on a torus.
 
 use cyclide::{
     Body, CurveError, Error as E, ErrorItem as I, NumberError, NurbsError, PointError, ShortNumber, SurfaceObject,
@@ -18,13 +18,18 @@ use crate::error::Result;
 /// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.
 const SEAM: f64 = 1e-3;
 
-/// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
+/// A solid with a rectangular section along a curve on a torus: a raised seam to be fused to the torus, or a sunk one
+/// to be cut from it.
 ///
-/// Let it reach into the torus by more than `width²/(8 b)`, with the radius `b` of the tube, by which the tube bends away. It has small creases
-/// where the curvature of the curve jumps. Where the curve bends more sharply than half the width the seam would fold: it is refused with the
-/// largest width and the location (`seam-too-wide`). Where parts of it that are no neighbors share space it is refused with the location
-/// (`seam-meets-itself`; all others are proved disjoint, up to the tolerance); seams of different contours that do are warned of
-/// (`seams-meet`). A round bead is a `pipe` about the curve, with a `tolerance`.
+/// Let it reach into the torus by more than `width²/(8 b)`, with the radius `b` of the tube: that is how far the tube
+/// curves away. The seam has small creases where the curvature of the curve jumps.
+///
+/// Where the curve bends more sharply than half the width the seam would fold: it is rejected with the largest width
+/// and the location (`seam-too-wide`). A seam is also rejected if parts of it that are not neighbours overlap
+/// (`seam-meets-itself`, with the location); all others are proved disjoint, up to the tolerance. Seams of different
+/// contours that overlap are reported by a warning (`seams-meet`).
+///
+/// For a round bead use a `pipe` about the curve, with a `tolerance`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -40,7 +45,7 @@ pub struct TorusSeamSpec {
     /// The word `torus-seam`.
     #[schemars(with = "String", extend("const" = "torus-seam"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -51,7 +56,7 @@ pub struct TorusSeamSpec {
     /// Width across the curve.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub width: f64,
-    /// From where to where it reaches, along the outward normal of the torus: negative below the surface.
+    /// The two limits of the seam along the outward normal of the torus: negative below the surface.
     pub height: [f64; 2],
     /// Distance within which the edges follow the curve. Default: a thousandth of the width.
     #[schemars(extend("exclusiveMinimum" = 0))]

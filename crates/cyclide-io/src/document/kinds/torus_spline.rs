@@ -25,8 +25,9 @@ use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 use crate::input::points::{PointList, merge_repeated};
 
-/// A smooth curve on a torus through points near it, or through places given by two angles: rational quartics that lie exactly on the
-/// torus, C1 in their knots. There always is one: where directions turn back it makes a detour.
+/// A smooth curve on a torus through points near it, or through positions given by two angles: rational quartics that
+/// lie exactly on the torus, C1 at their knots. With the method `general` such a curve always exists: where directions
+/// turn back it makes a detour.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -48,39 +49,43 @@ pub struct TorusSplineSpec {
     /// The word `torus-spline`.
     #[schemars(with = "String", extend("const" = "torus-spline"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0) or of a `transform` of one that moves, turns, scales or mirrors it.
+    /// The torus on which the curve lies: given here, or the name of a `cyclide` that is a torus (`c` = 0) or of a
+    /// `transform` that moves, turns, scales or mirrors one.
     pub torus: TorusSource,
-    /// Points on or near the torus. Each is moved to the nearest point of the torus, from no farther than `tolerance` (`point-off-torus`). The
-    /// report says how far, and above the default tolerance the warning `moved-onto-torus`.
+    /// Points on or near the torus. Each is moved to the nearest point of the torus, by `tolerance` at most
+    /// (`point-off-torus`); the report gives the distance, and above the default tolerance there is the warning
+    /// `moved-onto-torus`.
     pub points: Option<PointSource>,
     /// Longitude and meridian angle of each point.
     pub angles: Option<AnglePairs>,
-    /// Distance within which points must be near the torus. Default: a millionth of its major radius.
+    /// Largest distance of the points from the torus. Default: a millionth of its major radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Velocities in space, one for each point, by the knots: their length counts, and about the distance to the neighbors is a good one. What they
-    /// have across the torus is left out; `"free"` leaves a point its own, that of the parabola through the point and its neighbors.
+    /// Velocities in space with respect to the knots, one for each point, without regard to their component normal to
+    /// the torus; their length matters, and about the distance to the neighbours is suitable. `"free"` gives a point
+    /// the velocity of the parabola through it and its neighbours.
     pub tangents: Option<Vec<FreeOr<Coordinates>>>,
-    /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `"free"` leaves a
-    /// point its own.
+    /// Velocities as rates of longitude and meridian angle with respect to the knots, one for each point; `"free"`
+    /// leaves the velocity to the program.
     pub rates: Option<RatePairs>,
-    /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, …. Knots or rates so uneven that a part of the
-    /// curve has no knots of its own, as a span of 1e-10 of all that is to be passed slowly, are refused (`empty-interval`, with the segment; the
-    /// limit is the rounding of the parameter).
+    /// The parameter at each point, increasing, and for a closed curve also at its end; default: 0, 1, 2, …. Knots or
+    /// rates are rejected if they are so uneven that a part of the curve has no parameter interval beyond rounding,
+    /// such as a span of 1e-10 of the whole that is to be passed slowly (`empty-interval`, with the segment).
     pub knots: Option<Vec<f64>>,
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// Turns round the axis and round the tube of a closed curve, as `[1, -2]`; or a list of turns added to the shortest path, one pair for each
-    /// step. Default: the shortest path from point to point, half a turn of both angles at most.
+    /// Turns around the axis and around the tube of a closed curve, such as `[1, -2]`; or a list of turns added to the
+    /// shortest path, one pair for each step. Default: the shortest path from point to point, at most half a turn of
+    /// both angles.
     pub winding: Option<WindingSpec>,
-    /// Equal neighbouring points get a loop between them; else they are one point.
+    /// Equal neighbouring points get a loop between them; otherwise they are one point.
     #[serde(default)]
     pub loops: bool,
     /// How the points are joined.
@@ -100,11 +105,12 @@ pub struct TorusSplineSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TorusMethod {
-    /// By pieces of one type between two points where that will do, else by more. It always succeeds.
+    /// By pieces of one type between two points where that suffices, otherwise by more. It always succeeds.
     #[default]
     General,
-    /// By two pieces of two types from each point to the next, which share a family of circles: fewer pieces where directions are along parallels
-    /// and meridians in turn. Closed, with a direction at every point. Not all data have such a curve (`no-two-type-solution`).
+    /// By two pieces of two types from each point to the next that share a family of circles; these are fewer pieces
+    /// where directions are along parallels and meridians in turn. The curve is closed, with a direction at every
+    /// point, and not all data have such a curve (`no-two-type-solution`).
     TwoTypes,
 }
 
@@ -121,9 +127,9 @@ pub enum TorusMethod {
 #[schemars(untagged, rename = "Winding")]
 #[non_exhaustive]
 pub enum WindingSpec {
-    /// Round the axis and round the tube, in all.
+    /// Around the axis and around the tube, in total.
     Total([i32; 2]),
-    /// Added to the shortest way, for each step.
+    /// Added to the shortest path, for each step.
     Each(Vec<[i32; 2]>),
 }
 

@@ -30,13 +30,13 @@ pub struct TrajectorySpec {
     /// The word `trajectory`.
     #[schemars(with = "String", extend("const" = "trajectory"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the motion, of any kind but `sclerp`; it may be construction geometry.
+    /// Name of the motion, of any kind except `sclerp`; it may be construction geometry.
     pub of: String,
     /// The point of the body. Default: the tool of the motion.
     pub point: Option<Coordinates>,

@@ -1,4 +1,4 @@
-//! The tube of changing radius along a curve, or through balls.
+//! A tube of changing radius along a curve or through balls.
 
 use std::fmt;
 
@@ -31,8 +31,9 @@ const SHARES: [f64; 5] = [0.4, 0.2, 0.1, 0.03, 0.01];
 /// Part of the largest radius below which nobody sees that a rim is not flat.
 const RIM: f64 = 1e-6;
 
-/// The tube of changing radius along a curve (`of`, `radius`), or through balls (`balls`), solid or with a `wall`. Along a curve it has the circle of its radius
-/// across each point, so that it begins and ends where the curve does; through balls it is their envelope.
+/// A tube of changing radius along a curve (`of`, `radius`) or through balls (`balls`), solid or with a `wall`. Along a
+/// curve the section across each point is a circle with the radius there, so the tube begins and ends where the curve
+/// does. Through balls the tube is their envelope.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -54,33 +55,35 @@ pub struct TubeSpec {
     /// The word `tube`.
     #[schemars(with = "String", extend("const" = "tube"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the curve that it runs along, which may be construction geometry.
+    /// Name of the curve along which it runs, which may be construction geometry.
     pub of: Option<String>,
-    /// The radius along the curve: one; a list of radii, evenly spaced over the length; a list of `{"at": 0.3, "radius": 2}`, at
-    /// fractions of the length. Between values it goes smoothly and never beyond them.
+    /// The radius along the curve: one; a list of radii, evenly spaced over the length; or a list of `{"at": 0.3,
+    /// "radius": 2}`, at fractions of the length. Between given radii it varies smoothly and never beyond them.
     pub radius: Option<RadiusLawSpec>,
     /// What has the radius along a curve. Default `sections`.
     pub radius_of: Option<RadiusOf>,
-    /// Balls `[x, y, z, radius]` that it touches all round, in their order. It is exact.
+    /// Balls `[x, y, z, radius]` that the tube touches all round, in this order. The tube is exact.
     #[schemars(length(min = 2))]
     pub balls: Option<Vec<[f64; 4]>>,
-    /// Whether the tube through balls comes back to the first. Default `false`.
+    /// Whether the tube through balls returns to the first one. Default `false`.
     pub closed: Option<bool>,
-    /// Thickness of the wall about a bore: across the curve, so that the bore has the radius less the wall; along the normals of the envelope of balls.
-    /// Default: no bore.
+    /// Thickness of the wall around a bore; default: no bore. Along a curve it is measured across the curve, so that
+    /// the bore has the radius less the wall; for balls it is measured along the normals of the envelope.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How it ends, if it is open. Round ends are parts of balls: of sections that which goes on with their slope, of balls the rest of them.
+    /// How an open tube ends. A round end is a part of a ball: for sections the ball that continues the tube with its
+    /// slope, for balls the rest of the ball.
     #[serde(default)]
     pub ends: PipeEnds,
-    /// Largest distance from the tube of the law along the curve; 0 is kept along segments, and along arcs where the radius stays. Default: a thousandth of the
-    /// least radius; a hundred thousandth along arcs with a radius of sections.
+    /// Largest distance from the tube with the given law of radii; it is 0 along segments, and along arcs where the
+    /// radius is constant. Default: a thousandth of the least radius; a hundred-thousandth along arcs with a radius of
+    /// sections.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
 }
@@ -129,7 +132,7 @@ enum Entry {
 enum Form {
     /// One radius.
     One(#[schemars(extend("exclusiveMinimum" = 0))] f64),
-    /// Radii, evenly spaced.
+    /// Evenly spaced radii.
     Even(#[schemars(length(min = 1))] Vec<f64>),
     /// Radii at fractions of the length, which increase.
     At(#[schemars(length(min = 1))] Vec<RadiusAt>),

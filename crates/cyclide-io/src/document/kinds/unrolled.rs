@@ -1,4 +1,4 @@
-//! A curve of a torus laid flat.
+//! A curve on a torus, laid flat.
 
 use cyclide::{ArcPath, CurveObject, Torus, TorusMap, UnrollOptions};
 use schemars::JsonSchema;
@@ -16,11 +16,11 @@ use crate::error::Result;
 /// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
 const FLAT: f64 = 1e-5;
 
-/// A curve of a torus laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the plane z = 0. Lines
-/// break where the curve crosses the cuts.
+/// A curve on a torus, laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the
+/// plane z = 0. Lines end where the curve crosses the cuts.
 ///
-/// A torus cannot be laid flat without stretching: the report says the least and the largest factor along the curve, and both lengths. The
-/// result consists of arcs, so DXF and SVG are exact.
+/// A torus cannot be laid flat without stretching: the report gives the least and the largest factor along the curve,
+/// and both lengths. The result consists of arcs, so DXF and SVG are exact.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -36,7 +36,7 @@ pub struct UnrolledSpec {
     /// The word `unrolled`.
     #[schemars(with = "String", extend("const" = "unrolled"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -47,12 +47,14 @@ pub struct UnrolledSpec {
     /// How the torus is laid flat.
     #[serde(default)]
     pub map: TorusMap,
-    /// Longitude and meridian angle of the cuts. Default: the longitude 0, and the inner side (half a turn).
+    /// Longitude and meridian angle of the cuts. Default: longitude 0, and the inner side (half a turn).
     pub seam: Option<[Angle; 2]>,
-    /// Distance within which arcs stand for the curve in the plane. Default: a hundred-thousandth of the width of the plane.
+    /// Distance within which arcs replace the curve in the plane. Default: a hundred-thousandth of the width of the
+    /// plane.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Adds the rectangle of the unrolled torus, at whose sides lines end where the curve crosses the cuts (`cut-at-seam`).
+    /// Adds the rectangle of the unrolled torus. Lines end at its sides where the curve crosses the cuts
+    /// (`cut-at-seam`).
     #[serde(default)]
     pub border: bool,
 }

@@ -289,10 +289,10 @@ pub(in crate::document) struct MeshNames {
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum RadiusOf {
-    /// The circles in which planes across the curve cut the tube.
+    /// The circles in which planes perpendicular to the curve cut the tube.
     #[default]
     Sections,
-    /// Balls that roll along the curve: the tube is their envelope. Where the radius changes its circles lie beside their centres, and it does not end where the
-    /// curve does.
+    /// Balls that roll along the curve: the tube is their envelope. Where the radius changes, the circles of contact
+    /// lie beside their centers, and the tube does not end where the curve does.
     Balls,
 }

@@ -47,7 +47,7 @@ pub(crate) use reader::read;
 /// What there is to know of meshes in it.
 pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
     word: "glb",
-    field: "Path of a binary glTF file, relative to the document: its scene, in metres, with the axis that is up there as third one.",
+    field: "Path of a binary glTF file, relative to the document: its scene is in metres, and its up axis becomes the third axis.",
     is_start: |text| text.starts_with("glTF"),
     read: |name, bytes| read_scene(name, bytes).map(ReadMesh::from),
     has_quads: false,

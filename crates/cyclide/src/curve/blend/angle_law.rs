@@ -30,7 +30,7 @@ pub enum BlendVariant {
     /// An exact rational curve.
     #[default]
     Rational,
-    /// Sines of a blended angle; files carry it within a tolerance.
+    /// Sines of a blended angle; files contain it within a tolerance.
     Trigonometric,
 }
 

@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Whether the vertices of a net are moved so that every quad has a circle, and what its border may do.
+/// Whether the vertices of a net are moved so that the corners of every quad lie on one circle, and what its border may
+/// do.
 ///
 /// ```
 /// use cyclide_io::kinds::MakeCircularSpec;
@@ -15,7 +16,7 @@ use serde::{Deserialize, Serialize};
 #[schemars(untagged, rename = "MakeCircular")]
 #[non_exhaustive]
 pub enum MakeCircularSpec {
-    /// Yes with the usual options, or no (the default).
+    /// Yes with the default options, or no (the default).
     Switch(bool),
     /// Yes, with these options.
     Options(MakeCircularOptions),
@@ -39,13 +40,13 @@ impl Default for MakeCircularSpec {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MakeCircularOptions {
-    /// What the vertices on the border may do. Default `free`.
+    /// How vertices on the border may move. Default `free`.
     #[serde(default)]
     pub border: BorderSpec,
-    /// Steps after which the search is given up. Default: 500.
+    /// Number of steps after which the search is given up. Default: 500.
     #[schemars(range(min = 1))]
     pub max_steps: Option<u32>,
-    /// Whether to go on with a net that has lost the shape of its grid (default false: it is refused).
+    /// Whether to continue with a net that has lost the shape of its grid. Default false: it is rejected.
     #[serde(default)]
     pub allow_shape_change: bool,
 }
@@ -63,9 +64,9 @@ pub struct MakeCircularOptions {
 #[schemars(untagged, rename = "Border")]
 #[non_exhaustive]
 pub enum BorderSpec {
-    /// Every side alike.
+    /// The same for all sides.
     Word(BorderWord),
-    /// Sides slide on curves of the model.
+    /// The sides slide along curves of the model.
     Curves(BorderCurves),
 }
 
@@ -89,12 +90,12 @@ pub enum BorderWord {
     /// Border vertices move like the others.
     #[default]
     Free,
-    /// Border vertices stay where they are.
+    /// Border vertices stay fixed.
     Pinned,
 }
 
-/// Names of curves of the model on which the sides of a border slide; a side that is left out is free. Rows run along
-/// s and columns along t: for a grid from a file see the field `frame` of the net.
+/// Names of curves of the model along which the sides of a border slide; an omitted side is free. Rows run along s and
+/// columns along t; for a grid from a file see the field `frame` of the net.
 ///
 /// ```
 /// use cyclide_io::kinds::{BorderCurves, BorderSpec, MakeCircularSpec};

@@ -21,8 +21,8 @@ use crate::error::Result;
 
 pub use make_circular::*;
 
-/// A smooth surface of patches over a grid of points: neighbouring patches share their circular edge and their normals
-/// along it. The four corners of every quad must be on one circle: `make_circular` sees to it.
+/// A smooth surface of patches over a grid of points. Neighbouring patches share their circular edge and the normals
+/// along it. The four corners of every quad must lie on one circle; `make_circular` moves the vertices so that they do.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -39,7 +39,7 @@ pub struct CyclidicNetSpec {
     /// The word `cyclidic-net`.
     #[schemars(with = "String", extend("const" = "cyclidic-net"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -47,19 +47,20 @@ pub struct CyclidicNetSpec {
     pub construction: bool,
     /// The vertices.
     pub grid: GridSource,
-    /// Quads that stay open, as pairs of column and row from 0 (s first): their corners are part of the net, which runs on smoothly
-    /// round them, but they have no patch. Of an open grid.
+    /// Quads that stay open, as pairs of column and row from 0 (s first), for open grids only. Their corners are part
+    /// of the net, which continues smoothly around them, but they have no patch.
     #[serde(default)]
     pub openings: Vec<[u32; 2]>,
-    /// Whether the grid is closed along s (the last column joins the first) and along t (the last row joins the first). Do not
-    /// repeat the first points. Default: open. For a grid inline only.
+    /// Whether the grid is closed along s (the last column joins the first) and along t (the last row joins the first),
+    /// for inline grids only; do not repeat the first points. Default: open.
     pub closed: Option<[bool; 2]>,
-    /// The frame from which all others follow: `"auto"` (default), or the directions of growing s and t at the first vertex. In a
-    /// grid from a file s runs from the first to the second corner of the first face and t from the first to the fourth;
-    /// the first vertex is reached from the first corner back along s, then back along t.
+    /// The frame that determines all others: `"auto"` (default), or the directions of increasing s and t at the first
+    /// vertex. In a grid from a file s runs from the first to the second corner of the first face and t from the first
+    /// to the fourth; the first vertex is reached from the first corner back along s, then back along t.
     #[serde(default)]
     pub frame: FrameSpec,
-    /// Move the vertices so that the corners of every quad are on one circle, and closed directions close. Default `false`.
+    /// Move the vertices so that the corners of every quad lie on one circle and closed directions close. Default
+    /// `false`.
     #[serde(default)]
     pub make_circular: MakeCircularSpec,
 }
@@ -77,12 +78,12 @@ pub struct CyclidicNetSpec {
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Grid")]
 pub enum GridSource {
-    /// Rows of points: s grows along a row, t from row to row. All rows have equally many. `null` stands where there is no point:
-    /// the border of an open grid may run in steps.
+    /// Rows of points: s increases along a row, t from row to row, and all rows have the same length. `null` marks a
+    /// missing point: the border of an open grid may run in steps.
     Rows(#[schemars(length(min = 2))] Vec<Vec<Option<Coordinates>>>),
-    /// A mesh of quads in a file of its own.
+    /// A mesh of quads in a separate file.
     File(MeshFile),
-    /// A grid that another object lays along the lines of curvature of a mesh.
+    /// A grid that another object lays along the lines of curvature of a surface.
     Laid(LaidGrid),
 }
 
@@ -99,13 +100,14 @@ pub enum GridSource {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LaidGrid {
-    /// The name of a `principal-grid`.
+    /// Name of a `principal-grid`.
     pub of: String,
-    /// Which of its grids, from 0. Default: the first one, the largest; of grids that are `joined` round umbilics all together.
+    /// Number of one of its grids, from 0. Default: the first one, which is the largest; if grids are `joined` around
+    /// umbilics, all of them together.
     pub piece: Option<u32>,
 }
 
-/// A mesh of quads in a file of its own.
+/// A mesh of quads in a separate file.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -120,8 +122,8 @@ pub struct LaidGrid {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshFile {
-    /// Path of the Wavefront OBJ file, relative to the document: a regular grid of quads, open or closed, with a border in steps or
-    /// straight.
+    /// Path of the Wavefront OBJ file, relative to the document: a grid of quads, open or closed, with a straight or
+    /// stepped border, regular except at extraordinary vertices.
     pub obj: String,
 }
 

@@ -25,9 +25,9 @@ use crate::error::{Error, Result};
 #[schemars(untagged, rename = "Cells")]
 #[non_exhaustive]
 pub enum CellsSpec {
-    /// So many equal cells along s, t and u.
+    /// This number of equal cells along s, t and u.
     Count(#[schemars(range(min = 1, max = 4096))] u32),
-    /// Those along s, along t and along u.
+    /// The cells along s, along t and along u.
     Along(Box<[CellsAlongSpec; 3]>),
 }
 
@@ -70,7 +70,7 @@ impl<'de> Deserialize<'de> for CellsSpec {
 #[schemars(untagged, rename = "CellsAlong")]
 #[non_exhaustive]
 pub enum CellsAlongSpec {
-    /// So many equal cells.
+    /// This number of equal cells.
     Count(#[schemars(range(min = 1, max = 4096))] u32),
     /// Cells of different lengths.
     Graded(GradedCellsSpec),
@@ -96,7 +96,7 @@ impl<'de> Deserialize<'de> for CellsAlongSpec {
     }
 }
 
-/// Cells of different lengths along one direction: one of `ratio`, `stretch` and `first`.
+/// Cells of different lengths along one direction, by one of `ratio`, `stretch` and `first`.
 ///
 /// ```
 /// use cyclide_io::{Document, kinds::CellLaw};
@@ -111,21 +111,23 @@ impl<'de> Deserialize<'de> for CellsAlongSpec {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct GradedCellsSpec {
-    /// How many cells.
+    /// Number of cells.
     #[schemars(range(min = 1, max = 4096))]
     pub count: u32,
-    /// Law of their lengths. Default: `geometric` with `ratio` or `first`, `tanh` with `stretch`, `uniform` with none of these.
+    /// Law of their lengths. Default: `geometric` with `ratio` or `first`, `tanh` with `stretch`, `uniform` without any
+    /// of these.
     pub law: Option<CellLaw>,
-    /// Of `geometric`: the length of a cell over that of the one before, counted from the fine end. 0.001 to 1000.
+    /// For `geometric`: length of each cell divided by that of the one before, counted from the fine end, from 0.001 to
+    /// 1000.
     #[schemars(range(min = 0.001, max = 1000.0))]
     pub ratio: Option<f64>,
-    /// Of `tanh`: how uneven cells are, 0 to 20.
+    /// For `tanh`: how uneven the cells are, from 0 (equal) to 20.
     #[schemars(range(min = 0.0, max = 20.0))]
     pub stretch: Option<f64>,
-    /// Length of the cell at the fine end: no side of a block is longer there. Ratio or stretch follow.
+    /// Largest length of the cell at the fine end on any side of a block. The ratio or stretch follows from it.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub first: Option<f64>,
-    /// At which end of the direction cells are fine: `start` (default), `end` or `both`.
+    /// The end of the direction at which cells are fine: `start` (default), `end` or `both`.
     #[serde(default)]
     pub fine: FineEnd,
 }
@@ -144,9 +146,9 @@ pub struct GradedCellsSpec {
 pub enum CellLaw {
     /// Equal cells.
     Uniform,
-    /// By a constant ratio of neighbours.
+    /// A constant ratio between neighbours.
     Geometric,
-    /// By hyperbolic tangents: the ratio of neighbours changes slowly.
+    /// Hyperbolic tangents: the ratio between neighbours changes slowly.
     Tanh,
 }
 

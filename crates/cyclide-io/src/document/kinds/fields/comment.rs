@@ -45,7 +45,7 @@ impl JsonSchema for Comment {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "A remark: a text, or a list of texts, one per line.",
+            "description": "A comment: a text, or a list of texts, one per line.",
             "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }]
         })
     }

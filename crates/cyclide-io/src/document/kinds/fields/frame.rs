@@ -21,11 +21,11 @@ use crate::error::Result;
 #[schemars(untagged, rename = "Frame")]
 #[non_exhaustive]
 pub enum FrameSpec {
-    /// The frame that follows the edges of the whole net best.
+    /// Chosen automatically: the frame that follows the edges best.
     #[default]
     #[schemars(with = "AutoWord")]
     Auto,
-    /// Directions of growing s and t at the first vertex: perpendicular, of any length.
+    /// Directions of increasing s and t at the first vertex: perpendicular, of any length.
     First([Coordinates; 2]),
 }
 
@@ -33,7 +33,7 @@ pub enum FrameSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[schemars(inline)]
 enum AutoWord {
-    /// The frame that follows the edges of the whole net best.
+    /// Chosen automatically: the frame that follows the edges best.
     #[serde(rename = "auto")]
     Auto,
 }

@@ -24,7 +24,7 @@ use crate::document::objects::contours::Contour;
 pub enum ParametersSpec {
     /// By a rule.
     Rule(ParameterRule),
-    /// These; of a `qb-interpolation` in `[0, 1]`, in any order.
+    /// The given numbers; for a `qb-interpolation` in `[0, 1]` and in any order.
     Each(Vec<f64>),
 }
 
@@ -39,14 +39,14 @@ pub enum ParametersSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ParameterRule {
-    /// As `chord`, of points in one plane as `centripetal`.
+    /// `centripetal` for points in one plane, else `chord`.
     #[default]
     Auto,
-    /// By the distances of the points.
+    /// In proportion to the distances between the points.
     Chord,
-    /// By the square roots of their distances.
+    /// In proportion to the square roots of these distances.
     Centripetal,
-    /// Evenly.
+    /// Evenly spaced.
     Uniform,
 }
 

@@ -72,6 +72,6 @@ impl JsonSchema for PolygonMeshFile {
             })
         };
         let fields: Vec<Schema> = MeshFormat::ALL.iter().map(field).collect();
-        json_schema!({ "oneOf": fields, "description": "A mesh in a file of its own." })
+        json_schema!({ "oneOf": fields, "description": "A mesh in a separate file." })
     }
 }

@@ -20,9 +20,9 @@ use serde::{Deserialize, Serialize};
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum RadiiSpec {
-    /// All alike.
+    /// The same for all corners.
     All(f64),
-    /// One per point; at the ends of an open polyline they mean nothing.
+    /// One per point; the values at the ends of an open polyline have no effect.
     Each(Vec<f64>),
 }
 

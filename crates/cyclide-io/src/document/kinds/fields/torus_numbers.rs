@@ -138,10 +138,7 @@ impl JsonSchema for AnglePairs {
         "AnglePairs".into()
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        pairs_schema(
-            "Pairs of longitude and meridian angle: in radians, or in degrees with their name.",
-            &pair_schema(),
-        )
+        pairs_schema("Pairs of longitude and meridian angle, in radians or as an object in degrees.", &pair_schema())
     }
 }
 
@@ -151,10 +148,7 @@ impl JsonSchema for RatePairs {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         let pair = json_schema!({ "anyOf": [pair_schema(), { "const": "free" }] });
-        pairs_schema(
-            "Pairs of rates of longitude and meridian angle, in radians, or in degrees with their name.",
-            &pair,
-        )
+        pairs_schema("Pairs of rates of longitude and meridian angle, in radians or as an object in degrees.", &pair)
     }
 }
 

@@ -38,18 +38,18 @@ pub(in crate::document) const NEAR: f64 = 1e-6;
 #[schemars(rename = "Torus")]
 #[non_exhaustive]
 pub struct TorusSpec {
-    /// Radius of the circle that the middle of the tube follows.
+    /// Radius of the center circle of the tube.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub major_radius: f64,
-    /// Radius of the tube, less than that.
+    /// Radius of the tube, smaller than `major_radius`.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub minor_radius: f64,
-    /// Where the centre is. Default: the origin.
+    /// Position of the center. Default: the origin.
     pub center: Option<Coordinates>,
     /// Axis of the torus, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// Direction of the longitude 0, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another axis the direction nearest
-    /// to it.
+    /// Direction of the longitude 0, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another `axis`
+    /// the direction nearest to it.
     pub x_direction: Option<Coordinates>,
 }
 
@@ -65,7 +65,7 @@ pub struct TorusSpec {
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "TorusSource")]
 pub enum TorusSource {
-    /// Its radii and its place.
+    /// Its radii and position.
     Here(TorusSpec),
     /// Name of a `cyclide` with `c` = 0, or of a `transform` of one that is a similarity.
     Named(String),

@@ -25,8 +25,8 @@ use crate::error::{Error, Result};
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
 pub(in crate::document) const AT_REST: f64 = 64.0 * f64::EPSILON;
 
-/// A motion of a rigid body, through poses or along a curve: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
-/// `trajectory` and `swept-surface` are made of it.
+/// A motion of a rigid body, through poses or along a curve. GLB files animate it, the command `sample` gives its poses
+/// over time, and `trajectory` and `swept-surface` are made from it.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -42,56 +42,59 @@ pub struct MotionSpec {
     /// The word `motion`.
     #[schemars(with = "String", extend("const" = "motion"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// How the body goes from pose to pose. Default `spline`.
+    /// How the body moves from pose to pose. Default `spline`.
     pub kind: Option<MotionKind>,
-    /// The poses, or a file of them; or `along` instead.
+    /// The poses, or a file of them; alternatively `along`.
     pub poses: Option<PoseSource>,
-    /// The motion comes back to its first pose and goes on as it began, joined as smoothly as within: of a `spline`, of `linear`, and with `positions` or a
-    /// `tolerance`. The last pose may repeat the first; with times it does (with a `tolerance`, within twice that), since its time says when the motion is back. Default false.
+    /// The motion returns to its first pose and continues as it began, joined there as smoothly as elsewhere; for
+    /// `spline`, `linear`, `positions` and `tolerance`. The last pose may repeat the first; if poses have times it must
+    /// (with a `tolerance`, to within twice that), since its time gives the period. Default false.
     #[serde(default)]
     pub closed: bool,
-    /// Of `linear`: how far from a pose the body may be where it leaves the straight line to it, and where it takes the next one, on a parabola between. Both are
-    /// equally long in time, before the pose and after it: on the line where it is faster it is so far, on the other one nearer. It then does not stop at the
-    /// poses, and passes beside them. Default 0, at the poses.
+    /// For `linear`: largest distance from a pose at which the body leaves the straight line for a parabola to the next
+    /// line, so that it passes beside the pose without a stop. The parabola takes as much time before the pose as after
+    /// it: it begins or ends at this distance on the line where the body is faster, nearer to the pose on the other
+    /// one. Default 0: the body passes through the poses.
     #[schemars(extend("minimum" = 0))]
     pub blend_radius: Option<f64>,
-    /// Instead of `kind`: the curve through the positions of the poses on which the origin of the body runs, C1 in time, while it turns on a C1 spline
-    /// of its own that runs beyond no pose.
+    /// Instead of `kind`: the curve through the positions of the poses that the origin of the body follows, C1 in time
+    /// (except for `polyline`). The rotation is a separate C1 spline that does not overshoot.
     pub positions: Option<PositionCurve>,
     /// Instead of `kind`, for noisy poses: the smoothest motion within these tolerances of them, C2 in time.
     pub tolerance: Option<PoseTolerance>,
-    /// With a `tolerance`: what becomes of poses that do not belong to the others. They are named in any case. Default `keep`: the motion keeps within the
-    /// tolerance of them too.
+    /// With a `tolerance`: what happens to outliers, which are poses that do not agree with the others; they are named
+    /// in any case. Default `keep`: the motion stays within the tolerance of them too.
     pub outliers: Option<Outliers>,
-    /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
-    /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational `circle-spline` of order 1. On arcs the body keeps its direction to the curve,
-    /// on others it turns in its own way. It may be construction geometry.
+    /// Name of a curve of one contour that the origin of the body follows, turned by the quaternions of the curve:
+    /// arcs, segments, `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational
+    /// `circle-spline` of order 1; it may be construction geometry. On arcs the body keeps its orientation relative to
+    /// the curve, on other curves it does not.
     pub along: Option<String>,
-    /// With `along`: how the body is turned at the start of the curve. Default: not turned.
+    /// With `along`: rotation of the body at the start of the curve. Default: not rotated.
     pub start: Option<StartSpec>,
-    /// How poses without a `time` follow each other. Default `uniform`.
+    /// How poses without a `time` are spaced in time. Default `uniform`.
     pub times: Option<PoseTimes>,
-    /// How the body runs along the motion.
+    /// How the body moves along its path in time.
     #[serde(default)]
     pub law: TimeLaw,
-    /// How long the motion takes, in seconds. Default: from the first to the last time of the poses; 1 along a curve.
+    /// Duration of the motion in seconds. Default: from the first to the last time of the poses; 1 along a curve.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: Option<f64>,
-    /// The point of the body that is measured, and along whose way laws go. Default: its origin.
+    /// The point of the body that is measured, and whose path the laws of time use. Default: its origin.
     pub tool: Option<Coordinates>,
-    /// The length by which a turn counts in laws, and in `times`, beside the way of the tool: the distance from it at which the body should not get too fast.
-    /// Default 0.
+    /// Characteristic length that weights rotation against the path of the tool in laws and in `times`: the distance
+    /// from the tool at which the body should not get too fast. Default 0.
     #[schemars(extend("minimum" = 0))]
     pub arm: Option<f64>,
-    /// Of a `cubic` with two motions, which one: that of the smaller (0) or the larger (1) cross-ratio.
+    /// For a `cubic` with two solutions, which one: that of the smaller (0) or the larger (1) cross-ratio.
     pub choice: Option<usize>,
-    /// The shape of the body, for files that animate. Default: the axes of its frame.
+    /// Shape of the body in files with animation. Default: the axes of its frame.
     pub mesh: Option<PolygonMeshFile>,
 }
 
@@ -105,18 +108,20 @@ pub struct MotionSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum MotionKind {
-    /// Smoothly (C1) through any number of poses; points run on rational curves of degree 6.
+    /// Smooth (C1) through any number of poses; points move on rational curves of degree 6.
     #[default]
     Spline,
-    /// Straight from each pose to the next, in proportion to the time, turned about one axis at constant speed (slerp), as linear moves of robots are.
+    /// Straight from each pose to the next, in proportion to time, turned about one axis at constant speed (slerp),
+    /// like the linear moves of robots.
     Linear,
-    /// By a screw from each pose to the next, with jumps of speed; points run on helices, also the origin of the body where it turns.
+    /// A screw motion from each pose to the next, with jumps of speed; points move on helices, and so does the origin
+    /// of the body where it turns.
     Sclerp,
-    /// By the motion of degree 2 through three poses: no freedom.
+    /// The motion of degree 2 through three poses; no freedom is left.
     Conic,
-    /// By the motion of degree 4 through five poses: no freedom, and it may swing.
+    /// The motion of degree 4 through five poses; no freedom is left, and it may swing.
     Quartic,
-    /// By a motion of degree 3 through four poses, where there is one; it sets the times between the first and the last.
+    /// A motion of degree 3 through four poses, if one exists; it determines the times between the first and the last.
     Cubic,
 }
 
@@ -139,7 +144,7 @@ pub enum PositionCurve {
     CircleSpline,
 }
 
-/// How far a motion may be from noisy poses. What is left out is interpolated.
+/// How far a motion may be from noisy poses. A part whose bound is omitted is interpolated.
 ///
 /// ```
 /// use cyclide_io::kinds::PoseTolerance;
@@ -150,10 +155,10 @@ pub enum PositionCurve {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoseTolerance {
-    /// Of the positions, a length.
+    /// For the positions, a length.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub place: Option<f64>,
-    /// Of the turns, up to a right angle.
+    /// For the rotations, an angle up to a right angle.
     pub angle: Option<Angle>,
 }
 
@@ -168,15 +173,16 @@ pub struct PoseTolerance {
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Poses")]
 pub enum PoseSource {
-    /// In the document.
+    /// A list in the document.
     Inline(Vec<PoseSpec>),
-    /// A table.
+    /// A table in a file.
     File(PoseFile),
 }
 
-/// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
-/// `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix, row by row, which may stand for the position as well; `t`, `time` or `timestamp`, if not left out. Names may have units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles
-/// that no column has are 0.
+/// A file of poses: delimited text with a header line. Columns are `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`,
+/// `pitch`, `yaw` (radians; in degrees `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix,
+/// row by row, which may replace the position as well; `t`, `time` or `timestamp`, if there are times. Names may carry
+/// units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles without a column are 0.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -193,8 +199,8 @@ pub enum PoseSource {
 pub struct PoseFile {
     /// Path of the file, relative to the document.
     pub csv: String,
-    /// What each column of the file is, in their order, in the words of a header line; `-` for one that is no part of the pose. It stands in
-    /// for a header, and before one that the file has.
+    /// What each column of the file is, in order, in the words of a header line; `-` marks a column that is not part of
+    /// the pose. The list replaces a missing header, and takes precedence over an existing one.
     pub columns: Option<Vec<String>>,
 }
 
@@ -209,25 +215,25 @@ pub struct PoseFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoseSpec {
-    /// When, in seconds. Default, if left out of all poses: as `times` says, 0, 1, 2, ….
+    /// Time in seconds. Default, if omitted in all poses: as given by `times`, 0, 1, 2, ….
     pub time: Option<f64>,
-    /// Where the origin of the body is.
+    /// Position of the origin of the body.
     pub position: Option<Coordinates>,
     /// The rotation as a quaternion `[w, x, y, z]` of any length.
     pub quaternion: Option<[f64; 4]>,
-    /// The rotation as roll, pitch and yaw: about the fixed axes x by the first angle, then y, then z (the same as yaw, pitch and roll about the
-    /// moved axes z, y', x''): `[0, 0, {"degrees": 90}]`, or `{"degrees": [0, 0, 90]}`.
+    /// The rotation as roll, pitch and yaw: about the fixed axes x by the first angle, then y, then z (the same as yaw,
+    /// pitch and roll about the moved axes z, y', x''), such as `[0, 0, {"degrees": 90}]` or `{"degrees": [0, 0, 90]}`.
     #[serde(default, deserialize_with = "three_angles")]
     #[schemars(with = "Option<ThreeAngles>")]
     pub rpy: Option<[Angle; 3]>,
-    /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`; or its 12 or 16
-    /// numbers, row by row.
+    /// Rotation and position as the rows of a matrix that multiplies columns of coordinates: three rows, or four with
+    /// `[0, 0, 0, 1]`; or its 12 or 16 numbers, row by row.
     #[serde(default, deserialize_with = "matrix_rows")]
     #[schemars(with = "Option<MatrixRows>")]
     pub matrix: Option<Vec<[f64; 4]>>,
 }
 
-/// How a body is turned at the start, in one of two notations.
+/// Rotation of a body at the start, in one of two notations.
 ///
 /// ```
 /// use cyclide_io::kinds::StartSpec;
@@ -240,7 +246,7 @@ pub struct PoseSpec {
 pub struct StartSpec {
     /// The rotation as a quaternion `[w, x, y, z]` of any length.
     pub quaternion: Option<[f64; 4]>,
-    /// The rotation as roll, pitch and yaw, as those of poses.
+    /// The rotation as roll, pitch and yaw, as for poses.
     #[serde(default, deserialize_with = "three_angles")]
     #[schemars(with = "Option<ThreeAngles>")]
     pub rpy: Option<[Angle; 3]>,

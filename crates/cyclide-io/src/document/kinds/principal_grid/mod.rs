@@ -1,4 +1,4 @@
-//! Regular grids along the lines of curvature of a mesh.
+//! Regular grids along the lines of curvature of a surface.
 
 mod heights;
 mod lay;
@@ -19,9 +19,12 @@ use crate::error::Result;
 
 pub use surface_sources::*;
 
-/// Regular grids along the lines of curvature of a surface: what a `cyclidic-net` with `make_circular` follows without losing the
-/// shape. The surface is a mesh in a file (`mesh`), or given by `vertices` and `faces`, a B-spline surface (`nurbs`), or a grid of
-/// `heights`: one piece with a border, a roof with holes or without, or a tube. A net takes a grid by name: `"grid": {"of": NAME}`. By itself the object is the lines of its grids.
+/// Regular grids along the lines of curvature of a surface. A `cyclidic-net` with `make_circular` follows such a grid
+/// without losing the shape; it takes a grid by name: `"grid": {"of": NAME}`. The object itself consists of the lines
+/// of its grids.
+///
+/// The surface is a mesh in a file (`mesh`), or given by `vertices` and `faces`, a B-spline surface (`nurbs`), or a
+/// grid of `heights`. It is one piece with a border: a roof, with or without holes, or a tube.
 ///
 /// ```
 /// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
@@ -47,45 +50,42 @@ pub struct PrincipalGridSpec {
     /// The word `principal-grid`.
     #[schemars(with = "String", extend("const" = "principal-grid"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// A mesh of polygons, which are cut into triangles. Points that are equal are one.
+    /// A mesh of polygons, which are cut into triangles. Equal points are merged.
     pub mesh: Option<PolygonMeshFile>,
     /// The vertices.
     #[schemars(length(min = 3))]
     pub vertices: Option<Vec<Coordinates>>,
-    /// The faces: lists of vertices by their number from 0, counter-clockwise from one side.
+    /// The faces: lists of vertex numbers from 0, counter-clockwise seen from one side.
     #[schemars(length(min = 1), inner(length(min = 3)))]
     pub faces: Option<Vec<Vec<u32>>>,
-    /// A B-spline surface. A mesh over it has edges half as long as the grid.
+    /// A B-spline surface. The mesh over it has edges half as long as those of the grid.
     pub nurbs: Option<NurbsSurfaceSpec>,
     /// Heights over a grid in the plane z = 0.
     pub heights: Option<HeightsSpec>,
-    /// Length of the edges of the grid, in the mean; edges of the mesh should not be longer.
+    /// Mean length of the edges of the grid; edges of the mesh should not be longer.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub edge_length: f64,
-    /// What becomes of umbilics, where the surface bends alike in all directions: `pieces` cuts the surface from each of them to the
-    /// border and lays several grids, `joined` lays one mesh of quads through them, whose grids share their borders, `smooth` smooths the directions until none is left.
-    /// Default: `pieces`; `joined` where that covers more and `pieces` less than 90 %, unless a `border` is given that is not in steps.
+    /// What happens at umbilics, where the surface bends equally in all directions. Default: `pieces`; `joined` if that
+    /// covers more and `pieces` less than 90 %, unless a `border` is given that does not run in steps.
     pub umbilics: Option<UmbilicRule>,
-    /// `inside`: the largest rectangle of whole cells; `staircase`: all whole cells that hang together, with a border in steps and
-    /// openings; `cover`: all of the surface and more, continued smoothly, to be trimmed.
-    /// Default: `inside`; `staircase` where that covers more and `inside` less than 90 %.
+    /// How far the grid extends. Default: `inside`; `staircase` if that covers more and `inside` less than 90 %.
     pub border: Option<GridBorder>,
-    /// Whether a tube gets a grid that is closed along s. Default: yes, unless its lines of curvature are spirals that come back
-    /// higher than an edge; `true`: also then.
+    /// Whether a tube gets a grid that is closed along s. Default: yes, unless its lines of curvature are spirals that
+    /// return higher by more than an edge; `true`: even then.
     pub closed: Option<bool>,
-    /// Columns of a closed grid. Default: by the edge length.
+    /// Number of columns of a closed grid. Default: from the edge length.
     #[schemars(range(min = 3, max = 10000))]
     pub columns: Option<u32>,
-    /// Grids laid at most, the largest first. Default: 1, or 4 where umbilics are cut.
+    /// Largest number of grids to lay, the largest first. Default: 1, or 4 if the surface is cut at umbilics.
     #[schemars(range(min = 1, max = 4))]
     pub most_pieces: Option<u32>,
-    /// Whether noise of the vertices is smoothed away first. Default: where there is more than a thousandth of an edge.
+    /// Whether noise of the vertices is smoothed first. Default: if it is more than a thousandth of an edge.
     pub denoise: Option<bool>,
 }
 

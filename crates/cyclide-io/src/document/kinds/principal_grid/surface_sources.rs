@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::document::coordinates::Coordinates;
 
-/// A rational B-spline surface (NURBS) by its degrees, knots, control points and weights, as the `nurbs` of curves.
+/// A rational B-spline surface (NURBS), given by its degrees, knots, control points and weights, like `nurbs` curves.
 ///
 /// ```
 /// use cyclide_io::{Document, ObjectSpec};
@@ -22,8 +22,8 @@ pub struct NurbsSurfaceSpec {
     /// Degrees along the rows of control points, and from row to row.
     #[schemars(inner(range(min = 1, max = 25)))]
     pub degrees: [u32; 2],
-    /// Knots along the rows, and from row to row, with their repetitions: as many as control points, degree and 1 together. Ends that are
-    /// not clamped are clamped by exact knot insertion.
+    /// Knots along the rows, and from row to row, with their repetitions; their number is that of the control points
+    /// plus the degree plus 1. Ends that are not clamped are clamped by exact knot insertion.
     #[schemars(inner(length(min = 4)))]
     pub knots: [Vec<f64>; 2],
     /// Control points, row by row.
@@ -52,15 +52,16 @@ pub struct NurbsSurfaceSpec {
     { "required": ["z"], "properties": { "csv": false } }
 ]))]
 pub struct HeightsSpec {
-    /// Path of a file of numbers, relative to the document: a line for each row along x, separated by commas, semicolons, tabs or blanks,
-    /// without a header. Empty cells and `NaN` are holes.
+    /// Path of a file of numbers, relative to the document: one line for each row along x, separated by commas,
+    /// semicolons, tabs or blanks, without a header. Empty cells and `NaN` are holes.
     pub csv: Option<String>,
-    /// The heights, a list for each row along x; `null` is a hole.
+    /// The heights, one list for each row along x; `null` is a hole.
     #[schemars(length(min = 2), inner(length(min = 2)))]
     pub z: Option<Vec<Vec<Option<f64>>>>,
-    /// From one height to the next along x, and from one row to the next along y; negative where rows begin on the far side.
+    /// Distance from one height to the next along x, and from one row to the next along y; negative if rows begin on
+    /// the far side.
     pub spacing: [f64; 2],
-    /// Where the first height is. Default: x = y = 0.
+    /// Position of the first height. Default: x = y = 0.
     #[serde(default)]
     pub origin: [f64; 2],
 }

@@ -18,7 +18,7 @@ use crate::error::Result;
 /// Starts of a closed rail that are tried to see whether it runs the other way.
 const MOST_SHIFTS: usize = 64;
 
-/// Straight lines between two curves, from piece to piece at equal parameters.
+/// Straight lines between two curves. They connect points at equal parameters, piece by piece.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -34,15 +34,16 @@ pub struct RuledSpec {
     /// The word `ruled`.
     #[schemars(with = "String", extend("const" = "ruled"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Names of the two curves, each of one contour and both of as many pieces; a whole circle takes those of the other closed curve. They may be construction geometry.
+    /// Names of the two curves, which may be construction geometry. Each has one contour, and both have the same number
+    /// of pieces; a whole circle is divided like the other closed curve.
     pub rails: [String; 2],
-    /// Of closed curves: by how many of its pieces the second one starts later than it is drawn. Default 0.
+    /// For closed curves: number of pieces by which the start of the second curve is moved forward. Default 0.
     #[serde(default)]
     pub shift: usize,
 }

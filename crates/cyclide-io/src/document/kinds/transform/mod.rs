@@ -1,4 +1,4 @@
-//! An object mapped.
+//! The image of an object under a chain of maps.
 
 pub(in crate::document) mod steps;
 
@@ -36,7 +36,7 @@ const WHOLE_CIRCLE: &str =
 /// 1e-16 of them, and the image of a point next to it by that part of a distance that is so small.
 const SMALLEST_DISTANCE: f64 = 5e-11;
 
-/// The image of another object under a chain of maps; a curve may be run backwards and cut between them.
+/// The image of another object under a chain of maps. Curves can also be reversed and cut between the maps.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -52,7 +52,7 @@ pub struct TransformSpec {
     /// The word `transform`.
     #[schemars(with = "String", extend("const" = "transform"))]
     pub r#type: TypeWord,
-    /// What the author remarks; read and left aside.
+    /// A comment for readers; the program ignores it.
     #[serde(default)]
     pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
@@ -60,7 +60,7 @@ pub struct TransformSpec {
     pub construction: bool,
     /// Name of the object.
     pub of: String,
-    /// The maps, and what else is done to curves, the first one first.
+    /// The maps in the order in which they are applied, and for curves reversals and cuts.
     #[schemars(length(min = 1))]
     pub steps: Vec<StepSpec>,
 }

@@ -7,8 +7,8 @@ use serde::Deserialize;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
-/// One map, or one cut or turn-round of curves. Inversions and matrices keep arcs and surfaces; full circles and circle splines take the other
-/// maps only.
+/// One map, or one cut or reversal of curves. Full circles, curves on tori, fair and circle splines, surfaces with rational
+/// faces and surfaces over triangles accept similarities only.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -24,23 +24,24 @@ use crate::document::coordinates::Coordinates;
 pub enum StepSpec {
     /// Inversion in a sphere.
     Inversion(SphereSpec),
-    /// Shift by a vector.
+    /// Translation by a vector.
     Translation(Coordinates),
-    /// Turn about an axis.
+    /// Rotation about an axis.
     Rotation(RotationSpec),
-    /// Enlarge or shrink.
+    /// Scaling.
     Scale(ScaleSpec),
     /// Reflection in a plane.
     Mirror(PlaneSpec),
     /// The map `x -> (A x + B)(C x + E)^-1` with quaternions `[w, x, y, z]`, rows `[A, B]`, `[C, E]`.
     Matrix([[[f64; 4]; 2]; 2]),
-    /// Curves run backwards: the word alone, `"reverse"`. A closed curve starts at the same point.
+    /// Reverses curves: the word alone, `"reverse"`. A closed curve keeps its start.
     Reverse,
-    /// The part of curves between two places. Of a closed curve the second may come before the first: then the part leads past the start.
+    /// The part of curves between two positions. On a closed curve the second may come before the first: the part then
+    /// crosses the start.
     Cut(CutSpec),
 }
 
-/// Between which places a curve is cut, in one of two measures.
+/// The positions between which a curve is cut, in one of two measures.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -54,13 +55,14 @@ pub enum StepSpec {
 #[schemars(rename = "Cut")]
 #[non_exhaustive]
 pub enum CutSpec {
-    /// Parameters from 0 to 1, of which each smooth piece of the curve has an equal share (`cyclide sample` shows them).
+    /// Parameters from 0 to 1, of which each smooth piece of the curve has an equal share (`cyclide sample` shows
+    /// them).
     Parameters([f64; 2]),
     /// Lengths along the curve from its start.
     Stations([f64; 2]),
 }
 
-/// A sphere to invert in.
+/// The sphere of an inversion.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -74,14 +76,14 @@ pub enum CutSpec {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct SphereSpec {
-    /// Centre.
+    /// Center.
     pub center: Coordinates,
     /// Radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }
 
-/// A turn.
+/// A rotation.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -97,9 +99,9 @@ pub struct SphereSpec {
 pub struct RotationSpec {
     /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// The angle.
+    /// Angle of the rotation.
     pub angle: Angle,
-    /// A point of the axis. Default: the origin.
+    /// A point on the axis. Default: the origin.
     pub center: Option<Coordinates>,
 }
 
@@ -116,10 +118,10 @@ pub struct RotationSpec {
 #[serde(deny_unknown_fields, expecting = "an object with a `factor`, as in {\"factor\": 2}")]
 #[non_exhaustive]
 pub struct ScaleSpec {
-    /// Factor of all lengths.
+    /// Factor for all lengths.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub factor: f64,
-    /// The point that stays. Default: the origin.
+    /// The fixed point. Default: the origin.
     pub center: Option<Coordinates>,
 }
 
@@ -139,7 +141,7 @@ pub struct ScaleSpec {
 pub struct PlaneSpec {
     /// Normal of the plane, of any length.
     pub normal: Coordinates,
-    /// A point of the plane. Default: the origin.
+    /// A point on the plane. Default: the origin.
     pub origin: Option<Coordinates>,
 }
 

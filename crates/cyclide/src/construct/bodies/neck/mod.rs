@@ -59,7 +59,7 @@ const UNEVEN: f64 = 1.0 / 16.0;
     schemars(description = "The side of a pipe on which a ball rolls.")
 )]
 pub enum NeckSide {
-    /// The corner between a pipe and the plate it stands on.
+    /// The corner between a pipe and the plate.
     #[default]
     Outside,
     /// The corner between the inner wall of a pipe and its floor.
@@ -82,10 +82,10 @@ pub enum NeckSide {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "The arcs of a neck."))]
 #[non_exhaustive]
 pub enum NeckVariant {
-    /// The envelope of the ball: a pipe surface of its radius.
+    /// The envelope of the ball: a pipe surface with the radius of the ball.
     #[default]
     Pipe,
-    /// Arcs in planes along the axis of the pipe, which leave it along its lines.
+    /// Arcs in planes parallel to the axis of the pipe; they leave the pipe tangent to its straight lines.
     Vertical,
 }
 

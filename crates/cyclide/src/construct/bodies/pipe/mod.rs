@@ -38,12 +38,12 @@ use tube::Tube;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of a pipe."))]
 #[non_exhaustive]
 pub enum PipeEnds {
-    /// Plane.
+    /// Planar ends.
     #[default]
     Flat,
-    /// Hemispheres.
+    /// Spherical caps: hemispheres where the radius is constant.
     Round,
-    /// None: the surface only.
+    /// No end faces: the surface only.
     Open,
 }
 

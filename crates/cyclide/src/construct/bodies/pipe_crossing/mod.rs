@@ -102,12 +102,13 @@ pub struct PipeCrossing {
     schemars(inline, description = "The sides of the pipes on which the ball rolls.")
 )]
 pub enum CrossingSide {
-    /// Outside: both pipes, the corner between them filled.
+    /// Outside both: the body is the two pipes, with the corner between them filled.
     #[default]
     Outside,
-    /// Inside: what both pipes have in common, its edge rounded.
+    /// Inside both: the body is the intersection of the pipes, with its edge rounded.
     Inside,
-    /// Outside the first pipe and inside the second: what the second is without the first, the edge of the notch rounded.
+    /// Outside the first pipe and inside the second: the body is the second pipe minus the first, with the edge of the
+    /// notch rounded.
     Mixed,
 }
 

@@ -32,10 +32,10 @@ use legs::{Leg, Legs, Station};
 )]
 #[non_exhaustive]
 pub enum SweepFrame {
-    /// It does not turn about the path.
+    /// The section does not rotate about the path.
     #[default]
     RotationMinimizing,
-    /// Its y axis points up as far as the path allows.
+    /// The y axis of the section points up as far as the path allows.
     Up,
 }
 

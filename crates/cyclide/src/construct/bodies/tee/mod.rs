@@ -117,12 +117,12 @@ impl TeeBranch {
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of the pipes."))]
 pub enum TeeEnds {
-    /// Plane: disks, or with a wall rings round the bore.
+    /// Planar ends: disks, or with a wall rings around the bore.
     #[default]
     Flat,
-    /// Plane and, with a wall, without an opening: a hollow inside that ends as far below the ends as the wall is thick.
+    /// Planar ends and, with a wall, no opening: the hollow inside stops one wall thickness below the ends.
     Closed,
-    /// None: the surface only.
+    /// No end faces: the surface only.
     Open,
 }
 

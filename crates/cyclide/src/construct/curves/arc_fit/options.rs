@@ -23,15 +23,16 @@ use std::f64::consts::PI;
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
-    schemars(rename = "Target", description = "What the points of an arc fit are.")
+    schemars(rename = "Target", description = "What the points of an arc fit represent.")
 )]
 pub enum FitTarget {
-    /// Samples of a smooth curve, corners and straight sides of an outline, or both: the points are within the tolerance of the arcs, and
-    /// so are edges that no smooth curve through such samples explains, and the arcs of them.
+    /// The points are samples of a smooth curve, the corners and straight sides of an outline, or both. Points are
+    /// within the tolerance of the arcs; so are edges that no smooth curve through such samples explains, and the arcs
+    /// along such edges are within the tolerance of them.
     #[default]
     Points,
-    /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs. Refused, with the location, where no
-    /// smooth chain of arcs is.
+    /// The edges between the points are the target: every point of every edge is within the tolerance, and so is every
+    /// point of the arcs. Rejected, with the location, if no smooth chain of arcs exists.
     Polyline,
 }
 
@@ -56,12 +57,12 @@ pub enum FitTarget {
     schemars(rename = "Effort", description = "How hard an arc fit searches.")
 )]
 pub enum Effort {
-    /// Quick, a few per cent more arcs.
+    /// Quick; a few per cent more arcs.
     Fast,
     /// The usual search.
     #[default]
     Default,
-    /// Slow, sometimes fewer arcs.
+    /// Slow; sometimes fewer arcs.
     Best,
 }
 
@@ -132,7 +133,7 @@ pub struct ArcFitOptions {
     pub closed: bool,
     /// Largest distance of the curve from the target, in the unit of the points; positive.
     pub tolerance: f64,
-    /// What the points are.
+    /// What the points represent.
     pub target: FitTarget,
     /// How long to search.
     pub effort: Effort,

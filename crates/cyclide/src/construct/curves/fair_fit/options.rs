@@ -26,7 +26,7 @@ pub enum Noise {
     Known(f64),
 }
 
-/// What becomes of points that do not belong to the others.
+/// What happens to outliers, which are points that do not agree with the others.
 ///
 /// ```
 /// assert_eq!(cyclide::Outliers::default(), cyclide::Outliers::Keep);
@@ -35,7 +35,7 @@ pub enum Noise {
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Outliers {
-    /// They are named and count as the others do; where the strength follows the noise, with a bounded influence.
+    /// They are named and count like all others; where smoothing follows the noise, their influence is bounded.
     #[default]
     Keep,
     /// They are named and left out.

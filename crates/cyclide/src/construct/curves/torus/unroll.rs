@@ -38,14 +38,15 @@ const SAMPLES: u32 = 16;
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "How a torus is laid flat."))]
 pub enum TorusMap {
-    /// Longitude times the major radius by meridian angle times the minor radius: lengths round the tube are true, lengths round the axis on the
-    /// top and the bottom of the tube. At the distance `r` from the axis lengths round it are multiplied by `a/r`: with the radii `a` and `b` by
-    /// `a/(a+b)` outside, `a/(a-b)` inside.
+    /// x is the longitude times the major radius `a`, y the meridian angle times the minor radius `b`: lengths around
+    /// the tube are true. Lengths around the axis are multiplied by `a/r` at the distance `r` from the axis: they are
+    /// true on the top and the bottom of the tube, times `a/(a+b)` outside and times `a/(a-b)` inside.
     #[default]
     Belt,
-    /// Longitude times the major radius by `2ab/c` times the second angle of the torus, with `c² = a² - b²`. Angles are true; circles round the
-    /// axis, round the tube and the Villarceau circles are straight lines. All lengths are multiplied by `a/r` at the distance `r` from the axis:
-    /// they are true on the top and the bottom of the tube.
+    /// x is the longitude times the major radius `a`, y the second angle of the torus times `2ab/c`, with `c² = a² -
+    /// b²`. Angles are true, and circles around the axis, circles around the tube and Villarceau circles are straight
+    /// lines; all lengths are multiplied by `a/r` at the distance `r` from the axis, so they are true on the top and
+    /// the bottom of the tube.
     Conformal,
 }
 
@@ -115,7 +116,7 @@ impl UnrollOptions {
     }
 }
 
-/// A curve of a torus laid flat.
+/// A curve on a torus, laid flat.
 ///
 /// ```
 /// use cyclide::{Frame, Torus, TorusSpline, UnrollOptions};
