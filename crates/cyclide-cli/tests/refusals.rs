@@ -26,10 +26,10 @@ fn limits_say_whether_they_are_excluded_and_what_to_do_instead() {
             format!(r#"{run}, "t": {{"type": "pipe", "of": "r", "radius": 21.3, "wall": 21.3}}"#),
             "wall = 21.3 is outside 0 to 21.3, the ends excluded",
         ),
-        (format!(r#""n": {{{plate}, "height": 5}}"#), "height = 5 is out of range: more than 5 "),
-        (format!(r#""n": {{{plate}, "height": -5}}"#), "height = -5 is out of range: more than 5 "),
-        (format!(r#""m": {{{motion}, "duration": 0}}"#), "duration = 0 is out of range: more than 0 "),
-        (format!(r#""m": {{{motion}, "duration": -2}}"#), "duration = -2 is out of range: more than 0 "),
+        (format!(r#""n": {{{plate}, "height": 5}}"#), "height = 5 is out of range: must be above 5 "),
+        (format!(r#""n": {{{plate}, "height": -5}}"#), "height = -5 is out of range: must be above 5 "),
+        (format!(r#""m": {{{motion}, "duration": 0}}"#), "duration = 0 is out of range: must be above 0 "),
+        (format!(r#""m": {{{motion}, "duration": -2}}"#), "duration = -2 is out of range: must be above 0 "),
         (
             format!(
                 r#"{circle}, "t": {{"type": "transform", "of": "c", "steps": [{{"cut": {{"parameters": [0.2, 1.2]}}}}]}}"#
@@ -105,7 +105,7 @@ fn refused_input_shows_file_line_and_column() {
             "curve twice.csv",
             "error: twice.csv:1:1: objects.twice: too few points: 1 given, at least 2 needed (repeated points count once) [too-few-points]",
         ),
-        ("curve none.csv", "error: none.csv:1:1: the file holds no points"),
+        ("curve none.csv", "error: none.csv:1:1: the file has no points"),
         ("curve bytes.csv", "error: bytes.csv:2:3: `ÿ` is not a number"),
         ("curve few.csv --columns a,b", "error: few.csv:1:1: no column `a`: the file has no header line"),
     ] {

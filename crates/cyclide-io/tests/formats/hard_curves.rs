@@ -67,7 +67,7 @@ fn what_has_lost_its_digits_is_refused_where_it_stands() {
     for (object, says) in [
         (
             json!({"type": "circle-spline", "points": [[0, 0], [0, 9], [1e-7, 1], [1, 0]]}),
-            ["objects.a.points[0]", "times as far as its two points are apart", "less sharp", "[arc-through-infinity]"],
+            ["objects.a.points[0]", "times the distance between its points", "less sharp", "[arc-through-infinity]"],
         ),
         (
             json!({"type": "arc", "from": [1e11, 0], "to": [1e11, 1e-6], "bulge": 1}),

@@ -121,7 +121,7 @@ fn refusals_name_the_factor_the_steps_and_the_curve() {
         assert!(message.contains(words) && message.contains("[scale-not-positive]"), "{message}");
     }
     let message = build(&cylinder(r#", "make_circular": {"max_steps": 0}"#)).unwrap_err();
-    let words = "objects.n.make_circular.max_steps: max_steps = 0 is out of range: at least 1 [";
+    let words = "objects.n.make_circular.max_steps: max_steps = 0 is out of range: must be at least 1 [";
     assert!(message.contains(words), "{message}");
 
     // The whole side lies behind one end of the segment.

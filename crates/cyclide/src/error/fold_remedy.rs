@@ -16,9 +16,9 @@
 pub enum FoldRemedy {
     /// A larger ball turns less sharply.
     LargerBall,
-    /// A smaller ball needs less room.
+    /// A smaller ball needs less space.
     SmallerBall,
-    /// The blend that is asked for does not fold, only what is within the tolerance of it.
+    /// The exact blend does not self-intersect, only its approximation within the tolerance.
     FinerTolerance,
 }
 
@@ -30,7 +30,7 @@ impl FoldRemedy {
             (Self::SmallerBall, true) => "use a smaller ball or a thinner wall, or move the axes",
             (Self::LargerBall, false) => "use a larger ball, or move the axes",
             (Self::SmallerBall, false) => "use a smaller ball, or move the axes",
-            (Self::FinerTolerance, _) => "the exact blend does not: use a smaller tolerance",
+            (Self::FinerTolerance, _) => "the exact blend does not self-intersect: use a smaller tolerance",
         }
     }
 }

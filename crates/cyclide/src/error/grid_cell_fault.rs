@@ -1,6 +1,6 @@
-//! Why the cells of a grid are no part of it that can be made.
+//! Why the cells left in a grid cannot be built.
 
-/// What is wrong with the cells of a grid that is not whole, or with what is asked of it.
+/// What is wrong with the cells of an incomplete grid, or with the use of it.
 ///
 /// ```
 /// use cyclide::{Error, GridCell, GridCellFault, GridError, Point3, QuadGrid};
@@ -17,7 +17,7 @@ pub enum GridCellFault {
     None,
     /// A cell is not connected to the first one.
     Apart,
-    /// A cell meets others only at a corner.
+    /// A cell meets another only at a corner.
     Corner,
     /// A cell is outside although the grid surrounds it.
     Enclosed,
@@ -25,7 +25,7 @@ pub enum GridCellFault {
     NoPoint,
     /// The grid is closed.
     Closed,
-    /// Curves for the sides of a grid that is not whole.
+    /// Curves are given for the sides of an incomplete grid.
     Curves,
 }
 
@@ -40,8 +40,8 @@ impl GridCellFault {
             }
             Self::Enclosed => format!("the grid surrounds quad {cell}, which is outside: make it an opening"),
             Self::NoPoint => format!("quad {cell} has no point at a corner"),
-            Self::Closed => "a closed grid must be whole: none of its quads can be left out".to_owned(),
-            Self::Curves => "a stepped border has no sides for curves: leave it free, or hold it".to_owned(),
+            Self::Closed => "a closed grid must be complete: none of its quads can be left out".to_owned(),
+            Self::Curves => "curves need the sides of a complete grid, and this border is stepped: leave it free, or pin it".to_owned(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Why umbilics are no vertices of one mesh of quads.
+//! Why umbilics cannot be vertices of one mesh of quads.
 
 /// What prevents one mesh of quads along the lines of curvature round umbilics.
 ///
@@ -18,9 +18,9 @@ pub enum JoinFault {
     Holes,
     /// No path along edges of the surface's mesh leads from it to the border past the paths from the other umbilics.
     Coarse,
-    /// It is nearer than some edges to another one, or to the border.
+    /// It is within a few edges of another one, or of the border.
     Crowded,
-    /// Coordinates along the lines of curvature are folded over each other.
+    /// The coordinates along the lines of curvature fold.
     Folded,
 }
 
@@ -33,7 +33,7 @@ impl JoinFault {
             Self::Holes => "the surface has holes, or is a tube: fill the holes, or cut the tube open",
             Self::Coarse => "the mesh has no separate path from there to the border: refine it",
             Self::Crowded => {
-                "it is only some edges away from another one, or from the border: use a shorter edge length"
+                "it is only a few edges away from another umbilic or from the border: use a shorter edge length"
             }
             Self::Folded => {
                 "the coordinates along the lines of curvature fold: the mesh is rough there, or the surface is nearly flat or spherical"

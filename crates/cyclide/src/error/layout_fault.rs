@@ -1,6 +1,6 @@
-//! Why the quads of a mesh make no grids that join.
+//! Why the quads of a mesh do not form grids that join.
 
-/// What is wrong with a mesh of quads that shall be regular grids round extraordinary vertices.
+/// What is wrong with a mesh of quads that must form regular grids round irregular vertices.
 ///
 /// ```
 /// use cyclide::{Error, GridError, LayoutFault, Point3, QuadLayout};
@@ -14,25 +14,25 @@
 pub enum LayoutFault {
     /// There is no quad.
     NoQuads,
-    /// A quad has a corner that is no point.
+    /// A quad has a corner that is not a point.
     NoSuchVertex,
     /// A quad has the same corner twice.
     RepeatedCorner,
     /// A quad is the third at an edge.
     ThirdQuad,
-    /// A quad is turned both ways: the mesh is one-sided.
+    /// A quad cannot be oriented: the mesh is one-sided.
     OneSided,
-    /// A quad has no chain of neighbours to the first one.
+    /// A quad is not connected to the first one.
     Apart,
-    /// Parts of the mesh touch in a vertex alone.
+    /// Parts of the mesh touch only at a vertex.
     Touching,
     /// A vertex of the border has more than three quads.
     Border,
-    /// An extraordinary vertex whose quads reach the border, or those of another one.
+    /// The quads round an irregular vertex reach the border, or those of another one.
     Crowded,
-    /// Rows of quads come back to a quad in another place.
+    /// Rows of quads come back to a quad at another location.
     Overlapping,
-    /// There are extraordinary vertices on a mesh that is neither a disc nor closed like a sphere.
+    /// There are irregular vertices on a mesh that is neither a disc nor a sphere.
     Holes,
 }
 

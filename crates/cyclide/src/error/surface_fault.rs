@@ -1,6 +1,6 @@
-//! Why triangles are not one piece of a surface with a border.
+//! Why triangles are not one connected surface with a border.
 
-/// What is wrong with triangles that shall be one piece of a surface with a border.
+/// What is wrong with triangles that must form one connected surface with a border.
 ///
 /// ```
 /// use cyclide::{Error, Point3, PrincipalGridError, SurfaceFault};
@@ -12,7 +12,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SurfaceFault {
-    /// The corners of a triangle are on a line, or two of them are one.
+    /// The corners of a triangle are on a line, or two of them coincide.
     NoArea,
     /// More than two triangles share an edge.
     EdgeOfMany,

@@ -33,11 +33,11 @@ table! {
         says "the arc passes through infinity: its weight ratio has real part {real} and vector part {vector}, which \
             must be longer than {limit}";
 
-        /// An arc that turns by so nearly a full circle that its points would lose their digits.
+        /// The arc is so close to a full circle that its points would lose precision.
         NearlyFullCircle {
-            /// What it leaves of a full turn, radians.
+            /// How far it is short of a full turn, radians.
             rest: f64,
-            /// What it must leave at least, radians.
+            /// The least such angle accepted, radians.
             limit: f64,
         }
         reason "nearly-full-circle";
@@ -55,8 +55,7 @@ table! {
         says "the weight is not perpendicular to the chord (cosine {cosine}, limit {limit}): the arc would leave \
             three-space";
 
-        /// The tangent points straight away from the other end, where only an infinite line would do, or so nearly that the arc
-        /// runs out far beyond its chord.
+        /// The tangent points directly away from the other end, or so nearly that the arc would extend far beyond its chord.
         TangentOpposesChord {
             /// Which tangent (or piece of a curve), from 0.
             index: usize,
@@ -92,7 +91,7 @@ table! {
         reason "degenerate-sphere";
         says "the points lie in a plane, so they have no sphere: relative volume {volume}, limit {limit}";
 
-        /// No biarc with finite arcs joins the data.
+        /// No biarc of finite arcs meets the end conditions.
         NoFiniteBiarc {
             /// What was measured.
             measured: &'static str,
@@ -118,22 +117,21 @@ table! {
         says "the points turn back at point {index} (cusp): the sum of the unit chords has length {measured}, limit \
             {limit}; split the points there";
 
-        /// A circle of a blend is the chord's own line taken through infinity, or comes so near infinity that its points have lost
-        /// their digits.
+        /// A circle of a blend passes through infinity, or so near it that its points lose precision.
         ThroughInfinity {
             /// Which segment, from 0.
             segment: usize,
-            /// How far the largest circle of the blend runs, in lengths of the chord; infinite where it is a line.
+            /// How far the largest circle of the blend extends, in lengths of the chord; infinite where it is a line.
             reach: f64,
-            /// How far it may run.
+            /// Largest extent accepted.
             limit: f64,
         }
         reason "arc-through-infinity";
         at *segment;
         when !reach.is_finite(), says "segment {segment}: a start tangent is opposite to the chord, so the blend \
-            would pass through infinity";
-        says "segment {segment}: the curve reaches {reach} times as far as its two points are apart, maximum {limit} \
-            times, and loses precision there; make the turn there less sharp, or add a point";
+            would pass through infinity; turn the tangent, or add a point";
+        says "segment {segment}: the curve extends to {reach} times the distance between its points, maximum {limit}, \
+            and loses precision; make the turn less sharp, or add a point";
 
         /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
         AmbiguousHalfTurn {
@@ -146,8 +144,8 @@ table! {
         }
         reason "ambiguous-half-turn";
         at *segment;
-        says "segment {segment}: its circles have opposite tangents along the chord, so the half-turn between them \
-            is ambiguous";
+        says "segment {segment}: its circles have opposite tangents along the chord (sine of their angle with it \
+            {sine}, minimum {limit}), so the half-turn between them is ambiguous; move a point, or add one";
     }
 }
 

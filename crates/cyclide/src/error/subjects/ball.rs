@@ -11,7 +11,7 @@ table! {
     /// assert_eq!(error.reason(), "no-positive-radius");
     /// ```
     pub enum BallError: Error {
-        /// Two cylinders or cones whose common tangent balls have no torus: their pair is spacelike, or on the border.
+        /// The common tangent balls of two cylinders or cones do not form a torus: the pair is spacelike or lightlike.
         NotTimelikePair {
             /// Of two skew cylinders the distance of the axes, of a general pair the norm ratio of its common form.
             measured: f64,
@@ -19,7 +19,8 @@ table! {
             limit: f64,
         }
         reason "not-timelike-pair";
-        says "the balls tangent to both surfaces do not form a torus: measured {measured}, limit {limit}";
+        says "the balls tangent to both surfaces do not form a torus: the distance of skew axes, or the norm ratio of \
+            the pair, is {measured}, limit {limit}";
 
         /// Two surfaces whose axes meet or are parallel in the space of balls: their tangent balls form no single surface.
         DegeneratePair {
@@ -32,7 +33,7 @@ table! {
         says "the axes of the two surfaces are equal or parallel, or share a tangent ball: measured {measured}, \
             limit {limit}";
 
-        /// A place on the border of the balls between two cylinders, where they are infinite.
+        /// A location at the end of the family of balls between two cylinders, where they are infinite.
         SphereAtInfinity {
             /// The product of sines that vanishes there.
             measured: f64,
@@ -46,14 +47,14 @@ table! {
         WrongSide {
             /// Which surface, from 0; 0 where it is both.
             surface: usize,
-            /// What must be positive: the product of sines of a place, or the distance from the axis.
+            /// What must be positive: the product of sines at a location, or the distance from the axis.
             measured: f64,
         }
         reason "wrong-side";
         at *surface;
         says "the ball touches surface {surface} from the wrong side: measured {measured}, must be above 0";
 
-        /// A ball whose radius is not positive where one outside is asked for.
+        /// A ball outside both surfaces would have a radius that is not positive.
         NoPositiveRadius {
             /// The radius found.
             radius: f64,
@@ -61,9 +62,9 @@ table! {
         reason "no-positive-radius";
         says "the ball outside both surfaces would have radius {radius}, must be above 0";
 
-        /// A contact whose ball lies between parallel planes, so that none or any touches both.
+        /// The tangent planes at a contact are parallel, so no single ball touches both.
         ParallelContact {
-            /// What vanishes there: 1 less the cosine between the normals, or the distance that the radius is divided by.
+            /// What vanishes there: 1 minus the cosine between the normals, or the distance by which the radius is divided.
             measured: f64,
             /// Values up to this are refused.
             limit: f64,

@@ -1,10 +1,10 @@
-//! Why no surface was laid between two curves.
+//! Why no surface was built between two curves.
 
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// Why no surface was laid between two curves.
+    /// Why no surface was built between two curves.
     ///
     /// ```
     /// use cyclide::{BridgeError, Error};
@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(error.reason(), "ellipses-cross");
     /// ```
     pub enum BridgeError: Error {
-        /// Two ellipses cross, between which there is no solid.
+        /// Two ellipses cross, so no solid lies between them.
         EllipsesCross {
             /// Difference of the semi-axes along x, of the other sign than that along y.
             along_x: f64,
@@ -23,7 +23,7 @@ table! {
         says "the ellipses cross: the semi-axes of the second are larger by {along_x} along x and by {along_y} along \
             y; a solid needs one ellipse inside the other";
 
-        /// Two curves between which pieces are to be matched one by one do not have as many.
+        /// Two curves whose pieces are joined one by one have different numbers of pieces.
         PieceCountsDiffer {
             /// Pieces of the first curve.
             first: usize,
@@ -34,13 +34,13 @@ table! {
         says "the first curve has {first} piece(s), the second {second}: pieces are joined one by one in order, so \
             the numbers must be equal";
 
-        /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
+        /// Straight lines between two curves cross or coincide: the surface has no normal there.
         RulingsCross {
             /// Which piece, from 0.
             piece: usize,
-            /// The parameter of the piece, and the part of the distance from the first curve to the second.
+            /// The parameter of the piece, and the fraction of the distance from the first curve to the second.
             at: [f64; 2],
-            /// Length of the normal there, relative to what it could have.
+            /// Length of the normal there, relative to its largest possible length.
             normal: f64,
             /// Values up to this are refused.
             limit: f64,
@@ -65,20 +65,20 @@ table! {
             ShortNumber(at[0]),
             ShortNumber(at[1]);
 
-        /// The directions of arcs at neighbouring joints of a curve oppose each other: halfway between them there is none.
+        /// The directions of arcs at neighbouring joints of a curve are opposite, so none is halfway between them.
         OppositeTangents {
             /// The first one, from 0.
             first: usize,
             /// The next one; of closed curves the first of all again.
             second: usize,
-            /// What is left of the longer one between them.
+            /// Least length of the direction between them, relative to the longer one.
             length: f64,
-            /// Parts up to this are refused.
+            /// Lengths up to this are refused.
             limit: f64,
         }
         reason "opposite-tangents";
         at *first;
-        says "tangents {first} and {second} are opposite, so the direction vanishes between them: {length} of the \
-            longer one is left, limit {limit}; turn one of them sideways";
+        says "tangents {first} and {second} are opposite, so the direction vanishes between them (relative length \
+            {length}, must be above {limit}); turn one of them sideways";
     }
 }

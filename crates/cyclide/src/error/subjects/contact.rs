@@ -19,7 +19,7 @@ table! {
             /// The angle round the tube.
             angle: f64,
             /// What must be positive there: the rise of the tube's line over the plane, the square of half the distance between
-            /// both such balls on it, or, inside, how far from the axis the center of the ball is on the side of the contact.
+            /// the two such balls on it, or, inside, the distance of the ball's center from the axis on the side of the contact.
             measured: f64,
         }
         reason "contact-loop-open";
@@ -44,7 +44,7 @@ table! {
         BlendFolds {
             /// The angle round the tube where that is.
             angle: f64,
-            /// What is left of its width there, in parts of that on a straight path.
+            /// Its width there, relative to that on a straight path.
             left: f64,
         }
         reason "contact-blend-folds";

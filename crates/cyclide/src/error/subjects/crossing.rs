@@ -17,40 +17,40 @@ table! {
         AxesTooNear {
             /// Their distance.
             distance: f64,
-            /// What the radii differ, of cones where they are nearest: it must be above this.
+            /// The difference of the radii, of cones where they are nearest: the distance must be above this.
             limit: f64,
         }
         reason "crossing-axes-too-near";
         says "the axes are {distance} apart; pipes that pass each other need more than the difference of the radii, \
             {limit}: move the axes apart, or use a branch of a `pipe-tee` if one pipe ends on the other";
 
-        /// A ball is too large for the edge of a crossing: of what both pipes have in common, or of one less the other.
+        /// A ball is too large for the edge of a crossing: of the intersection of the pipes, or of their difference.
         BallTooLarge {
             /// Its radius.
             radius: f64,
-            /// Half of the room between the pipes where the common normal of their axes goes through: it must be below this.
+            /// Half of the overlap of the pipes along the common normal of their axes: the radius must be below this.
             limit: f64,
         }
         reason "crossing-ball-too-large";
         when *limit <= 0.0, says "the pipes do not overlap, so there is no edge to round: they are {} apart",
             ShortNumber(-2.0 * *limit);
         says "a ball of radius {radius} cannot roll along the edge: the radius must be below {limit}, half of the \
-            room between the pipes";
+            overlap of the pipes";
 
-        /// Pipes of which one is to be cut by the other do not meet, or hardly.
+        /// One pipe is to be cut by the other, but they do not intersect, or only barely.
         PipesApart {
             /// The distance of their axes.
             distance: f64,
-            /// The sum of their radii less a thousandth of it: it must be below this.
+            /// The sum of their radii less a thousandth of it: the distance must be below this.
             limit: f64,
         }
         reason "crossing-pipes-apart";
-        says "the pipes do not meet, or hardly, so neither cuts the other: their axes are {distance} apart, must be \
-            below {limit}, the sum of the radii less a thousandth";
+        says "the pipes do not intersect, or only barely, so neither cuts the other: their axes are {distance} apart, \
+            must be below {limit}, the sum of the radii less 0.1 %";
 
-        /// A crossing of a pipe with a taper that is made of cylinders only.
+        /// A pipe has a taper, but the crossing requires cylinders.
         NeedsCylinders {
-            /// What needs them: the side of the ball, or the law of its radius.
+            /// What requires them: the side of the ball, or the law of its radius.
             what: ErrorItem,
             /// Which pipe has a taper, from 0.
             pipe: usize,
@@ -61,30 +61,30 @@ table! {
         says "pipe {pipe} has a taper of {taper} radians, but the requested {} requires cylinders: tapered pipes \
             need a ball of constant radius, outside or inside both", what.word();
 
-        /// The centers of the balls of a blend lie on no surface of their own: two pipes that pass each other have one,
-        /// balls outside both or inside both.
+        /// The balls of a blend have no surface of centers: only those of pipes that pass each other have one, outside both
+        /// or inside both.
         NoCenterSurface
         reason "no-center-surface";
-        says "the centers of these balls have no surface of their own: only pipes that pass each other have one, \
-            with balls outside both or inside both";
+        says "these balls have no surface of centers: it exists only for pipes that pass each other, with balls \
+            outside both or inside both";
 
         /// A pipe of a crossing ends within the blend.
         PipeTooShort {
             /// Which pipe, from 0.
             pipe: usize,
-            /// The end, as its place along the axis.
+            /// The end, as a position along the axis.
             end: f64,
-            /// The place that it must be beyond.
+            /// The position that it must extend beyond.
             needed: f64,
         }
         reason "crossing-pipe-too-short";
         says "pipe {pipe} ends within the blend: it ends at {end} and must extend beyond {needed}";
 
-        /// The hole of a crossing goes too far round a pipe.
+        /// The hole of a crossing extends too far round a pipe.
         HoleTooWide {
             /// Which pipe, from 0.
             pipe: usize,
-            /// How far it goes to either side, in radians.
+            /// How far it extends to either side, in radians.
             angle: f64,
             /// The largest such angle.
             limit: f64,
@@ -97,7 +97,7 @@ table! {
         HoleTurnsBack {
             /// Which pipe, from 0.
             pipe: usize,
-            /// Where, as a place along its axis.
+            /// Where, as a position along its axis.
             along: f64,
         }
         reason "crossing-hole-turns-back";
@@ -106,13 +106,13 @@ table! {
 
         /// The blend of a crossing self-intersects.
         Folds {
-            /// Where its ball is then, as an angle about the common normal of the axes from the first one.
+            /// Where its ball is, as an angle about the common normal of the axes, from the first axis.
             angle: f64,
-            /// What is left of its width there, in parts of that on a straight path.
+            /// Its width there, relative to that on a straight path.
             left: f64,
             /// What helps.
             remedy: FoldRemedy,
-            /// Whether it is that of an inner skin, below a wall.
+            /// True for the blend of an inner skin, below a wall.
             walled: bool,
         }
         reason "crossing-folds";

@@ -1,9 +1,9 @@
-//! Why a curve as such was refused, whatever its kind.
+//! Why a curve of any kind was refused.
 
 use crate::table::table;
 
 table! {
-    /// Why a curve as such was refused, whatever its kind.
+    /// Why a curve of any kind was refused.
     ///
     /// ```
     /// use cyclide::{CurveError, Error};
@@ -26,7 +26,7 @@ table! {
         at *piece;
         says "pieces {piece} and {next} are not connected: gap {gap}, limit {limit}";
 
-        /// A curve passes through infinity, or runs so far out that doubles cannot resolve it.
+        /// A curve passes through infinity, or so near it that doubles cannot resolve it.
         ThroughInfinity {
             /// Near which parameter.
             t: f64,
@@ -35,25 +35,25 @@ table! {
         says "the curve passes through infinity near parameter {t}: change the parameters, move a point, or use a \
             Moebius spline";
 
-        /// A part of a curve is not proved to be within the tolerance of its chord, however short.
+        /// The distance of a part of a curve from its chord is not proved to be within the tolerance, however short the chord.
         NotWithinTolerance {
             /// Which smooth piece, from 0.
             piece: usize,
-            /// What is proved at the shortest chord.
+            /// The bound that is proved for the shortest chord.
             bound: f64,
             /// The tolerance asked for.
             tolerance: f64,
         }
         reason "not-within-tolerance";
         at *piece;
-        says "piece {piece}: the distance from a polyline is proved only to {bound}, tolerance \
-            {tolerance}; use a larger tolerance";
+        says "piece {piece}: the proved bound of its distance from a polyline is {bound}, tolerance {tolerance}; use \
+            a larger tolerance";
 
-        /// A frame does not exist at a place of a curve: what it would be made from vanishes there.
+        /// A curve has no frame at a parameter: a vector that determines it vanishes there.
         NoFrame {
             /// What vanishes.
             what: &'static str,
-            /// The place, a global parameter in `[0, 1]`.
+            /// The global parameter, in `[0, 1]`.
             t: f64,
             /// Its size.
             measured: f64,
@@ -63,16 +63,16 @@ table! {
         reason "no-frame";
         says "there is no frame at parameter {t}: {what} is {measured}, limit {limit}";
 
-        /// What follows arcs and segments was given a curve of another kind.
+        /// A construction along arcs and segments was given another kind of curve.
         NotOfArcs {
-            /// Kinds of curves that are.
+            /// Kinds of curves that consist of them.
             wanted: &'static str,
         }
         reason "not-of-arcs";
         says "the curve does not consist of arcs and segments: give the tolerance within which arcs may replace it, \
             or use a curve of arcs ({wanted})";
 
-        /// An interval of a curve's parameter without length, or with one that is lost beside the whole: knots that repeat or go back.
+        /// An interval of a curve's parameter is empty, or negligible against the whole: knots repeat or decrease.
         EmptyInterval {
             /// Which interval, from 0.
             index: usize,

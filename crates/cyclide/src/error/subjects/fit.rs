@@ -16,7 +16,7 @@ table! {
     pub enum FitError: Error {
         /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
         NoG1SplineInTube {
-            /// Vertex of the input where the search died.
+            /// Vertex of the input where the search failed.
             vertex: usize,
             /// The tolerance.
             tolerance: f64,
@@ -27,21 +27,21 @@ table! {
             points first, use a larger tolerance, the target `polyline` to keep the edges, or a corner angle below \
             the turn there";
 
-        /// Arcs within the tolerance were found, but none that keep a limit of the machine.
+        /// Arcs within the tolerance exist, but none that satisfy a limit of the machine.
         ArcLimitNotKept {
-            /// Point of the input where the arc is that misses the limit by most.
+            /// Point of the input at the arc that misses the limit by most.
             vertex: usize,
             /// The limit: `min_radius` or `min_arc_length`.
             name: ErrorItem,
-            /// What that arc has.
+            /// The value of that arc.
             value: f64,
             /// The limit's value.
             limit: f64,
         }
         reason "arc-limit-not-kept";
         at *vertex;
-        says "no arcs within the tolerance keep `{name}` {limit}: the worst, at point {vertex}, has {}; use a larger \
-            tolerance or a smaller limit", ShortNumber::no_more(*value);
+        says "no arcs within the tolerance satisfy `{name}` {limit}: the worst, at point {vertex}, has {}; use a \
+            larger tolerance or a smaller limit", ShortNumber::no_more(*value);
 
         /// No curve of the kind was found within the tolerance of these points.
         ToleranceNotReached {
@@ -57,7 +57,7 @@ table! {
         says "tolerance {tolerance} not reached: {} stay outside, up to {deviation} away; use a larger tolerance, or \
             mark corners where the data turn sharply", points_in_words(&points);
 
-        /// The curve within the tolerance would leave the points between two of them, by far more than these are apart.
+        /// The curve within the tolerance would swing out between two points, by far more than their distance.
         CurveLost {
             /// The first of the two, in the user's numbering.
             point: usize,
@@ -71,7 +71,7 @@ table! {
         says "after point {point} the fairest curve within {tolerance} of the points would swing out by {distance}: \
             use a smaller tolerance, or mark corners (a corner angle)";
 
-        /// A tolerance is not reached because of points that do not belong to the other points.
+        /// A tolerance is not reached because of outliers.
         OutliersOutside {
             /// Each of them, in the user's numbering, and how far it is from the curve of the other points.
             points: Vec<(usize, f64)>,

@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(error.reason(), "collapsed-on-curve");
     /// ```
     pub enum GridError: Error {
-        /// The cells of a grid are no part of it that can be made, or something needs all of them.
+        /// The cells left in a grid cannot be built, or a construction needs all of them.
         CellsUnfit {
             /// What is wrong.
             fault: GridCellFault,
@@ -24,7 +24,7 @@ table! {
         at *index;
         says "{}", fault.words(*index);
 
-        /// The quads of a mesh make no regular grids that join round its extraordinary vertices.
+        /// The quads of a mesh do not form regular grids that join round its irregular vertices.
         NotAQuadLayout {
             /// What is wrong.
             fault: LayoutFault,
@@ -35,11 +35,11 @@ table! {
         at *index;
         says "{}", fault.words(*index);
 
-        /// A frame that is carried round an extraordinary vertex comes back turned by more than quarter turns.
+        /// A frame that is carried round an irregular vertex comes back turned by more than quarter turns.
         RingDoesNotClose {
             /// The vertex of the mesh.
             vertex: usize,
-            /// By so much more, radians.
+            /// The rotation beyond quarter turns, radians.
             angle: f64,
             /// The largest angle that is accepted.
             limit: f64,
@@ -61,7 +61,7 @@ table! {
         reason "not-converged";
         says "the grid is not circular after {step} steps: largest residual {residual}, limit {limit}";
 
-        /// A grid made circular is no longer the surface that was given.
+        /// A grid that was made circular has lost the shape of the given surface.
         ShapeLost {
             /// What was measured.
             change: Box<ShapeChange>,
@@ -69,7 +69,7 @@ table! {
         reason "shape-lost";
         says "the shape is lost: {}", change.lost();
 
-        /// Two neighbouring vertices of a side came to the same point of the curve it shall slide on.
+        /// Two neighbouring vertices of a side moved to the same point of the curve on which the side slides.
         CollapsedOnCurve {
             /// The first vertex, s fastest.
             first: usize,
@@ -86,7 +86,7 @@ table! {
             vertex: usize,
             /// Distance of the curves beside the corner.
             distance: f64,
-            /// Curves at most this far apart meet.
+            /// Largest distance accepted.
             limit: f64,
         }
         reason "border-curves-apart";

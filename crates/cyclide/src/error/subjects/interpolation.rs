@@ -1,10 +1,10 @@
-//! Why no curve was put through the points.
+//! Why no curve was interpolated.
 
 use crate::error::words::points_in_words;
 use crate::table::table;
 
 table! {
-    /// Why no curve was put through the points.
+    /// Why no curve was interpolated.
     ///
     /// ```
     /// use cyclide::{Error, InterpolationError};
@@ -21,13 +21,13 @@ table! {
         says "{given} conditions given, but a curve of degree n needs an odd number, 2n + 1; add or remove a point, \
             or use a Moebius spline, which takes any number";
 
-        /// Two points, or two poses, are asked for at one parameter.
+        /// Two points, or two poses, have the same parameter.
         RepeatedParameter {
             /// Which of them, from 0.
             first: usize,
             /// The other one.
             second: usize,
-            /// The parameter of the second; of the first too, or so near that it is the same on the scale of all.
+            /// The parameter of the second; that of the first is equal to it, up to rounding on the scale of all.
             value: f64,
         }
         reason "repeated-parameter";
@@ -38,7 +38,7 @@ table! {
         UnattainablePoint {
             /// Which points, from 0, rising.
             points: Vec<usize>,
-            /// What is left of the weight of the first one, relative to all, or its distance from the curve in sizes of the data.
+            /// The relative weight of the first one, or its distance from the curve relative to the size of the data.
             measured: f64,
             /// The weight must be above this, the distance below it.
             limit: f64,
@@ -48,7 +48,7 @@ table! {
         says "{} cannot be reached: at their parameters, the other points lie on a curve of lower degree that misses \
             them (measured {measured}, limit {limit}); move a point or change the parameters", points_in_words(&points);
 
-        /// The circular arcs that leave two points along their tangents run in opposite directions: no direction is halfway.
+        /// The circular arcs that leave two points along their tangents have opposite directions, so none is halfway.
         OppositeArcs {
             /// Length of the sum of their unit tangents at the start.
             measured: f64,
@@ -56,7 +56,7 @@ table! {
             limit: f64,
         }
         reason "opposite-arcs";
-        says "the circles along the two tangents run in opposite directions (common part {measured}, minimum \
-            {limit}): turn a tangent, or add a point in between";
+        says "the circles along the two tangents run in opposite directions (length of the sum of their unit tangents \
+            {measured}, minimum {limit}): turn a tangent, or add a point in between";
     }
 }

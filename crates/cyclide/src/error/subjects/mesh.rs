@@ -48,7 +48,7 @@ table! {
         says "{count} triangles, one of them triangle {triangle}, share the edge from vertex {} to vertex {}, \
             maximum 2", vertices[0], vertices[1];
 
-        /// Two neighbouring triangles are seen from different sides.
+        /// Two adjacent triangles have opposite orientations.
         InconsistentOrientation {
             /// Start and end of the edge.
             vertices: [usize; 2],
@@ -60,7 +60,7 @@ table! {
         says "triangles {} and {} both run from vertex {} to vertex {}: reverse one of them, or remove it if it is a \
             duplicate", triangles[0], triangles[1], vertices[0], vertices[1];
 
-        /// The faces around a vertex lie back to back.
+        /// The normals of the faces around a vertex cancel.
         UndefinedNormal {
             /// Which vertex, from 0.
             vertex: usize,

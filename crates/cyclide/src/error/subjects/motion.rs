@@ -1,11 +1,11 @@
-//! Why no motion was put through the poses, or none was timed.
+//! Why no motion through the poses, or no time law of it, was made.
 
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// Why no motion was put through the poses, or none was timed.
+    /// Why no motion through the poses, or no time law of it, was made.
     ///
     /// ```
     /// use cyclide::{Error, MotionError};
@@ -17,7 +17,7 @@ table! {
         UnattainablePose {
             /// Which pose, from 0.
             index: usize,
-            /// The factor of the pose against the largest, below the limit; or by how much the pose is missed, above it.
+            /// The factor of the pose relative to the largest, below the limit; or the relative distance by which the pose is missed, above it.
             share: f64,
             /// The limit.
             limit: f64,
@@ -25,18 +25,17 @@ table! {
         reason "unattainable-pose";
         at *index;
         when *share > *limit, says "no motion of this degree passes through all poses: it misses pose {index} by \
-            {share} of the size, limit {limit}";
+            {share} of the size, limit {limit}; use a spline, or other times";
         says "no motion of this degree passes through pose {index} and the other poses: its relative factor is \
             {share}, limit {limit}; use a spline, or another time for it";
 
-        /// A motion comes to where a dual quaternion is no displacement: the body would go through infinity.
+        /// A motion passes a dual quaternion that is not a displacement: the body would pass through infinity.
         ThroughExceptionalPoint {
             /// When.
             time: f64,
             /// The share `|p|²/(|p|² + |r|²)` there, with lengths in units of the size of the poses.
             share: f64,
-            /// What is left of the dual quaternion there, squared, against the sum of the lengths of what it is summed of: 0 where
-            /// both of its parts vanish.
+            /// Square of the dual quaternion there, relative to the sum of the squares of its terms: 0 where both of its parts vanish.
             remainder: f64,
             /// Shares and remainders up to this are refused.
             limit: f64,
@@ -47,7 +46,7 @@ table! {
         says "the motion of lowest degree has no pose at time {time}: its terms cancel to {remainder} of their \
             squares there, limit {limit}; use a spline, or other times";
 
-        /// Between two poses the rotation is so large that its direction is lost.
+        /// The rotation between two poses is so large that its direction is undefined.
         RotationTooLarge {
             /// Which span, from 0.
             span: usize,
@@ -61,11 +60,11 @@ table! {
         says "span {span} rotates so far that its direction is undefined: the quaternion shrinks to length {length}, \
             limit {limit}; insert a pose";
 
-        /// No motion of degree 3 takes the four poses one after the other (at the cross-ratio asked for).
+        /// No motion of degree 3 passes through the four poses in order (at the requested cross-ratio).
         NoCubicMotion {
             /// Discriminant of the equation of the cross-ratio; negative: there is none.
             discriminant: f64,
-            /// The cross-ratios at which there are motions; those between 0 and 1 take the poses one after the other.
+            /// The cross-ratios at which motions exist; those between 0 and 1 pass through the poses in order.
             roots: Vec<f64>,
         }
         reason "no-cubic-motion";
@@ -74,7 +73,7 @@ table! {
         says "no motion of degree 3 passes through these four poses in order at this cross-ratio of times: motions \
             exist only at {}; use one between 0 and 1", joined(&roots);
 
-        /// Poses are planar, spherical or translated against each other: what should follow from how they screw is not determined.
+        /// The relative motions of the poses are planar, spherical or translations, which do not determine a motion of degree 3.
         StudyFormVanishes {
             /// Largest value of the Study form between two poses, over their size.
             measured: f64,
@@ -85,12 +84,12 @@ table! {
         says "the relative motions of the poses are planar, spherical or translations (Study form {measured}, limit \
             {limit}), so they do not determine a motion of degree 3; use a spline";
 
-        /// What needs a rational motion is asked of one that is not: the points of a screw motion run on helices.
+        /// A rational motion is required, and this one is not: the points of a screw motion move on helices.
         NotRational
         reason "motion-not-rational";
         says "the motion is not rational: the points of a screw motion move on helices; use a spline";
 
-        /// A time law by the path length of a point is asked of a motion that does not move it.
+        /// A time law by the path length of a point is given for a motion that does not move the point.
         AtRest {
             /// Length of the whole path.
             length: f64,
@@ -101,7 +100,7 @@ table! {
         says "the motion is at rest: path length {length} must exceed {limit}; name a point that moves, or give an \
             `arm`";
 
-        /// A time law by the path length of a point, or times by it, have no time for a span in which the body turns in place, or rests.
+        /// A time law by the path length of a point, or times by it, give no time to a span in which the body rotates in place or rests.
         SpanWithoutWay {
             /// Which span, from 0.
             span: usize,

@@ -1,4 +1,4 @@
-//! Why a number of the input was refused as such.
+//! Why a number of the input was refused.
 
 use crate::error::ErrorItem;
 use crate::error::words::at_least;
@@ -6,7 +6,7 @@ use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// Why a number of the input was refused as such.
+    /// Why a number of the input was refused.
     ///
     /// ```
     /// use cyclide::{Error, NumberError};
@@ -55,7 +55,7 @@ table! {
             limit: f64,
         }
         reason "zero-radius";
-        says "the radius {radius} is zero";
+        says "the radius {radius} is zero, must be above {limit}";
 
         /// A radius, length or tolerance that must be positive is not.
         RadiusNotPositive {
@@ -95,7 +95,7 @@ table! {
         reason "sweep-out-of-range";
         says "the swept angle {sweep:#} is outside {min:#} to {max:#} radians, the ends excluded";
 
-        /// A turn beyond what is asked for: more than a whole one, a whole one in one piece, or none where a body is to be made.
+        /// An angle of rotation is out of range: more than a full turn, a full turn in one piece, or zero for a body.
         AngleOutOfRange {
             /// The angle given, radians.
             angle: f64,
@@ -112,7 +112,7 @@ table! {
             ShortNumber(min.to_degrees()),
             ShortNumber(max.to_degrees());
 
-        /// There is not one of a list for each point or vertex.
+        /// A list does not have one entry for each point or vertex.
         CountDiffers {
             /// What the list holds.
             what: ErrorItem,
@@ -132,13 +132,13 @@ table! {
         TooManyPieces {
             /// What would grow.
             what: &'static str,
-            /// Which segment or piece of a curve, from 0; `None` where the whole is meant.
+            /// Which segment or piece of a curve, from 0; `None` for the whole.
             segment: Option<usize>,
-            /// Pieces needed, as far as counted.
+            /// Pieces needed, as far as they were counted.
             needed: f64,
-            /// Largest number of pieces made.
+            /// Largest number of pieces allowed.
             cap: usize,
-            /// What to ask for instead.
+            /// The remedy.
             remedy: &'static str,
         }
         reason "too-many-pieces";
@@ -156,11 +156,11 @@ fn outside(name: ErrorItem, value: f64, [min, max]: [f64; 2]) -> String {
     let open = matches!(name, ErrorItem::Duration | ErrorItem::Height | ErrorItem::Wall);
     let (low, high) = (ShortNumber(min), ShortNumber(max));
     if max >= f64::MAX {
-        // A limit next to nothing says no more than that there is one.
+        // Such a tiny limit is only numerical.
         return match (open || is(min), value <= 0.0 && min > 0.0 && min <= SMALLEST) {
-            (_, true) => "out of range: more than 0".to_owned(),
-            (true, _) => format!("out of range: more than {low:#}"),
-            (false, _) => format!("out of range: at least {low:#}"),
+            (_, true) => "out of range: must be above 0".to_owned(),
+            (true, _) => format!("out of range: must be above {low:#}"),
+            (false, _) => format!("out of range: must be at least {low:#}"),
         };
     }
     let excluded = match (open, is(min), is(max)) {

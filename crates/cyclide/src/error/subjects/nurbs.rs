@@ -24,13 +24,13 @@ table! {
         at *index;
         says "knot {index} is {}, less than the previous one, {}: knots must not decrease", *knot, *before;
 
-        /// A knot is repeated so often that the curve falls apart there, or a control point counts for nothing.
+        /// A knot's multiplicity is so high that the curve is disconnected there, or a control point has no effect.
         KnotMultiplicity {
             /// The first knot of that value, from 0.
             index: usize,
-            /// How often it is there.
+            /// Its multiplicity.
             multiplicity: usize,
-            /// How often it may be there.
+            /// Largest multiplicity accepted.
             limit: usize,
         }
         reason "knot-multiplicity";
@@ -38,9 +38,9 @@ table! {
         says "the knot at {index} has multiplicity {multiplicity}, maximum {limit}: the curve would be disconnected \
             there";
 
-        /// The knots, weights and points of a spline do not fit together.
+        /// The knots, weights and points of a spline are inconsistent.
         NotASpline {
-            /// What does not fit.
+            /// What is inconsistent.
             detail: &'static str,
         }
         reason "not-a-spline";
@@ -74,11 +74,11 @@ table! {
             resolve the curve between them; reduce the ratio (weights far above their neighbours pull the curve onto \
             the control polygon: use segments for that)";
 
-        /// A surface of so high a degree that no program would read it.
+        /// The degree of a surface is too high for other programs.
         DegreeTooHigh {
             /// The degree needed.
             degree: usize,
-            /// Largest degree made.
+            /// Largest degree allowed.
             limit: usize,
         }
         reason "degree-too-high";

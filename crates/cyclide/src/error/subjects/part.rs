@@ -29,7 +29,7 @@ table! {
         InFaceOfVolume {
             /// The direction across the face: 0, 1, 2 for s, t, u.
             axis: usize,
-            /// Its place in this direction: 0 or 1.
+            /// Its position in this direction: 0 or 1.
             end: usize,
             /// What went wrong in it.
             cause: Box<Error>,

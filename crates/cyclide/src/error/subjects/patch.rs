@@ -41,7 +41,7 @@ table! {
         reason "frame-not-orthonormal";
         says "the directions of the frame are not perpendicular: cosine {measured}, limit {limit}";
 
-        /// The weights do not put the surface into three-space.
+        /// The weights take the surface out of three-space.
         NotInSpace {
             /// Largest real part of the quotient, relative to the size.
             defect: f64,
@@ -61,13 +61,13 @@ table! {
         reason "patch-through-infinity";
         says "the patch passes through infinity near s = {s}, t = {t}";
 
-        /// The frame does not come back when it is carried once round a closed net.
+        /// A frame that is carried once round a closed net does not return to itself.
         NetDoesNotClose {
             /// The closed direction: 0 for s, 1 for t.
             direction: usize,
-            /// The row or column along it that is to blame, from 0, where it is one: it is pinned.
+            /// The pinned row or column along it that causes this, from 0, where it is one.
             line: Option<usize>,
-            /// Angle of the rotation from the frame that left to the frame that came back, radians.
+            /// Angle of the rotation from the initial frame to the returned one, radians.
             angle: f64,
             /// Ratio of the parameter speeds on both sides of the seam, minus 1.
             stretch: f64,
@@ -80,9 +80,9 @@ table! {
             along_pinned(*direction, *line),
             speed_ratio(*stretch, *limit);
 
-        /// No frame fits the directions of the edges of a net better than all others.
+        /// The directions of the edges of a net determine no frame.
         AmbiguousFrame {
-            /// How much the second direction that the edges agree on stands out, relative to the first: 0 where there is one only.
+            /// Strength of the second common direction of the edges, relative to the first: 0 where there is only one.
             measured: f64,
             /// Values up to this are refused.
             limit: f64,
@@ -91,7 +91,7 @@ table! {
         says "the edges of the net do not determine a frame (relative strength of their second direction {measured}, \
             limit {limit}): give a frame at the first vertex";
 
-        /// A construction needs four real sides and met one that is a single point.
+        /// A construction needs four proper sides, and one is a single point.
         CollapsedSide {
             /// The side: `s = 0`, `s = 1`, `t = 0` or `t = 1`.
             side: &'static str,
@@ -101,11 +101,11 @@ table! {
         reason "collapsed-side";
         says "the side {side} of the net is a single point: {cannot}";
 
-        /// An offset that is no surface.
+        /// An offset that shrinks to a curve or a point.
         OffsetOnFocalSet {
             /// Signed distance of the offset.
             distance: f64,
-            /// Largest speed of a line of the family that shrinks, relative to what it is made of.
+            /// Largest speed of a line of the family that shrinks, relative to the terms of which it is the sum.
             measured: f64,
             /// Values up to this are refused.
             limit: f64,
@@ -119,20 +119,20 @@ table! {
         OffsetNotRegular {
             /// Signed distance of the offset.
             distance: f64,
-            /// Signed distance of the first center of curvature on that side: less is accepted. 0 where the surface itself runs against
-            /// its normal, or through a singular point.
+            /// Signed distance of the first center of curvature on that side: smaller ones are accepted. 0 where the surface itself
+            /// is folded or singular.
             limit: f64,
         }
         reason "offset-not-regular";
         when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would \
-            self-intersect: the surface itself is singular or folded there, limit 0";
+            self-intersect: the surface itself is singular or folded there, so that no distance is accepted";
         says "a solid between the surface and its offset at distance {distance} would self-intersect: a center of \
             curvature lies between them, or on one of them, limit {}",
             ShortNumber(nearer(*limit));
     }
 }
 
-/// The line of a net that is to blame: rows run along s, columns along t.
+/// The pinned line of a net that does not close: rows run along s, columns along t.
 fn along_pinned(direction: usize, line: Option<usize>) -> String {
     let name = if direction == 0 { "row" } else { "column" };
     line.map_or(String::new(), |line| format!(" along pinned {name} {line}"))

@@ -13,13 +13,13 @@ table! {
     /// assert_eq!(error.reason(), "radius-not-positive");
     /// ```
     pub enum PipeError: Error {
-        /// The legs of a corner are too short for its arc beside those of the neighbours, or turn back on each other.
+        /// The legs of a corner are too short for its arc and those of its neighbours, or turn back on each other.
         BendDoesNotFit {
             /// Index of the point.
             corner: usize,
-            /// Radius asked for.
+            /// The given radius.
             radius: f64,
-            /// How much of the leg the arcs at both ends take.
+            /// Length of the leg that the arcs at both ends need.
             needed: f64,
             /// Length of the leg.
             length: f64,
@@ -29,7 +29,7 @@ table! {
         says "the bend at point {corner} does not fit: with radius {radius} and that of its neighbour the arcs need \
             {} of a leg of length {length}; use smaller radii or move the points apart", at_least(*needed);
 
-        /// A pipe is as wide as an arc that it follows.
+        /// The radius of a pipe is not below that of an arc along it.
         TooWide {
             /// Which arc of the path, from 0.
             piece: usize,
@@ -43,7 +43,7 @@ table! {
         says "the pipe's radius {radius} must be below the radius of piece {piece} of its curve, {limit}, or the \
             inner side folds; use a thinner pipe or wider bends";
 
-        /// A corner of a pipe that no mitre joins: it is next to an arc, or turns back.
+        /// A corner of a pipe cannot be mitred: it is next to an arc, or turns back.
         CornerNotMitred {
             /// Which piece begins there, from 0.
             joint: usize,
@@ -66,7 +66,7 @@ table! {
         MitreDoesNotFit {
             /// Which segment, from 0.
             piece: usize,
-            /// Length that the mitres at both ends take.
+            /// Length that the mitres at both ends need.
             needed: f64,
             /// Length of the segment.
             length: f64,
@@ -76,13 +76,13 @@ table! {
         says "segment {piece} of the pipe's curve has length {length}, but its mitres need more than {needed}; use a \
             thinner pipe or round the corners";
 
-        /// Parts of a pipe that are no neighbours run into each other.
+        /// Non-adjacent parts of a pipe intersect.
         MeetsItself {
             /// Which piece of the arcs and segments along it, or which ball, from 0.
             first: usize,
-            /// The other one; the same if it is an arc that comes round.
+            /// The other one; the same if it is an arc that closes up.
             second: usize,
-            /// In the middle between both.
+            /// The midpoint between both.
             point: [f64; 3],
             /// Distance of both.
             distance: f64,
@@ -98,7 +98,7 @@ table! {
             {distance} apart from center to center, minimum {limit}, the sum of their radii; they cross: move the \
             curve apart";
 
-        /// The ends of a pipe are not in order.
+        /// The ends of a pipe are in the wrong order.
         EndsReversed {
             /// Which pipe, from 0; of a tee the main pipe.
             pipe: usize,
@@ -110,9 +110,9 @@ table! {
         reason "pipe-ends-reversed";
         says "the ends of pipe {pipe} are at {start} and {end}: the lower one must come first";
 
-        /// A cone has its apex before the last place where something of it is needed: its radius there would not be positive.
+        /// A cone has its apex before the last position where it is needed: its radius there would not be positive.
         ConeReachesApex {
-            /// Where the apex is along its axis; within a wall, that of the bore.
+            /// Position of the apex along its axis; with a wall, that of the bore.
             apex: f64,
             /// The position along its axis up to which it is needed.
             reached: f64,
@@ -121,17 +121,17 @@ table! {
         says "the cone (its bore, if it has a wall) reaches its apex at {apex} along its axis, but is needed up to \
             {reached}; use a smaller taper, a larger radius, or a shorter pipe";
 
-        /// A ball that is to roll inside a pipe is as large as the pipe.
+        /// A ball that is to roll inside a pipe does not fit into it.
         BallDoesNotFit {
             /// Radius of the ball.
             radius: f64,
-            /// The radius of the ball that touches the pipe all round: those that fit are smaller.
+            /// The radius of the ball that touches the pipe all round: it must be below this.
             limit: f64,
         }
         reason "ball-does-not-fit";
         says "a ball of radius {radius} does not fit into the pipe or the hole: the radius must be below {limit}";
 
-        /// A solid with the neck of a ball larger than the bends of its path: its surface would self-intersect.
+        /// A solid has a neck whose ball is larger than the bends of its path: its surface would self-intersect.
         NeckFolds {
             /// Radius of the ball.
             radius: f64,
@@ -142,19 +142,19 @@ table! {
         says "the neck self-intersects on the side to which the pipe leans, so it bounds no solid: the ball has \
             radius {radius}, but its path bends with radius {limit}; use a smaller ball";
 
-        /// A plate that ends within the neck or bore at it.
+        /// A plate ends within its neck or bore.
         PlateTooSmall {
-            /// What it must reach beyond: neck or bore.
+            /// What it must extend beyond: neck or bore.
             what: ErrorItem,
-            /// How far it reaches.
+            /// How far it extends.
             reach: f64,
-            /// How far it must.
+            /// How far it must extend.
             needed: f64,
         }
         reason "plate-too-small";
-        says "the plate is too small: it extends {reach} from the axis of the pipe, the {what} {needed}";
+        says "the plate is too small: it extends {reach} from the axis of the pipe, but the {what} extends {needed}";
     }
 }
 
-/// What comes nearer to itself than this part of its width crosses itself.
+/// A pipe closer to itself than this fraction of its width crosses itself.
 const CROSSING: f64 = 1e-6;

@@ -22,7 +22,7 @@ table! {
         reason "too-few-points";
         says "too few points: {given} given, at least {needed} needed";
 
-        /// Two points that must differ are equal (or closer than the stated limit).
+        /// Two points that must differ are coincident.
         CoincidentPoints {
             /// Index of the first point.
             first: usize,
@@ -30,7 +30,7 @@ table! {
             second: usize,
             /// Their distance.
             distance: f64,
-            /// Distances up to this count as equal (0: only equal doubles).
+            /// Points up to this far apart are coincident (0: only equal doubles).
             limit: f64,
         }
         reason "coincident-points";
@@ -38,9 +38,9 @@ table! {
         when *limit <= 0.0, says "points {first} and {second} coincide";
         says "points {first} and {second} are coincident (distance {distance}, tolerance {limit})";
 
-        /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
+        /// Something is so small and so far from the origin that the rounding of its coordinates destroys its shape.
         BelowRoundingOfPlace {
-            /// The kind of thing.
+            /// What it is.
             what: ErrorItem,
             /// Its size: the diagonal of the box of its points, or a radius.
             size: f64,
@@ -66,13 +66,13 @@ table! {
         at *index;
         says "tangent {index} is zero";
 
-        /// A rotation axis, plane normal or direction is zero (or not usable in the plane asked for).
+        /// A rotation axis, plane normal or direction is zero (or has no part in the given plane).
         ZeroAxis {
             /// What it is.
             what: ErrorItem,
             /// Which one, from 0.
             index: usize,
-            /// Length of what is usable of it.
+            /// Length of its usable part.
             length: f64,
             /// Lengths up to this are refused.
             limit: f64,
@@ -82,16 +82,16 @@ table! {
         when *limit <= 0.0, says "the {what} is zero";
         says "the {what} runs along the chord: its perpendicular part is {length}, limit {limit}";
 
-        /// Something goes to infinity, or so near it that its digits are lost: a third point on the line of the other two, outside the
-        /// segment; a point that a map takes there.
+        /// Something is mapped to infinity, or so near it that precision is lost: a third point on the line of the other two, outside
+        /// the segment; a point that a map takes there.
         AtInfinity {
-            /// What goes there.
+            /// What is mapped there.
             what: ErrorItem,
             /// Which one, from 0.
             index: usize,
-            /// Its distance from the place that goes to infinity.
+            /// Its distance from the point that is mapped to infinity.
             distance: f64,
-            /// Smallest distance accepted (0: only that place itself).
+            /// Smallest distance accepted (0: only that point itself is refused).
             limit: f64,
         }
         reason "point-at-infinity";
@@ -111,7 +111,7 @@ table! {
         reason "not-mobius";
         says "the Möbius matrix does not preserve three-space: defect {defect}, limit {limit}";
 
-        /// A Möbius map that is not a similarity was given where only similarities keep the kind of curve.
+        /// A Möbius map is not a similarity, but only similarities preserve this kind of curve.
         NotASimilarity {
             /// Length of the entry `c` of its matrix.
             measured: f64,
@@ -119,6 +119,7 @@ table! {
             limit: f64,
         }
         reason "not-a-similarity";
-        says "the map is not a similarity";
+        says "the map is not a similarity, which this kind of curve requires: the entry c of its matrix has length \
+            {measured}, limit {limit}";
     }
 }

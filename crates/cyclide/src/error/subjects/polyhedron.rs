@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(error.reason(), "flat-polyhedron");
     /// ```
     pub enum PolyhedronError: Error {
-        /// A loop of vertices is no face.
+        /// A loop of vertices is not a valid face.
         NotAFace {
             /// Which face, from 0.
             face: usize,
@@ -23,7 +23,7 @@ table! {
         at *face;
         says "face {face}: {detail}";
 
-        /// An edge of a polyhedron without one face on each side.
+        /// An edge of a polyhedron does not have one face on each side.
         NotClosed {
             /// Start of the edge.
             first: usize,
@@ -36,9 +36,9 @@ table! {
         }
         reason "not-closed";
         when *forward + *back == 2, says "the faces do not close: {forward} of them run from point {first} to point \
-            {second} and {back} the other way; there must be one each: reverse one of the two";
-        says "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the \
-            other way; there must be one each";
+            {second} and {back} in the opposite direction; there must be one each: reverse one of the two";
+        says "the faces do not close: {forward} of them run from point {first} to point {second} and {back} in the \
+            opposite direction; there must be one each";
 
         /// A corner of a face of a polyhedron is off its plane.
         NonPlanarFace {
@@ -55,9 +55,9 @@ table! {
         at *face;
         says "face {face} is not planar: point {vertex} is {distance} off its plane, limit {limit}";
 
-        /// A polyhedron with an edge at which its faces turn towards each other.
+        /// A polyhedron has a reflex edge.
         NotConvex {
-            /// Start of the edge that is reflex most of all.
+            /// Start of the most reflex edge.
             first: usize,
             /// Its end.
             second: usize,
@@ -76,11 +76,11 @@ table! {
         says "not convex: {reflex} of {edges} edges are reflex, the worst between points {first} and {second}, by {} \
             radians, limit 0", ShortNumber(-*angle);
 
-        /// Points in one plane, which bound no body.
+        /// The points lie in one plane and bound no body.
         Flat {
-            /// How far they are from it, at most.
+            /// Their largest distance from it.
             thickness: f64,
-            /// Largest distance that counts as being in it: the flatness, half of it where points that near are one, or rounding.
+            /// Largest distance that counts as in the plane: the flatness, half of it where such points are merged, or rounding.
             limit: f64,
         }
         reason "flat-polyhedron";
@@ -92,7 +92,7 @@ table! {
             side: Option<usize>,
             /// Its angle about the middle, radians, or that of all together; 0 where there is no middle.
             measured: f64,
-            /// What the angle of one side must be above, and that of all together at most.
+            /// The angle of one side must be above this, or that of all together at most this.
             limit: f64,
         }
         reason "not-in-open-hemisphere";
@@ -101,9 +101,9 @@ table! {
         says "the corners do not lie counter-clockwise in an open half of the sphere: all sides together turn by \
             {measured} radians about the middle, must be 2 pi";
 
-        /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
+        /// After merging, the planes of a polyhedron are far from a given point, or a corner of them is far from the given faces.
         PlanesMissPoint {
-            /// The point, or the given one that became the corner.
+            /// The point, or the given point that became the corner.
             vertex: usize,
             /// Its distance from the other surface.
             distance: f64,

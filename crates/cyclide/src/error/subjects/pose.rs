@@ -20,8 +20,7 @@ table! {
         at *index;
         says "rotation {index} is zero, must be a nonzero quaternion";
 
-        /// A matrix that should be a displacement is none: its columns are not orthonormal and right-handed, or its last row is not
-        /// `0 0 0 1`.
+        /// A matrix is not a displacement: its columns are not orthonormal and right-handed, or its last row is not `0 0 0 1`.
         NotARotation {
             /// Largest deviation of a length, a scalar product, the determinant or an entry of the last row.
             off: f64,
@@ -33,7 +32,7 @@ table! {
             last row 0 0 0 1; they are off by {off}, limit {limit}; write more decimals, without scaling or \
             mirroring";
 
-        /// A dual quaternion is no displacement: its parts are not perpendicular.
+        /// A dual quaternion is not a displacement: its parts are not perpendicular.
         NotOnStudyQuadric {
             /// `|p·r| / (|p| |r|)`.
             product: f64,
@@ -44,20 +43,20 @@ table! {
         says "the dual quaternion is not a displacement: its parts are not perpendicular, relative product \
             {product}, limit {limit}";
 
-        /// A motion needs another number of poses.
+        /// The number of poses does not suit the motion.
         WrongPoseCount {
             /// Number of poses given.
             given: usize,
             /// Number of poses needed.
             needed: usize,
-            /// True if more will do.
+            /// True if more are accepted.
             or_more: bool,
         }
         reason "wrong-pose-count";
         when *or_more, says "{given} poses given, at least {needed} needed";
         says "{given} poses given, {needed} needed";
 
-        /// A pose is not after the one before it in time.
+        /// The time of a pose is not after that of the previous one.
         ParametersNotIncreasing {
             /// Which parameter, from 0.
             index: usize,

@@ -1,10 +1,10 @@
-//! Why no grid was laid along the lines of curvature of a surface.
+//! Why no grid was made along the lines of curvature of a surface.
 
 use crate::error::{JoinFault, SurfaceFault};
 use crate::table::table;
 
 table! {
-    /// Why no grid was laid along the lines of curvature of a surface.
+    /// Why no grid was made along the lines of curvature of a surface.
     ///
     /// ```
     /// use cyclide::{Error, PrincipalGridError};
@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(error.reason(), "spiral-lines");
     /// ```
     pub enum PrincipalGridError: Error {
-        /// Triangles are not one piece of a surface with a border.
+        /// The triangles are not one connected surface with a border.
         NotASurface {
             /// What is wrong.
             fault: SurfaceFault,
@@ -27,9 +27,9 @@ table! {
         FlatSurface {
             /// Median difference of the principal curvatures.
             difference: f64,
-            /// Least difference that shows directions.
+            /// Smallest difference that determines directions.
             limit: f64,
-            /// The distance of the vertices from a smooth surface, where noise alone makes that difference.
+            /// The distance of the vertices from a smooth surface, where noise alone explains that difference.
             noise: Option<f64>,
         }
         reason "flat-surface";
@@ -39,7 +39,7 @@ table! {
         says "the surface is flat or spherical: its principal curvatures differ by {difference} (median), must be \
             more than {limit} to determine lines of curvature; every curve on a plane or a sphere is one";
 
-        /// However much the directions are smoothed, umbilics are left.
+        /// Umbilics remain however much the directions are smoothed.
         UmbilicsRemain {
             /// How many.
             count: usize,
@@ -55,7 +55,7 @@ table! {
             single grid cannot contain: use several grids beside them, one mesh joined round them with a border \
             inside the surface or in steps, or cut a hole round them", index_of_halves(*halves);
 
-        /// One mesh of quads does not go through an umbilic.
+        /// No single mesh of quads continues through an umbilic.
         UmbilicsNotJoined {
             /// Where it is.
             at: [f64; 3],
@@ -66,9 +66,9 @@ table! {
         says "no single mesh of quads continues through the umbilic at ({at}): {}; use separate grids beside it",
             fault.words();
 
-        /// Lines of curvature come back reversed after a path round a hole: no coordinates follow them all round.
+        /// Lines of curvature come back reversed after one loop round a hole, so no coordinates follow them all round.
         FieldNotOrientable {
-            /// A place on the border of the hole.
+            /// A point on the border of the hole.
             at: [f64; 3],
             /// How many half turns the lines make round in the hole.
             halves: i32,
@@ -77,7 +77,7 @@ table! {
         says "the lines of curvature come back reversed after one loop round the hole at ({at}) (index {}): use \
             separate grids beside it", index_of_halves(*halves);
 
-        /// The lines of curvature of a tube come back so much higher that closing them would be a shape of its own.
+        /// The lines of curvature of a tube are spirals: closing them would change the shape.
         SpiralLines {
             /// By how much they come back higher.
             shift: f64,
@@ -88,7 +88,7 @@ table! {
         says "the lines of curvature are spirals that come back {shift} higher or lower (edge length {edge}): \
             closing them changes the shape of the surface; close them anyway, or leave the grid open";
 
-        /// No grid finds room on a surface.
+        /// No grid fits on the surface.
         NoGrid {
             /// Length of its edges.
             edge: f64,
@@ -100,7 +100,7 @@ table! {
     }
 }
 
-/// The index of a place that lines turn round, by the half turns they make.
+/// The index of an umbilic or hole, from the half turns of the lines round it.
 fn index_of_halves(halves: i32) -> String {
     let sign = if halves < 0 { "-" } else { "+" };
     let size = halves.unsigned_abs();

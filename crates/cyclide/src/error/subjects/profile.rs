@@ -1,9 +1,9 @@
-//! Why a profile was not turned about an axis, or a section not swept.
+//! Why a profile was not revolved about an axis, or a section not swept.
 
 use crate::table::table;
 
 table! {
-    /// Why a profile was not turned about an axis, or a section not swept.
+    /// Why a profile was not revolved about an axis, or a section not swept.
     ///
     /// ```
     /// use cyclide::{Error, ProfileError};
@@ -11,13 +11,13 @@ table! {
     /// assert_eq!(error.reason(), "section-meets-itself");
     /// ```
     pub enum ProfileError: Error {
-        /// A profile meets the axis that it is to turn about, other than with its ends.
+        /// A profile meets the axis of revolution other than with its ends.
         CrossesAxis {
             /// Which piece, from 0.
             piece: usize,
             /// Its distance from the axis where that was found.
             distance: f64,
-            /// Distances up to this are refused; a larger one is on another side of the axis.
+            /// Distances up to this are refused; a larger one is on the other side of the axis.
             limit: f64,
         }
         reason "crosses-axis";
@@ -25,7 +25,7 @@ table! {
         says "piece {piece} of the profile meets the axis, or lies on the other side of it from the pieces before \
             (distance {distance}): cut it there, and turn one half, or each part separately";
 
-        /// All of a profile lies along the axis that it is to turn about, and sweeps nothing.
+        /// The whole profile lies on the axis of revolution and sweeps nothing.
         OnAxis {
             /// The largest distance from the axis.
             distance: f64,
@@ -36,13 +36,13 @@ table! {
         says "the profile lies on the axis and sweeps nothing: its largest distance from the axis is {distance}, \
             must be above {limit}";
 
-        /// The meridian of a profile meets itself, and with it what it sweeps.
+        /// The meridian of a profile self-intersects, and so does the swept surface.
         MeetsItself {
             /// Which piece, from 0.
             first: usize,
-            /// The other one; the same if it comes back to itself.
+            /// The other one; the same if it intersects itself.
             second: usize,
-            /// Distance from the axis near the place.
+            /// Distance from the axis near the intersection.
             radius: f64,
             /// Height along the axis, from its given point.
             height: f64,
@@ -52,7 +52,7 @@ table! {
         says "the profile intersects itself: pieces {first} and {second} at distance {radius} from the axis, height \
             {height}; a solid needs a profile that encloses its area once";
 
-        /// A profile in a plane across its axis that sweeps a part of the plane twice.
+        /// A profile in a plane perpendicular to the axis sweeps a part of the plane twice.
         Folded {
             /// Which piece, from 0.
             piece: usize,
@@ -65,7 +65,7 @@ table! {
             to it, so the surface folds; use an axis in the plane of the profile, or a profile with heights along \
             the axis";
 
-        /// A section leaves the plane that it should be in.
+        /// A section is not in the section plane.
         SectionNotPlane {
             /// Which contour, from 0.
             contour: usize,
@@ -77,7 +77,7 @@ table! {
         reason "section-not-plane";
         says "contour {contour} of the section is up to {distance} off the section plane, limit {limit}";
 
-        /// The contours of a section meet themselves or each other, or go round no area.
+        /// The contours of a section intersect themselves or each other, or enclose no area.
         SectionMeetsItself {
             /// Which contour, from 0.
             contour: usize,

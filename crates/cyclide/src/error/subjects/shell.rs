@@ -1,10 +1,10 @@
-//! Why faces do not make a shell, or not one that files can hold.
+//! Why faces do not form a shell, or not one that files can store.
 
 use crate::error::ErrorItem;
 use crate::table::table;
 
 table! {
-    /// Why faces do not make a shell, or not one that files can hold.
+    /// Why faces do not form a shell, or not one that files can store.
     ///
     /// ```
     /// use cyclide::{Error, ShellError};
@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(error.reason(), "short-edge");
     /// ```
     pub enum ShellError: Error {
-        /// Vertices, edges and faces do not make a shell.
+        /// Vertices, edges and faces do not form a valid shell.
         NotAShell {
             /// The kind of item: vertex, edge or face.
             item: ErrorItem,
@@ -25,7 +25,7 @@ table! {
         at *index;
         says "not a valid shell: {item} {index}: {detail}";
 
-        /// An edge that other programs would take for a point.
+        /// An edge is so short that other programs would merge its ends.
         ShortEdge {
             /// Which edge, from 0, after faces were cut.
             edge: usize,

@@ -17,13 +17,13 @@ table! {
         BranchTooWide {
             /// Which branch, from 0.
             branch: usize,
-            /// How far it reaches from the axis of the main pipe, sideways.
+            /// How far it extends sideways from the axis of the main pipe.
             reach: f64,
             /// The radius of the main pipe.
             limit: f64,
-            /// What has to be left of it.
+            /// The clearance that is required.
             rest: f64,
-            /// How far its axis passes beside that of the main pipe.
+            /// Its offset: the distance of its axis from that of the main pipe.
             offset: f64,
         }
         reason "tee-branch-too-wide";
@@ -36,7 +36,7 @@ table! {
             branch: usize,
             /// Radius of the ball at the flank.
             radius: f64,
-            /// The radius at which that begins; not positive where no ball will do.
+            /// The radius from which that is so; not positive where no radius is possible.
             limit: f64,
         }
         reason "tee-blend-too-large";
@@ -47,7 +47,7 @@ table! {
             radius would be infinite at any flank radius, since the difference of the pipe radii exceeds the offset \
             by too little; use one radius for the whole blend";
 
-        /// A branch as wide as its main pipe has a blend whose radius changes.
+        /// A branch with the same radius as the main pipe has a blend of varying radius.
         LawOnEqualPipes {
             /// Which branch, from 0.
             branch: usize,
@@ -62,11 +62,11 @@ table! {
         PipeTooShort {
             /// The branch or the main pipe.
             what: ErrorItem,
-            /// Which branch it is about, from 0.
+            /// The branch of the blend, from 0.
             branch: usize,
             /// Where it ends.
             end: f64,
-            /// Where it may end first.
+            /// Where it must extend beyond.
             needed: f64,
         }
         reason "tee-pipe-too-short";
@@ -80,9 +80,9 @@ table! {
             branch: usize,
             /// Angle round the branch where that is.
             angle: f64,
-            /// Its width there as part of what it would be on a straight path: not positive.
+            /// Its width there, relative to that on a straight path: not positive.
             left: f64,
-            /// Of a wall without which it would not: its balls on the inner side are larger by that.
+            /// The wall without which it would not: the balls of the inner side are larger by that.
             wall: Option<f64>,
         }
         reason "tee-blend-folds";
@@ -93,7 +93,7 @@ table! {
             above 0); use a smaller radius there, or one that changes less",
             turn(*angle);
 
-        /// The contact of a blend with the main pipe of a tee turns back and forth.
+        /// The contact curve of a blend with the main pipe of a tee turns back.
         HoleFolds {
             /// Which branch, from 0.
             branch: usize,
@@ -104,17 +104,17 @@ table! {
         says "the blend of branch {branch} meets the main pipe in a curve that turns back at {} round the branch: \
             let the radius change less there", turn(*angle);
 
-        /// Two branches of a tee, or their blends, meet, or are beside each other along the main pipe.
+        /// Two branches of a tee, or their blends, meet, or overlap along the main pipe.
         BranchesMeet {
             /// The first branch, from 0.
             first: usize,
             /// The second.
             second: usize,
-            /// From the blend of one to that of the other; below 0 if both are beside the same part of the main pipe.
+            /// Distance between their blends; below 0 if they overlap along the main pipe.
             distance: f64,
             /// The distance that they need.
             needed: f64,
-            /// If they are, the angle round the main pipe from one to the other, below 0 if they overlap there too.
+            /// If so, the angle round the main pipe between them; below 0 if they overlap there too.
             round: f64,
         }
         reason "tee-branches-meet";
@@ -129,9 +129,9 @@ table! {
             ShortNumber(-*distance),
             ShortNumber(round.abs());
         says "branches {first} and {second} or their blends meet: their distance is {distance}, must be above \
-            {needed}";
+            {needed}; move or turn one of them";
 
-        /// Two branches of a tee, or their blends, run into each other or come too near, farther out than where they begin.
+        /// Two branches of a tee, or their blends, intersect or come too close, away from the main pipe.
         BranchesTooNear {
             /// The first branch, from 0.
             first: usize,
@@ -146,7 +146,7 @@ table! {
         says "branches {first} and {second} or their blends meet at {point}, or come closer than {needed} there: \
             shorten, turn or move one of them";
 
-        /// Two branches as wide as the main pipe of a tee are beside each other, but not opposite.
+        /// Two branches with the same radius as the main pipe of a tee are at the same position along it, but not opposite.
         EqualBranchesNotOpposite {
             /// The first branch, from 0.
             first: usize,
@@ -154,9 +154,9 @@ table! {
             second: usize,
             /// By how much they are off opposite directions, radians.
             angle: f64,
-            /// How far their places are apart along the main pipe.
+            /// The distance of their positions along the main pipe.
             along: f64,
-            /// How far they have to be to be one behind the other.
+            /// The distance at which both fit one behind the other.
             needed: f64,
         }
         reason "tee-equal-branches-not-opposite";
@@ -168,7 +168,7 @@ table! {
             but are off by {} degrees; turn one (`azimuth`, 180 degrees from the other), or move them {needed} apart \
             along the pipe (`at`)", ShortNumber(angle.to_degrees());
 
-        /// Two branches of a tee leave no free lines along the main pipe that divide it beside them.
+        /// Two branches of a tee leave no free line along the main pipe to divide it.
         NoFreeLine {
             /// The first branch, from 0.
             first: usize,
@@ -182,13 +182,13 @@ table! {
     }
 }
 
-/// A place round something, as degrees of one turn: noise below a millionth of one is none.
+/// An angle round something, in degrees of one turn, rounded to 1e-4.
 fn turn(angle: f64) -> String {
     let degrees = 1e-4 * (1e4 * angle.to_degrees()).round();
     format!("{} degrees", ShortNumber(degrees.rem_euclid(360.0)))
 }
 
-/// How narrow a branch must be for its main pipe, and what else helps.
+/// The limit for the radius of a branch, and other remedies.
 fn room_for_branch(reach: f64, limit: f64, rest: f64, offset: f64) -> String {
     if reach < limit {
         // Thinner, but by too little.

@@ -12,9 +12,9 @@ table! {
     /// assert_eq!(error.reason(), "zero-coordinate");
     /// ```
     pub enum TorusError: Error {
-        /// A torus whose tube is not thinner than the circle that its middle follows.
+        /// The radius of the tube of a torus is not below that of its center circle.
         NotARingTorus {
-            /// Radius of the middle of the tube.
+            /// Radius of the center circle of the tube.
             major: f64,
             /// Radius of the tube: must be above 0 and below the other.
             minor: f64,
@@ -32,7 +32,7 @@ table! {
         at *index;
         says "complex coordinate {index} of a point on the torus is zero, must be nonzero";
 
-        /// A point on the axis of a torus: every longitude is equally near.
+        /// A point is on the axis of a torus, where the longitude is undefined.
         PointOnAxis {
             /// Which point, from 0.
             index: usize,
@@ -46,7 +46,7 @@ table! {
         says "point {index} is on the axis of the torus, where the longitude is undefined: distance {distance}, \
             limit {limit}";
 
-        /// A point on the circle along the middle of the tube of a torus: its whole meridian is equally near.
+        /// A point is on the center circle of the tube of a torus, where the angle round the tube is undefined.
         PointOnCoreCircle {
             /// Which point, from 0.
             index: usize,
@@ -73,20 +73,20 @@ table! {
         at *index;
         says "point {index} is {distance} off the torus, limit {limit}";
 
-        /// A coordinate that can run in one direction only is asked to turn back, or to stop at an end of a step.
+        /// A coordinate that must be monotone would turn back, or stop at an end of a step.
         NotMonotone {
             /// Which of the two coordinates, from 0.
             coordinate: usize,
             /// The step over the span, radians.
             step: f64,
-            /// The slopes at its ends, by the parameter of the curve.
+            /// The derivatives at its ends, by the parameter of the curve.
             slopes: [f64; 2],
         }
         reason "not-monotone";
         says "coordinate {coordinate} would have to turn back or stop: step {step}, slopes {} and {} at its ends",
             ShortNumber(slopes[0]), ShortNumber(slopes[1]);
 
-        /// A coordinate is asked to go farther than half round within one span.
+        /// A coordinate changes by more than half a turn within one span.
         SpanTooLarge {
             /// Which of the two coordinates, from 0.
             coordinate: usize,
@@ -103,17 +103,17 @@ table! {
         NoTwoTypeSolution {
             /// Which segment, from 0.
             segment: usize,
-            /// The number whose arc cosine the middle needs; within 1, or infinite, where no solution runs in the directions given.
+            /// The cosine of the angle at the joint; within 1, or infinite, where no solution has the given directions.
             cosine: f64,
         }
         reason "no-two-type-solution";
         at *segment;
         when cosine.abs() > 1.0 && cosine.is_finite(), says "no two pieces of these types join the ends of segment \
-            {segment}: the cosine of their middle would be {cosine}, maximum 1";
+            {segment}: the angle at their joint would have the cosine {cosine}, maximum 1; move a point";
         says "no two pieces of these types join the ends of segment {segment} in the given directions: each \
             coordinate of a type must keep one direction, that of its speeds at both ends";
 
-        /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.
+        /// The numbers of turns about the axis and round the tube have a common divisor: the curve would retrace itself.
         NotCoprime {
             /// The turns.
             turns: [i32; 2],
@@ -124,28 +124,28 @@ table! {
         says "{} and {} turns have greatest common divisor {divisor}, must be 1: the curve would retrace itself, or \
             not move at all", turns[0], turns[1];
 
-        /// A seam along a curve of a torus is wider than a bend of the curve allows.
+        /// A seam along a curve on a torus is too wide for a bend of the curve.
         SeamTooWide {
             /// Which piece of the curve, from 0.
             piece: usize,
-            /// The place on it.
+            /// The point on it.
             point: [f64; 3],
             /// Width of the seam.
             width: f64,
-            /// The largest that fits everywhere.
+            /// The largest width that fits everywhere.
             limit: f64,
         }
         reason "seam-too-wide";
         says "the seam is {width} wide, maximum {limit}: it folds on the inner side of the bend of its curve at \
             {point}, in piece {piece}; use a narrower seam, or a curve that bends less along the torus";
 
-        /// Parts of a seam along a curve of a torus that are no neighbours share space.
+        /// Non-adjacent parts of a seam along a curve on a torus overlap.
         SeamMeetsItself {
             /// Which piece of the curve, from 0.
             first: usize,
-            /// The other one; the same if it comes round.
+            /// The other one; the same if it closes up.
             second: usize,
-            /// A point that both parts hold.
+            /// A point of both parts.
             point: [f64; 3],
             /// Distance of the curve from itself there.
             distance: f64,

@@ -23,7 +23,7 @@ table! {
         says "the corners of the triangle lie on one line: twice its area is {area} of its longest edge squared, \
             limit {limit}";
 
-        /// No sphere is determined by a control point on the circle through the corners of its triangle.
+        /// A control point lies on the circle through the corners of its triangle and determines no sphere.
         ControlPointOnCircumcircle {
             /// The corner whose sphere it is, from 0.
             corner: usize,
@@ -36,9 +36,9 @@ table! {
         says "control point {corner} lies on the circle through the corners: relative distance {distance}, limit \
             {limit}";
 
-        /// Spheres that cancel each other where they are blended.
+        /// The blended spheres cancel.
         OppositeSpheres {
-            /// The first two barycentric coordinates of the place.
+            /// The first two barycentric coordinates of the location.
             at: [f64; 2],
             /// Length of the blended sphere, 1 where all agree.
             length: f64,
@@ -49,11 +49,11 @@ table! {
         says "the spheres of the corners cancel near lambda = {}, {}: their blend has length {length}, limit {limit}",
             ShortNumber(at[0]), ShortNumber(at[1]);
 
-        /// A normal along the edge that shall be perpendicular to it.
+        /// A normal runs along an edge that must be perpendicular to it.
         NormalAlongEdge {
             /// The corner of the triangle, from 0.
             corner: usize,
-            /// The part of the line across the normal, relative to it.
+            /// The part of the line perpendicular to the normal, relative to its length.
             across: f64,
             /// Values up to this are refused.
             limit: f64,
@@ -62,7 +62,7 @@ table! {
         says "the normal at corner {corner} runs along an edge or a transversal line of its triangle: relative \
             perpendicular part {across}, limit {limit}";
 
-        /// The normals at the ends of an edge cancel each other between them.
+        /// The normals at the ends of an edge cancel between them.
         OppositeNormals {
             /// The corner of the triangle, from 0.
             corner: usize,

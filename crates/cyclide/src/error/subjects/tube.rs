@@ -27,7 +27,7 @@ table! {
         says "one of balls {first} and {second} contains the other: their centers are {distance} apart, their radii \
             differ by {limit}; move them apart, or use more similar radii";
 
-        /// No smooth tube goes on from a ball to its neighbours.
+        /// No smooth tube continues at a ball.
         TurnsBack {
             /// Which ball, from 0.
             ball: usize,
@@ -37,9 +37,9 @@ table! {
         says "no smooth tube continues at ball {ball}: its neighbours lie on one side, or the radii change too fast \
             for the turn; add balls in between";
 
-        /// Between two balls with positive radii that of a tube is none.
+        /// The radius of a tube falls to zero or below between two balls with positive radii.
         RadiusVanishes {
-            /// Which piece, or ball from which it goes, from 0.
+            /// Which piece, or the ball at its start, from 0.
             piece: usize,
             /// The least radius.
             radius: f64,
@@ -49,13 +49,13 @@ table! {
         says "the radius of the tube falls to {radius} between ball {piece} and the next one, though both radii are \
             positive: add a ball in between, or let the radii change less";
 
-        /// A tube is wider than the bends of its path, or the changes of its radius, allow.
+        /// A tube is too wide for the bends of its path, or for the change of its radius.
         Folds {
             /// Which piece of its spine, or which pair of balls, from 0.
             piece: usize,
             /// Where in it or in one of its arcs, 0 to 1.
             at: f64,
-            /// Its width there on the inner side of the bend as part of what it would be on a straight path: not positive.
+            /// Its width there on the inner side of the bend, relative to that on a straight path: not positive.
             left: f64,
         }
         reason "tube-folds";
@@ -69,7 +69,7 @@ table! {
             piece: usize,
             /// Change of the radius per unit of path length.
             rate: f64,
-            /// It has to be below.
+            /// The rate must be below this.
             limit: f64,
         }
         reason "radius-grows-too-fast";
@@ -77,7 +77,7 @@ table! {
         says "the radius changes by {rate} per unit of path length in piece {piece}, must be below {limit}: the \
             balls would contain each other; spread the change over more of the length";
 
-        /// A closed tube begins with another radius than it ends with.
+        /// A closed tube starts and ends with different radii.
         RadiusNotClosed {
             /// Radius at the start.
             first: f64,

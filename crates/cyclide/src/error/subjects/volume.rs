@@ -28,11 +28,11 @@ table! {
         CrossingFace {
             /// Direction of the side: 0, 1, 2 for s, t, u.
             axis: usize,
-            /// Where it is: its places in the two other directions, in order, each 0 or 1.
+            /// Where it is: its positions in the two other directions, in order, each 0 or 1.
             at: [f64; 2],
             /// Speed of the side, a length.
             speed: f64,
-            /// Speeds are above this.
+            /// Speeds must be above this.
             limit: f64,
         }
         reason "crossing-face";
@@ -53,7 +53,7 @@ table! {
         says "the volume passes through infinity near s = {}, t = {}, u = {}: its sides are nearly full circles \
             there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
-        /// Lines of a volume run backwards in a part of it, where that is asked for which must not.
+        /// Lines of a volume run backwards in a part of it, which a solid must not have.
         Folded {
             /// Where: s, t, u.
             at: [f64; 3],
