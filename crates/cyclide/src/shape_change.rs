@@ -146,13 +146,13 @@ impl ShapeChange {
 
     fn cause_and_remedy(&self) -> String {
         if self.noise {
-            return "all bending of the grid is noise, without which it is flat: smooth it or make it plane first"
+            return "all bending of the grid is noise, without which it is flat: smooth it or make it planar first"
                 .to_owned();
         }
         let Some(angle) = self.across else {
             return "mesh the surface along its curvature lines first".to_owned();
         };
-        let off = format!("the lines of the grid run {} degrees off the curvature lines", degrees(angle));
+        let off = format!("the grid lines are {} degrees off the curvature lines", degrees(angle));
         match angle {
             _ if angle > Self::ACROSS => format!("{off}: mesh the surface along its curvature lines first"),
             _ if angle > ALONG => format!("{off}: {NEARER}"),
@@ -228,17 +228,17 @@ mod tests {
     fn the_sentence_has_measure_limit_cause_and_remedy() {
         let lost = ShapeChange { thickness: Some(0.021), ..KEPT };
         let words = "2.1 % of the thickness remains (minimum 50 %), the normals turned by 1.7 degrees (rms); \
-                     the lines of the grid run 29 degrees off the curvature lines: mesh the surface along its curvature \
+                     the grid lines are 29 degrees off the curvature lines: mesh the surface along its curvature \
                      lines first";
         assert_eq!(lost.lost(), words);
         // The angle is said whatever it is, and noise has none.
         let along = ShapeChange { across: Some(0.0005), ..lost };
-        let off = "run 0.03 degrees off the curvature lines, which is close enough: ";
+        let off = "are 0.03 degrees off the curvature lines, which is close enough: ";
         assert!(along.lost().contains(&format!("{off}the border slid")), "{}", along.lost());
         let closed = ShapeChange { closed: true, ..along };
         assert!(closed.lost().contains(&format!("{off}the vertices moved until the net closed")), "{}", closed.lost());
         let nearly = ShapeChange { across: Some(0.15), ..lost };
-        assert!(nearly.lost().contains("run 8.6 degrees off the curvature lines: mesh"), "{}", nearly.lost());
+        assert!(nearly.lost().contains("are 8.6 degrees off the curvature lines: mesh"), "{}", nearly.lost());
         let flat = ShapeChange { noise: true, ..lost };
         assert!(flat.lost().contains("is noise") && !flat.lost().contains("curvature lines"), "{}", flat.lost());
     }

@@ -11,7 +11,7 @@
 pub enum InvertedCause {
     /// The block folds, or is flat.
     Fold,
-    /// Sides of the cells are as short as the rounding of their coordinates, as beside an axis.
+    /// Sides of the cells are as short as the rounding of their coordinates, for example beside an axis.
     Rounding,
     /// Straight sides are too coarse for the arcs of the block.
     TooCoarse,

@@ -1,7 +1,6 @@
-//! What a construction did that its user should know: named, with the place, the measure and the limit.
-//!
-//! There is one door to them: `warnings()` of that which was made (a fit, a spline, a mesh, a polyhedron), or of that which makes
-//! it where the result is a plain [`Body`](crate::Body) that could not keep them (a neck, a bridge, a turn). [`Warning::reason`] gives the stable
+//! Warnings about valid results, each with the location, the measured value and the limit.
+//! They come from one method: `warnings()` of the result (a fit, a spline, a mesh, a polyhedron), or of its construction where the
+//! result is a plain [`Body`](crate::Body) that cannot store them (a neck, a bridge, a revolution). [`Warning::reason`] gives the stable
 //! kebab-case name that reports and the documentation use. Every warning is an entry of the table of its subject (`subjects`).
 
 mod inverted_cause;

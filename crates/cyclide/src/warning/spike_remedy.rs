@@ -1,6 +1,6 @@
-//! What helps against a motion that gets very fast in a moment.
+//! What helps against a motion that becomes very fast suddenly.
 
-/// What helps against a motion that gets very fast in a moment.
+/// What helps against a motion that becomes very fast suddenly.
 ///
 /// ```
 /// use cyclide::{MotionWarning, MovingBody, Pose, Quat, RationalMotion, SpikeRemedy, TimedPose, Vec3, Warning};
@@ -17,11 +17,11 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpikeRemedy {
-    /// A motion of least degree has no freedom, a spline has.
+    /// A motion of lowest degree has no freedom: use a spline.
     Spline,
-    /// Times of poses do not fit the path lengths.
+    /// The times of the poses do not fit the path lengths.
     Times,
-    /// A curve has a parameter of its own, and a law goes by the path length.
+    /// The motion follows the parameter of a curve: use a law by path length.
     Law,
     /// The law weights rotation too little.
     LargerArm,

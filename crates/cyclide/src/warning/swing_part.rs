@@ -1,6 +1,6 @@
-//! What of a motion runs beyond its poses.
+//! Which part of a motion overshoots its poses.
 
-/// What of a motion runs beyond its poses and back.
+/// Which part of a motion overshoots its poses.
 ///
 /// ```
 /// use cyclide::{MotionWarning, Pose, Quat, RationalMotion, SwingPart, TimedPose, Vec3, Warning};
@@ -19,7 +19,7 @@ pub enum SwingPart {
     All,
     /// The position of its origin, while it turns.
     Place,
-    /// How it is turned, while it moves.
+    /// Its orientation, while it moves.
     Turn,
 }
 

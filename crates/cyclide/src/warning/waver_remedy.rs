@@ -1,6 +1,6 @@
-//! What helps against a curve that bends to and fro.
+//! What helps against a curve that wiggles.
 
-/// What helps against a curve that bends to and fro, by its kind.
+/// What helps against a curve that wiggles, by its kind.
 ///
 /// ```
 /// use cyclide::{CurveWarning, Warning, WaverRemedy};

@@ -1,10 +1,10 @@
-//! What should be known of a body that was turned, or laid between two curves.
+//! Warnings about bodies of revolution, bodies between two curves, and necks.
 
 use crate::shape_change::degrees;
 use crate::table::table;
 
 table! {
-    /// What should be known of a body that was turned, or laid between two curves.
+    /// Warnings about bodies of revolution, bodies between two curves, and necks.
     ///
     /// ```
     /// use cyclide::{BodyWarning, Warning};
@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(warning.reason(), "open-body");
     /// ```
     pub enum BodyWarning {
-        /// The neck of a ball that is larger than the bends of its path: it self-intersects.
+        /// The ball of a neck is larger than the bends of its path: the neck self-intersects.
         NeckFolds {
             /// Radius of the ball.
             radius: f64,
@@ -23,9 +23,9 @@ table! {
         says "the neck self-intersects on the side to which the pipe leans: the ball has radius {radius}, but its \
             path bends with radius {limit}; use a smaller ball";
 
-        /// A bridge between ellipses that cross: it self-intersects beside the places where they do.
+        /// The ellipses of a bridge cross: it self-intersects beside the crossings.
         EllipsesCross {
-            /// By how much the second ellipse is wider along x.
+            /// By how much the semi-axis of the second ellipse is larger along x.
             along_x: f64,
             /// The same along y.
             along_y: f64,
@@ -34,27 +34,27 @@ table! {
         says "the ellipses cross: the semi-axes of the second are larger by {along_x} along x and by {along_y} along \
             y, and the bridge self-intersects beside the crossings; put one ellipse inside the other";
 
-        /// The ends of a profile were near the axis that it turns about, and were moved onto it.
+        /// The ends of a profile were near the axis of revolution, and were snapped to it.
         MovedToAxis {
-            /// The farthest of them.
+            /// The largest distance of them.
             distance: f64,
-            /// Ends up to this far are moved.
+            /// Ends up to this distance are snapped.
             limit: f64,
         }
         reason "moved-to-axis";
         says "the ends of the profile, up to {distance} off the axis, were snapped to it (tolerance {limit}); write \
             more digits, or start farther out for a bore";
 
-        /// A part of a turn of a profile that goes round an area, but has no end faces.
+        /// A partial revolution of a profile that encloses an area has no end faces.
         OpenPart {
             /// The angle of the turn, radians.
             angle: f64,
         }
         reason "open-body";
-        says "the body is open at both ends of its turn by {} degrees: end faces need contours in one plane with the \
-            axis that intersect neither themselves nor each other; a whole turn is a solid", degrees(*angle);
+        says "the body is open at both ends of its turn by {} degrees: end faces need contours in a plane through the \
+            axis that intersect neither themselves nor each other; a full turn is a solid", degrees(*angle);
 
-        /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
+        /// A full turn of a profile that encloses no area: the surface is open where its ends are off the axis.
         OpenProfile {
             /// Distance of its start from the axis.
             start: f64,
@@ -78,13 +78,13 @@ table! {
         says "the closed profile touches the axis at height {height}, where the solid meets itself in a single point \
             and many programs reject it; keep the profile off the axis, or run it along the axis";
 
-        /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
+        /// A profile lies in a plane perpendicular to the axis of revolution: the swept surface is a part of that plane.
         FlatRevolution
         reason "flat-revolution";
         says "the profile lies in a plane perpendicular to the axis, so the surface is flat; for a body give it \
             heights along the axis (points [r, 0, z] for the axis z), or use an axis in its plane";
 
-        /// A surface between two curves bends sharply where pieces of the curves join smoothly.
+        /// A surface between two curves has kinks where pieces of the curves join smoothly.
         KinksAtJoints {
             /// Joints at which its normals differ by more than the limit.
             count: usize,
@@ -101,9 +101,9 @@ table! {
             joint {joint} (limit {}): the speeds of the two curves jump there by different factors; use curves with \
             pieces of similar lengths on both sides, or of one piece", degrees(*angle), degrees(*limit);
 
-        /// Arcs between two curves that start nearly against their chords, so that they are nearly full circles of many chords' radius.
+        /// Arcs between two curves start nearly opposite to their chords, so they are nearly full circles with radii of many chords.
         NearlyFullArcs {
-            /// The piece of the curves where that is so most, from 0.
+            /// The piece of the curves with the smallest such angle, from 0.
             piece: usize,
             /// The angle between the tangent and the direction back along the chord there, radians.
             angle: f64,

@@ -1,10 +1,10 @@
-//! What should be known of a grid that was made circular.
+//! Warnings about grids that were made circular.
 
 use crate::shape_change::{ShapeChange, degrees};
 use crate::table::table;
 
 table! {
-    /// What should be known of a grid that was made circular.
+    /// Warnings about grids that were made circular.
     ///
     /// ```
     /// use cyclide::{CircularWarning, Warning};
@@ -12,7 +12,7 @@ table! {
     /// assert_eq!(warning.reason(), "across-curvature-lines");
     /// ```
     pub enum CircularWarning {
-        /// The lines of a grid to be made circular run across the curvature lines of its surface.
+        /// The lines of a grid to be made circular do not follow the curvature lines of its surface.
         AcrossCurvatureLines {
             /// Mean angle to the curvature lines, weighted by the difference of the principal curvatures, radians.
             angle: f64,
@@ -57,15 +57,15 @@ table! {
         at *vertex;
         says "vertex {vertex} is {distance} off the input surface (limit {limit})";
 
-        /// Grid lines turn to and fro from vertex to vertex: a noisy or too coarse grid, better smoothed first.
+        /// Grid lines zigzag from vertex to vertex: the grid is noisy or too coarse.
         Zigzag {
-            /// How neighbouring turns agree: 1 for smooth lines, -2/3 for independent errors of the vertices.
+            /// Correlation of neighbouring turns: 1 for smooth lines, -2/3 for independent errors of the vertices.
             agreement: f64,
             /// Mean turn at a vertex, radians.
             turn: f64,
         }
         reason "zigzag";
-        says "the grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {:.2}; smooth or refine \
-            the grid first", turn.to_degrees(), *agreement;
+        says "the grid lines zigzag: they turn by {:.1} degrees at a vertex on average, and neighbouring turns \
+            correlate by {:.2} (smooth lines: 1); smooth or refine the grid first", turn.to_degrees(), *agreement;
     }
 }

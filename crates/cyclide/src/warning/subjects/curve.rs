@@ -1,4 +1,4 @@
-//! What should be known of a curve through points.
+//! Warnings about curves through points.
 
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
@@ -6,7 +6,7 @@ use crate::table::table;
 use crate::warning::WaverRemedy;
 
 table! {
-    /// What should be known of a curve through points.
+    /// Warnings about curves through points.
     ///
     /// ```
     /// use cyclide::{CurveWarning, Warning};
@@ -14,7 +14,7 @@ table! {
     /// assert_eq!(warning.reason(), "cusp");
     /// ```
     pub enum CurveWarning {
-        /// The curve turns back on itself at a node: one-sided tangents, the joint is only connected (G0).
+        /// The curve turns back on itself at a node: its tangents are one-sided, and the joint is only continuous (G0).
         Cusp {
             /// Index of the point.
             node: usize,
@@ -25,7 +25,7 @@ table! {
 
         /// The velocity of a curve vanishes within a piece or at a joint, and its direction jumps there.
         CuspInside {
-            /// How many such places there are.
+            /// How many such locations there are.
             count: usize,
             /// The parameter of the first, from 0 to 1.
             t: f64,
@@ -54,13 +54,13 @@ table! {
             angle.to_degrees(),
             limit.to_degrees();
 
-        /// A turn close to half a turn, where a smooth curve would swing out: cut, both sides end there (G0).
+        /// A turn close to half a turn, where a smooth curve would swing out: the point became a corner (G0).
         SharpTurnCut {
             /// Index of the point.
             node: usize,
             /// Turn at the point, radians.
             angle: f64,
-            /// Turns above this are cut, radians.
+            /// Turns above this become corners, radians.
             limit: f64,
         }
         reason "sharp-turn-cut";
@@ -68,8 +68,8 @@ table! {
         says "point {node}: the points turn back by {:.2} degrees (limit {:.0}): a smooth curve would swing out, so \
             the point became a corner", angle.to_degrees(), limit.to_degrees();
 
-        /// Segments of a fair spline that are less fair than asked for, because the fairest curve does not exist or swings out
-        /// far there; its curvature is continuous all the same.
+        /// Segments of a fair spline are less fair than requested, because the fairest curve does not exist or swings out
+        /// far there; its curvature is continuous nevertheless.
         Relaxed {
             /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbours alone.
             segments: Vec<(usize, f64)>,
@@ -96,11 +96,11 @@ table! {
         at *segment;
         says "segment {segment}: its circles run in opposite directions, so small changes move the curve a lot";
 
-        /// A curve through a point hardly reaches it: it runs there and back in a needle of the parameter.
+        /// A curve reaches a point only in a spike: it runs there and back within a short interval of the parameter.
         SpikeNearPoint {
             /// Index of the point.
             point: usize,
-            /// Width of the needle in parts of the parameter's range.
+            /// Width of the spike, as a fraction of the parameter's range.
             width: f64,
             /// Widths below this are reported.
             limit: f64,
@@ -110,9 +110,9 @@ table! {
         says "the curve reaches point {point} only in a spike, over {width} of its parameter: the other points lie \
             nearly on a curve that misses it; change the parameters or use a Moebius spline";
 
-        /// A curve through points runs far away from them in between.
+        /// A curve runs far away from its points in between.
         LargeExcursion {
-            /// Its largest distance from the middle of the points, in sizes of theirs.
+            /// Its largest distance from the center of the points, relative to their size.
             reach: f64,
             /// The parameter there.
             t: f64,
@@ -120,24 +120,24 @@ table! {
             limit: f64,
         }
         reason "large-excursion";
-        says "near parameter {t} the curve is {reach} times as far from the middle of its points as they are (limit \
+        says "near parameter {t} the curve is {reach} times as far from the center of its points as they are (limit \
             {limit}); change the parameters or use a Moebius spline";
 
-        /// A curve through points turns right back between two of them: they are nearly on a curve of lower degree, along which it
-        /// runs to and fro.
+        /// A curve turns back between two of its points: they lie nearly on a curve of lower degree, along which it runs back
+        /// and forth.
         TurnsBack {
-            /// The parameter of the first place, from 0 to 1.
+            /// The parameter of the first location, from 0 to 1.
             t: f64,
-            /// How many such places there are.
+            /// How many such locations there are.
             count: usize,
-            /// How long the curve is on which it turns, at most, in spacings of the points.
+            /// Length of the curve on which it turns, at most, in spacings of the points.
             within: f64,
             /// Lengths up to this are reported.
             limit: f64,
         }
         reason "turns-back";
         says "at {count} location(s), the first near parameter {t}, the curve turns back within {limit} of the \
-            spacing of the points: they lie nearly on a curve of lower degree, along which it runs to and fro; \
+            spacing of the points: they lie nearly on a curve of lower degree, along which it runs back and forth; \
             change the parameters or use a Moebius spline";
 
         /// A curve changes between left and right far more often than its data.
@@ -146,7 +146,7 @@ table! {
             curve: usize,
             /// Changes of the polygon through its nodes.
             data: usize,
-            /// Those and three for each end of a straight run: what the data account for.
+            /// Those and three for each end of a straight run: the changes that the data explain.
             explained: usize,
             /// What helps.
             remedy: WaverRemedy,
@@ -160,7 +160,7 @@ table! {
         says "the curve changes {} between left and right, its points {}, so it wiggles between them (the comb of a \
             picture shows where); {}", times(*curve), times(*data), remedy.advice();
 
-        /// The data themselves change between left and right as noise does, and a curve through all of them must.
+        /// The points change between left and right like noise, and so must a curve through all of them.
         DataWaver {
             /// Changes of the polygon through the nodes.
             changes: usize,
@@ -171,7 +171,7 @@ table! {
         says "the points change {changes} times between left and right at {nodes} nodes, like noise, and the curve \
             passes through all of them; a fit within a tolerance is smoother";
 
-        /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
+        /// The points turn sharply between straight runs, and the curve rounds a corner that was not marked.
         CornerNotMarked {
             /// Index of the first of these points.
             node: usize,
@@ -179,7 +179,7 @@ table! {
             count: usize,
             /// The largest turn, radians.
             angle: f64,
-            /// How far the curve leaves the edges beside them.
+            /// How far the curve is from the edges beside them.
             distance: f64,
         }
         reason "corner-not-marked";
@@ -188,7 +188,7 @@ table! {
             curve rounds them and leaves the runs by up to {distance}; if corners are intended, mark them (a corner \
             angle)", angle.to_degrees();
 
-        /// Ends were asked for, but a closed curve has none.
+        /// Settings for ends were given, but a closed curve has none.
         EndsWithoutEffect
         reason "no-effect";
         says "a closed curve has no ends: the settings for its ends have no effect";

@@ -1,10 +1,10 @@
-//! What should be known of a curve that was fitted to points.
+//! Warnings about curves that were fitted to points.
 
 use crate::table::table;
 use crate::warning::{NoiseWarning, Warning};
 
 table! {
-    /// What should be known of a curve that was fitted to points.
+    /// Warnings about curves that were fitted to points.
     ///
     /// ```
     /// use cyclide::{FitWarning, Warning};
@@ -28,7 +28,7 @@ table! {
         when *count == 1, says "point {vertex}: corner of {:.1} degrees kept", most.to_degrees();
         says "{count} corners of {} degrees kept, the first at point {vertex}", turns_from(*least, *most);
 
-        /// The samples are too far apart for the tolerance if the edges themselves are meant.
+        /// The samples are too far apart for the tolerance, unless the edges themselves are the shape.
         SamplesTooCoarse {
             /// Median sagitta of the edges.
             sagitta: f64,
@@ -39,7 +39,7 @@ table! {
         says "the median sagitta of the edges is {sagitta}, the limit for an arc over two edges is {limit}: if the \
             points are samples of a smooth curve, use the target `points`";
 
-        /// Arcs of a fit are much tighter than any circle of the data near them: a corner may be hidden in them.
+        /// Arcs of a fit are much tighter than any circle of the data near them: they may hide a corner.
         TightArc {
             /// The piece that is tightest against its data, from 0.
             piece: usize,
@@ -59,11 +59,11 @@ table! {
         says "{count} arc(s) are much tighter than the data, the tightest is piece {piece} at point {vertex}: radius \
             {radius}, the tightest circle of the data there has {data} (limit {limit})";
 
-        /// A fit turns more than its data do within the tolerance: it swings to and fro between the points.
+        /// A fit turns more than its data do within the tolerance: it oscillates between the points.
         TurnsMoreThanData {
             /// Total turning of the fit, radians.
             turning: f64,
-            /// What the data turn within the tolerance at most, radians.
+            /// The most that the data turn within the tolerance, radians.
             limit: f64,
         }
         reason "turns-more-than-data";
@@ -81,20 +81,20 @@ table! {
         says "{nodes} nodes for {points} points: the points are too few, or the tolerance too small, for fewer \
             nodes; corners take few nodes only if they are marked (a corner angle)";
 
-        /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
+        /// A tolerance is large compared with the size of the points: a smaller one gave a better curve.
         WideTolerance {
             /// The tolerance asked for.
             tolerance: f64,
-            /// What the curve keeps to: the tolerance itself for an arc fit.
+            /// The tolerance that the curve keeps: the given one for an arc fit.
             used: f64,
         }
         reason "wide-tolerance";
-        when *used >= *tolerance, says "the tolerance {tolerance} is large against the figure: bends and corners \
-            smaller than it may be lost";
-        says "the tolerance {tolerance} is large against the figure: the curve stays within {used}, where it is \
-            fairer or swings out less";
+        when *used >= *tolerance, says "the tolerance {tolerance} is large compared with the size of the points: \
+            bends and corners smaller than it may be lost";
+        says "the tolerance {tolerance} is large compared with the size of the points: the curve stays within {used}, \
+            where it is fairer or swings out less";
 
-        /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
+        /// The tolerance is so large that bends or loops are lost: the curve is less than 0.8 times as long as its points indicate.
         ShapeSmoothedAway {
             /// Length of the curve.
             curve: f64,
@@ -105,11 +105,11 @@ table! {
         says "the curve is {curve} long, but its points indicate {data}: bends or loops smaller than the tolerance \
             are lost";
 
-        /// A fair fit has more nodes than were asked for, or fewer.
+        /// A fair fit has more or fewer nodes than requested.
         NodesNotReached {
-            /// Nodes of each smooth piece that were asked for.
+            /// Requested nodes of each smooth piece.
             asked: usize,
-            /// Nodes of the piece that is farthest from it.
+            /// Nodes of the piece that differs most.
             reached: usize,
             /// What decided: `tolerance`, `budget`, `max-fits`, `fewest` (no curve has fewer) or `first-fit` (the tolerance
             /// was reached with fewer).
@@ -118,14 +118,14 @@ table! {
         reason "nodes-not-reached";
         says "{asked} nodes were requested, the curve has {reached}: {}", what_decided(&why);
 
-        /// A fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+        /// A fit swung out between its points, far from their polyline, as at a corner that is not marked.
         SwingsOut {
             /// How far the curve was from the polyline.
             distance: f64,
-            /// What samples of a smooth curve explain (see `FairFit::new`; of arcs twice the tolerance and the largest sagitta): larger
-            /// distances are reported.
+            /// The distance that samples of a smooth curve explain (see `FairFit::new`; for arcs twice the tolerance and the largest
+            /// sagitta): larger ones are reported.
             limit: f64,
-            /// It was fitted again with places on the edges, and does not swing out any more.
+            /// It was fitted again with locations on the edges, and does not swing out any more.
             held: bool,
             /// It is an arc fit, which can take the edges as they are.
             has_target: bool,
@@ -144,7 +144,7 @@ table! {
                     "if the points have corners, give a corner angle"
                 };
 
-        /// Edges between measured points are far longer than those round them: straight sides of an outline, or gaps in a curve.
+        /// Edges between measured points are far longer than those near them: straight sides of an outline, or gaps in a curve.
         LongEdges {
             /// The point from which the first of them runs.
             point: usize,
@@ -155,8 +155,12 @@ table! {
         }
         reason "long-edges";
         at *point;
-        says "{count} {} far longer than the edges near {}: {}; if that is wrong, measure points there",
-            if *count == 1 { "edge from here is" } else { "edges, the first from here, are" },
+        says "{} far longer than the edges near {}: {}; if that is wrong, measure points there",
+            if *count == 1 {
+                format!("the edge after point {point} is")
+            } else {
+                format!("{count} edges, the first after point {point}, are")
+            },
             if *count == 1 { "it" } else { "them" },
             match (*held, *count) {
                 (true, 1) => "treated as a straight side, which the curve follows",
@@ -165,7 +169,7 @@ table! {
                 (false, _) => "treated as gaps, where the curve is free",
             };
 
-        /// Points that turn by a lot were read as samples of a smooth curve, though they may be corners as well.
+        /// Points with large turns were read as samples of a smooth curve, but may be corners.
         ReadAsCurve {
             /// How many there are.
             count: usize,

@@ -1,9 +1,9 @@
-//! What should be known of a smooth surface over triangles.
+//! Warnings about smooth surfaces over triangles.
 
 use crate::table::table;
 
 table! {
-    /// What should be known of a smooth surface over triangles.
+    /// Warnings about smooth surfaces over triangles.
     ///
     /// ```
     /// use cyclide::{MeshWarning, Warning};
@@ -11,8 +11,7 @@ table! {
     /// assert_eq!(warning.reason(), "spheres-nearly-opposite");
     /// ```
     pub enum MeshWarning {
-        /// Edges of a mesh at which the smooth surface runs backwards: faces are too thin or too long for their normals, or the
-        /// points noisy.
+        /// The smooth surface folds back at edges of a mesh: faces are too thin or too long for their normals, or the points noisy.
         FoldsBack {
             /// Ends of the edge at which it turns most.
             vertices: [usize; 2],
@@ -29,7 +28,7 @@ table! {
             {triangle}: its normal turns by {:.0} degrees there; use `crease_angle` to keep edges, or a finer or \
             smoother mesh", vertices[0], vertices[1], angle.to_degrees();
 
-        /// Sharp edges of a mesh that became smooth, since no angle of creases was given.
+        /// Sharp edges of a mesh became smooth, since no crease angle was given.
         SharpEdgesSmoothed {
             /// Ends of the sharpest.
             vertices: [usize; 2],
@@ -48,7 +47,7 @@ table! {
             vertices[0],
             vertices[1];
 
-        /// Border edges of a mesh that lie on each other without being joined.
+        /// Border edges of a mesh coincide without being joined.
         LooseBorders {
             /// Ends of the first one.
             vertices: [usize; 2],
@@ -64,7 +63,7 @@ table! {
             {}: weld points that should be one, or cut an edge where a vertex of its neighbour lies inside it",
             vertices[0], vertices[1];
 
-        /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
+        /// Normals of a mesh point to the back of a face at their vertex: the smooth surface folds over there.
         NormalFacesBackward {
             /// The first triangle with such a corner, from 0.
             triangle: usize,
@@ -78,8 +77,8 @@ table! {
         says "{count} normal(s) point to the back of an adjacent triangle, the first at vertex {vertex} in triangle \
             {triangle}, so the surface folds over; reverse the normals or the triangles, or refine the mesh";
 
-        /// Spheres at the corners of a triangle nearly oppose each other: between them the patch swings round within a small part
-        /// of the triangle.
+        /// Spheres at the corners of a triangle are nearly opposite: between them the patch swings round within a small part of
+        /// the triangle.
         SpheresNearlyOpposite {
             /// Length of the blended sphere there, 1 where all agree.
             length: f64,

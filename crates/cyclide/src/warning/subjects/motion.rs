@@ -1,11 +1,11 @@
-//! What should be known of a motion through poses, and of its time law.
+//! Warnings about motions through poses and their time laws.
 
 use crate::shape_change::degrees;
 use crate::table::table;
 use crate::warning::{SpikeRemedy, SwingPart};
 
 table! {
-    /// What should be known of a motion through poses, and of its time law.
+    /// Warnings about motions through poses and their time laws.
     ///
     /// ```
     /// use cyclide::{MotionWarning, Warning};
@@ -13,15 +13,15 @@ table! {
     /// assert_eq!(warning.reason(), "rests-passed-over");
     /// ```
     pub enum MotionWarning {
-        /// The motion gets very fast within a span: a body on a motion of least degree runs near infinity there, or turns over in a moment.
+        /// The motion becomes very fast within a span: a body on a motion of lowest degree passes near infinity there, or turns over suddenly.
         SpeedSpike {
             /// The span, from 0.
             span: usize,
             /// The time from the start of the motion.
             time: f64,
-            /// How many times as fast as on average over the span.
+            /// The speed there, relative to the average over the span.
             ratio: f64,
-            /// True of the angular speed, false of the speed of the tool.
+            /// True for the angular speed, false for the speed of the tool.
             turning: bool,
             /// Ratios above this are reported.
             limit: f64,
@@ -33,7 +33,7 @@ table! {
         says "span {span}: {time} seconds from the start of the motion the body {} {ratio} times as fast as on \
             average over the span; {}", if *turning { "rotates" } else { "moves" }, remedy.advice();
 
-        /// Under a law by path length a body turns in a span with a short path, which takes little time.
+        /// Under a law by path length a body rotates in a span with a short path, which takes little time.
         TurnsNearlyInPlace {
             /// The span, from 0.
             span: usize,
@@ -53,7 +53,7 @@ table! {
             there; give an `arm`, the characteristic length that weights rotation against translation, or a larger \
             one", degrees(*turn);
 
-        /// Under a law by path length a body does not rest between poses that are the same.
+        /// Under a law by path length a body does not rest between equal poses.
         RestsPassedOver {
             /// The first such span, from 0.
             span: usize,
@@ -72,7 +72,7 @@ table! {
             span: usize,
             /// When, from the start of the motion.
             time: f64,
-            /// How many such places there are.
+            /// How many such locations there are.
             count: usize,
             /// By how much the velocity of the tool jumps there.
             velocity_jump: f64,
@@ -83,17 +83,17 @@ table! {
             motion, on span {span}: a law by path length keeps the speed, so the velocity jumps by {velocity_jump}; \
             use times of the poses that fit the path lengths (`as-given`), or change the poses";
 
-        /// A spline motion starts or ends a span much faster than it goes there on average: it runs beyond the poses and back in between.
+        /// A spline motion starts or ends a span much faster than it moves there on average: it overshoots the poses.
         Swings {
-            /// The span where it is most so, from 0.
+            /// The span with the largest ratio, from 0.
             span: usize,
-            /// How many spans there are of which that is true.
+            /// How many such spans there are.
             count: usize,
-            /// How many times as fast; infinite where the poses are one.
+            /// How many times as fast; infinite where the two poses are equal.
             ratio: f64,
-            /// Of which part that is true.
+            /// Which part of the motion overshoots.
             part: SwingPart,
-            /// How far it runs beyond the poses there: a length, or radians of a turn.
+            /// How far it overshoots the poses there: a length, or radians.
             beyond: f64,
             /// Ratios above this are reported.
             limit: f64,
@@ -110,16 +110,16 @@ table! {
             part.words(),
             part.unit();
 
-        /// Turns carry the origin of a spline motion away from the straight lines between its poses, as on an arc about the axis of
-        /// a turn, by more than its places do by themselves.
+        /// Rotation carries the origin of a spline motion away from the straight lines between its poses, as on an arc about the
+        /// axis of rotation, by more than its positions alone do.
         LeavesChords {
             /// The span where it gets farthest away, from 0.
             span: usize,
-            /// How many spans there are of which that is true.
+            /// How many such spans there are.
             count: usize,
             /// How far from the straight line.
             distance: f64,
-            /// How long that is.
+            /// Length of that line.
             chord: f64,
             /// Parts of the longest chord beside a span above this are reported.
             limit: f64,
@@ -130,16 +130,15 @@ table! {
             span(s), most from pose {span} to the next, by {distance} over a distance of {chord}: use the kind \
             `linear`, which goes straight from pose to pose, or add poses in between";
 
-        /// Blends at the poses of a motion are shorter than the radius that was asked for: they take half of the path to the next
-        /// pose at most.
+        /// Blends at the poses of a motion are shorter than the given radius: they take at most half of the path to the next pose.
         BlendsShortened {
             /// The pose where the blend is the shortest, from 0.
             pose: usize,
-            /// How many poses there are of which that is true.
+            /// How many such poses there are.
             count: usize,
             /// The radius there.
             radius: f64,
-            /// The radius that was asked for.
+            /// The given radius.
             asked: f64,
         }
         reason "blends-shortened";
@@ -148,13 +147,13 @@ table! {
             of the path to the next pose: radius {radius} at pose {pose}; give a smaller radius, or move the poses \
             apart";
 
-        /// A pose is turned by half a turn against the one before, for which both directions are equally short.
+        /// A pose differs from the previous one by half a turn, for which both directions are equally short.
         HalfTurn {
             /// The first such pose, from 0.
             pose: usize,
             /// How many there are.
             count: usize,
-            /// How much is missing to half a turn there, radians.
+            /// The difference from half a turn there, radians.
             off: f64,
             /// Angles up to this are reported.
             limit: f64,
@@ -165,10 +164,10 @@ table! {
             rounding: both directions are equally short, and the sign or the last digit of the input decides; add a \
             pose in between";
 
-        /// Poses that are planar, spherical, translated or of one motion of degree 2 except for the rounding of their digits were
-        /// taken for that.
+        /// Poses that are planar, spherical, translated or on one motion of degree 2, except for the rounding of their digits,
+        /// were treated as such.
         PosesRounded {
-            /// What they are off, in their size.
+            /// Their deviation, relative to their size.
             off: f64,
             /// Study forms up to this are taken for rounding.
             limit: f64,

@@ -1,11 +1,11 @@
-//! What should be known of a net of patches, an offset of it, or a surface that was swept.
+//! Warnings about nets of patches, their offsets, and swept surfaces.
 
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of a net of patches, an offset of it, or a surface that was swept.
+    /// Warnings about nets of patches, their offsets, and swept surfaces.
     ///
     /// ```
     /// use cyclide::{NetWarning, Warning};
@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(warning.reason(), "swept-surface-folds");
     /// ```
     pub enum NetWarning {
-        /// Opposite borders of an open net nearly coincide, as where a tube was cut open.
+        /// Opposite borders of an open net nearly coincide, as on a tube that was cut open.
         OpenSeam {
             /// What the borders are: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
             border: &'static str,
@@ -43,7 +43,7 @@ table! {
             the surface has radii of curvature down to {} on that side, and its lines run backwards beyond them; use \
             a smaller distance", ShortNumber(rounded_down(*radius));
 
-        /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
+        /// The frame of a net does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
         Folded {
             /// Patches inside which a parameter line shrinks to a point.
             singular: usize,
@@ -56,15 +56,15 @@ table! {
         }
         reason "folded-net";
         at *first;
-        says "{}: the frame does not suit the grid", folds(*singular, *first, *creases, *angle);
+        says "{}: the frame does not suit the grid; use another frame", folds(*singular, *first, *creases, *angle);
 
-        /// A swept surface whose curve comes to move along itself: the surface turns back there, with an edge where it does.
+        /// The curve of a swept surface moves along itself: the surface folds back there, with an edge at the fold.
         SweptSurfaceFolds {
-            /// Faces in which it does, or at whose border to the one before.
+            /// Faces in which it folds, or at whose border to the previous face.
             count: usize,
             /// The first of them.
             face: usize,
-            /// How many of them do at their border only.
+            /// How many of them fold only at their border.
             borders: usize,
         }
         reason "swept-surface-folds";

@@ -1,10 +1,10 @@
-//! What should be known of the noise of points that a curve was fitted to.
+//! Warnings about the noise of points to which a curve was fitted.
 
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of the noise of points that a curve was fitted to.
+    /// Warnings about the noise of points to which a curve was fitted.
     ///
     /// ```
     /// use cyclide::{NoiseWarning, Warning};
@@ -23,7 +23,7 @@ table! {
             points are too far apart for it", *fraction * 100.0;
 
         /// A smooth curve within the tolerance needs nearly as many nodes as there are points, which change between left and right
-        /// as noise does.
+        /// like noise.
         NoisyNodes {
             /// Nodes of the curve.
             nodes: usize,
@@ -36,8 +36,8 @@ table! {
         says "{nodes} nodes for {points} points, which change {changes} times between left and right, like noise: \
             the tolerance is below their noise";
 
-        /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
-        /// measured from.
+        /// The fairest curve lies along the bounds of the tolerance: for noisy data a curve closer to them is closer to the
+        /// measured shape.
         LeansOnWalls {
             /// Root mean square of the distances of the points from the curve.
             rms: f64,
@@ -51,7 +51,7 @@ table! {
         says "the curve lies along the bounds of the tolerance, as the fairest one does: the root mean square of the \
             distances is {rms} (limit {limit}); {}", nearer_to_points(*scatter, *limit);
 
-        /// A curve within a tolerance leaves out more of its points than their noise.
+        /// A curve within a tolerance removes more than the noise of its points.
         BeyondNoise {
             /// Root mean square of the distances of the points from the curve.
             rms: f64,
@@ -63,7 +63,7 @@ table! {
             the points has a standard deviation of about {noise}, so the curve may be farther from the measured \
             shape than the points are; use a strength that follows the noise";
 
-        /// The noise that was given is not that of the points.
+        /// The given noise is not that of the points.
         Contradicted {
             /// The standard deviation that was given.
             given: f64,
@@ -77,22 +77,22 @@ table! {
         says "the noise is given as {given}, but the points scatter by {found}: the curve may omit bends that they \
             show";
 
-        /// Few points were taken for noisy ones, though they may be corners as well.
+        /// Few points were read as noisy ones, but may be corners.
         FewPoints {
             /// How many there are.
             points: usize,
-            /// The standard deviation of the noise that was read.
+            /// The estimated standard deviation of the noise.
             noise: f64,
-            /// How far apart neighbours usually are.
+            /// The typical distance of neighbours.
             apart: f64,
         }
         reason "few-for-noise";
         says "{points} points, typically {apart} apart, are read as measured with a noise of {noise}; so few may \
             also be the corners of an outline: if they are, give a tolerance or a corner angle";
 
-        /// Where the smoothed curve bends sharply points are off it by more than their noise: corners may be gone.
+        /// Where the smoothed curve bends sharply, points are off it by more than their noise: corners may be rounded off.
         CornersRounded {
-            /// The point that is off by most.
+            /// The point with the largest distance.
             point: usize,
             /// How far.
             distance: f64,
@@ -107,9 +107,9 @@ table! {
             noise (standard deviation {noise}), point {point} by {distance}; mark the corners (a corner angle), or use \
             denser points";
 
-        /// The feet of some points step back along the curve: distances are bounded one way only.
+        /// The closest locations of some points step back along the curve: distances are bounded in one direction only.
         FeetNotMonotone {
-            /// The first point whose foot is before that of its predecessor.
+            /// The first point whose closest location is before that of its predecessor.
             point: usize,
             /// How many there are.
             count: usize,
@@ -120,7 +120,7 @@ table! {
             closer together than their noise, so only the distance from the curve to the polyline is bounded, not \
             that from the polyline to the curve";
 
-        /// A point does not belong to the other points: it is far from their curve.
+        /// A point is an outlier: it is far from the curve of the other points.
         Outlier {
             /// The point.
             point: usize,
@@ -128,7 +128,7 @@ table! {
             distance: f64,
             /// Standard deviation of the noise of these.
             noise: f64,
-            /// It was left out, as asked for; else it counts.
+            /// True if it was left out, as requested; otherwise it is kept.
             dropped: bool,
             /// How many there are.
             count: usize,
@@ -142,7 +142,7 @@ table! {
     }
 }
 
-/// Points that scatter by more than this part of what counts as leaning are called noisy.
+/// Points that scatter by more than this fraction of the limit are noisy.
 const SCATTER: f64 = 0.15;
 
 fn is_noisy(scatter: f64, limit: f64) -> bool {

@@ -1,11 +1,11 @@
-//! What should be known of the points that a curve was made from.
+//! Warnings about the points from which a curve was made.
 
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of the points that a curve was made from.
+    /// Warnings about the points from which a curve was made.
     ///
     /// ```
     /// use cyclide::{PointWarning, Warning};
@@ -13,13 +13,13 @@ table! {
     /// assert_eq!(warning.reason(), "closing-point-merged");
     /// ```
     pub enum PointWarning {
-        /// Chords are so short against their coordinates that these, rounded to doubles, do not determine their directions.
+        /// Chords are so short for their coordinates that the rounding to doubles changes their directions.
         RoundedDirections {
             /// The first of the segments, from 0.
             segment: usize,
             /// How many there are.
             count: usize,
-            /// How well the worst of their directions is known, radians.
+            /// The largest uncertainty of their directions, radians.
             angle: f64,
             /// Values above this are reported, radians.
             limit: f64,
@@ -47,7 +47,7 @@ table! {
             *ratio,
             *limit;
 
-        /// Points that were measured while nothing moved are one place, and count as one point.
+        /// Points that were measured at a standstill count as one point.
         StopMerged {
             /// The first of them.
             first: usize,
@@ -57,7 +57,7 @@ table! {
             count: usize,
             /// Their mean.
             at: [f64; 3],
-            /// How far the farthest is from it.
+            /// The largest distance from it.
             radius: f64,
         }
         reason "stop";
@@ -65,7 +65,7 @@ table! {
         says "points {first} to {last} are a stop: {count} points within {radius} of {},{},{} that were measured at \
             a standstill; they count as one point", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
-        /// Points closer than the limit to their neighbour were merged.
+        /// Points that coincide with their neighbour were merged.
         PointsMerged {
             /// Index of the first one dropped.
             first: usize,
@@ -90,5 +90,5 @@ table! {
     }
 }
 
-/// Neighbouring chords that differ by this factor are no uneven spacing: the shorter one joins a point to itself.
+/// From this factor on the shorter chord joins nearly coincident points.
 const NEARLY_REPEATED: f64 = 1000.0;

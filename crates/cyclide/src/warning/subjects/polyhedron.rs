@@ -1,10 +1,10 @@
-//! What should be known of a polyhedron.
+//! Warnings about polyhedra.
 
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of a polyhedron.
+    /// Warnings about polyhedra.
     ///
     /// ```
     /// use cyclide::{PolyhedronWarning, Warning};
@@ -12,30 +12,30 @@ table! {
     /// assert_eq!(warning.reason(), "flatness-raised");
     /// ```
     pub enum PolyhedronWarning {
-        /// A hull of points of which no faces in planes are as near as the default flatness: it was raised until there are some.
+        /// No faces of the hull are planar within the default flatness, so it was raised until some are.
         FlatnessRaised {
             /// The default, 1e-9 of the diameter.
             asked: f64,
-            /// What was used.
+            /// The flatness used.
             used: f64,
         }
         reason "flatness-raised";
         says "the points do not lie in planes within {asked}, 1e-9 of their diameter: {used} is used, as for rounded \
             points; give the rounding of the points as `flatness`";
 
-        /// Faces of a hull in planes within the distance asked for made no convex body, and a smaller one was taken: planes that
-        /// are nearly one meet far from the points.
+        /// Faces merged within the given flatness formed no convex body, and a smaller one was used: nearly equal planes meet far
+        /// from the points.
         FlatnessLowered {
-            /// The distance asked for.
+            /// The given flatness.
             asked: f64,
-            /// The distance taken.
+            /// The flatness used.
             used: f64,
         }
         reason "flatness-lowered";
-        says "faces in planes within {asked} form no convex body, since it is hardly thicker there; within {used} \
-            they do, and that is used";
+        says "faces merged within the flatness {asked} form no convex body, since it is hardly thicker; the flatness \
+            {used} is used instead";
 
-        /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
+        /// Faces of a polyhedron are nearly coplanar at edges, as where coordinates have few digits.
         ShallowEdges {
             /// Ends of the edge that bends least.
             ends: [usize; 2],
@@ -56,7 +56,7 @@ table! {
             ends[1],
             ShortNumber(IN_ONE_PLANE * *off);
 
-        /// Edges of a polyhedron so short that their directions are rounding: their ends are one point given twice.
+        /// Edges of a polyhedron are so short that their ends differ only by rounding.
         ShortEdges {
             /// Ends of the shortest one.
             ends: [usize; 2],
@@ -64,12 +64,12 @@ table! {
             count: usize,
             /// Length of the shortest one.
             length: f64,
-            /// Lengths up to this are reported: of a hull points that near are one.
+            /// Lengths up to this are reported; a hull merges such points.
             limit: f64,
         }
         reason "short-edges";
         says "{count} edge(s) are at most {limit} long, so that their ends differ only by rounding, the shortest \
-            between points {} and {}, of length {length}: merge their ends, or use the hull, which does",
+            between points {} and {}, of length {length}: merge their ends, or use the hull, which merges them",
             ends[0], ends[1];
     }
 }

@@ -1,10 +1,10 @@
-//! What should be known of a motion that smooths its poses.
+//! Warnings about motions that smooth their poses.
 
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of a motion that smooths its poses.
+    /// Warnings about motions that smooth their poses.
     ///
     /// ```
     /// use cyclide::{PoseFitWarning, Warning};
@@ -12,9 +12,9 @@ table! {
     /// assert_eq!(warning.reason(), "shape-smoothed-away");
     /// ```
     pub enum PoseFitWarning {
-        /// The tolerance of a smoothed motion is below the noise of its poses, so that single ones pull it to and fro.
+        /// The tolerance of a smoothed motion is below the noise of its poses, so that single poses pull it back and forth.
         PosesNoisier {
-            /// True of the turns, in radians; else of the places.
+            /// True for rotations, in radians; else for positions.
             turning: bool,
             /// Standard deviation of the noise in one direction.
             sigma: f64,
@@ -25,20 +25,21 @@ table! {
         }
         reason "tolerance-below-noise";
         says "the {0} tolerance of {tolerance}{1} is too small for the noise of the poses, whose standard deviation \
-            is about {sigma}{1} in one direction, and single poses pull the motion to and fro; give {2}{1} or more",
+            is about {sigma}{1} in one direction, and single poses pull the motion back and forth; give {2}{1} or \
+            more",
             of(*turning), unit(*turning), ShortNumber::no_less(*needed);
 
-        /// A pose of a smoothed motion does not belong to the other poses: it is far from their path.
+        /// A pose of a smoothed motion is an outlier: it is far from the path of the other poses.
         Outlier {
             /// The pose, from 0.
             pose: usize,
-            /// True if it is so in its turn, in radians; else in its place.
+            /// True for its rotation, in radians; else for its position.
             turning: bool,
-            /// How far it is off.
+            /// Its distance from that path.
             distance: f64,
             /// Standard deviation of the noise of the other poses in one direction.
             noise: f64,
-            /// It was left out, as asked for; else it counts.
+            /// True if it was left out, as requested; otherwise it is kept.
             dropped: bool,
             /// How many there are.
             count: usize,
@@ -53,9 +54,9 @@ table! {
             around it, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within \
             the tolerance", of(*turning), unit(*turning);
 
-        /// A tolerance of a smoothed motion so large that its path is gone: it is less than 0.8 times as long as the poses say.
+        /// The tolerance of a smoothed motion is so large that its path is less than 0.8 times as long as the poses indicate.
         SmoothedAway {
-            /// True of the turns, in radians; else of the places.
+            /// True for rotations, in radians; else for positions.
             turning: bool,
             /// Length of the path.
             path: f64,
@@ -66,22 +67,22 @@ table! {
         says "the path of the motion in {0} is {path}{1} long, but its poses indicate {poses}{1}: details smaller \
             than the tolerance are lost; give a smaller one", of(*turning), unit(*turning);
 
-        /// A tolerance of a smoothed motion that is wide against the path, and not for its noise.
+        /// The tolerance of a smoothed motion is large compared with the path, without noise to justify it.
         WideTolerance {
-            /// True of the turns, in radians; else of the places.
+            /// True for rotations, in radians; else for positions.
             turning: bool,
             /// The tolerance.
             tolerance: f64,
-            /// How far poses without their noise are from the first.
+            /// The extent of the poses without their noise, from the first.
             extent: f64,
         }
         reason "wide-tolerance";
-        says "the {0} tolerance of {tolerance}{1} is large against the path, which extends {extent}{1} from its \
+        says "the {0} tolerance of {tolerance}{1} is large compared with the path, which extends {extent}{1} from its \
             start: bends smaller than it may be lost", of(*turning), unit(*turning);
 
-        /// A tolerance of a smoothed motion so far above the noise that the motion is farther from the path than the poses were.
+        /// The tolerance of a smoothed motion is so far above the noise that the motion is farther from the path than the poses are.
         WiderThanNoise {
-            /// True of the turns, in radians; else of the places.
+            /// True for rotations, in radians; else for positions.
             turning: bool,
             /// The tolerance.
             tolerance: f64,

@@ -1,11 +1,11 @@
-//! What should be known of grids along the lines of curvature of a surface.
+//! Warnings about grids along the lines of curvature of a surface.
 
 use crate::shape_change::degrees;
 use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
-    /// What should be known of grids along the lines of curvature of a surface.
+    /// Warnings about grids along the lines of curvature of a surface.
     ///
     /// ```
     /// use cyclide::{PrincipalGridWarning, Warning};
@@ -13,18 +13,18 @@ table! {
     /// assert_eq!(warning.reason(), "umbilics-smoothed");
     /// ```
     pub enum PrincipalGridWarning {
-        /// Directions of curvature were smoothed further than usual to be rid of umbilics.
+        /// Directions of curvature were smoothed more than usual to remove umbilics.
         UmbilicsSmoothed {
-            /// How many are gone.
+            /// How many were removed.
             count: usize,
-            /// By how much that turned the directions in the mean, radians.
+            /// By how much that turned the directions on average, radians.
             turn: f64,
         }
         reason "umbilics-smoothed";
         says "{count} umbilic(s) were smoothed away, which turned the directions by {} degrees on average: a net \
             over the grid leaves the surface there", degrees(*turn);
 
-        /// A surface is covered by several grids, or not as far as it could be by one.
+        /// A surface is covered by several grids, or only partly by one.
         Pieces {
             /// How many.
             count: usize,
@@ -35,13 +35,13 @@ table! {
         says "{count} grid(s) beside umbilics or cuts cover {} % of the surface; they do not share borders",
             percent(*coverage);
 
-        /// Grids miss some of their surface.
+        /// Grids do not cover all of their surface.
         PartlyCovered {
             /// The part of the surface's area that they cover.
             coverage: f64,
             /// The part below which it is reported.
             limit: f64,
-            /// Whether each grid is a rectangle, and not all whole cells.
+            /// True if each grid is a rectangle, false if it consists of all complete cells.
             rectangles: bool,
             /// How many umbilics the surface has.
             umbilics: usize,
@@ -55,7 +55,7 @@ table! {
             cover more but leave the surface around them; or model the parts around the umbilics as separate patches",
             percent(*coverage), ShortNumber(100.0 * *limit);
 
-        /// One mesh of quads round umbilics goes round some of them only.
+        /// One mesh of quads round umbilics includes only some of them.
         UmbilicsLeftOut {
             /// How many are left out.
             count: usize,
@@ -66,9 +66,9 @@ table! {
         says "{count} umbilic(s) are not in the mesh, the first at {at}: the mesh ends before them, near the border \
             or where coordinates fold";
 
-        /// A mesh of quads round umbilics runs across the lines of curvature on a part of its surface.
+        /// A mesh of quads round umbilics does not follow the lines of curvature on a part of its surface.
         OffCurvatureLines {
-            /// That part of where the principal curvatures differ clearly.
+            /// That part, as a fraction of the surface where the principal curvatures differ clearly.
             part: f64,
             /// Angles above this count, radians.
             angle: f64,

@@ -1,11 +1,11 @@
-//! What should be known of a block, or of the cells in it.
+//! Warnings about blocks and their cells.
 
 use crate::short_number::ShortNumber;
 use crate::table::table;
 use crate::warning::InvertedCause;
 
 table! {
-    /// What should be known of a block, or of the cells in it.
+    /// Warnings about blocks and their cells.
     ///
     /// ```
     /// use cyclide::{VolumeWarning, Warning};
@@ -15,7 +15,7 @@ table! {
     pub enum VolumeWarning {
         /// A block folds: the parameter lines of one direction run backwards in a part of it.
         Folds {
-            /// A place in that part: s, t, u.
+            /// A location in that part: s, t, u.
             at: [f64; 3],
         }
         reason "volume-folds";
@@ -27,14 +27,14 @@ table! {
 
         /// Whether a block folds is not proved: parameter lines of one direction stop at a location, or nearly so.
         FoldUndecided {
-            /// The place: s, t, u.
+            /// The location: s, t, u.
             at: [f64; 3],
             /// How often squares of parameters about it were quartered.
             depth: u32,
         }
         reason "volume-fold-undecided";
-        says "it is undecided whether the block folds near s = {}, t = {}, u = {} after {depth} quarterings: at \
-            best, cells are flat there", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "it is undecided whether the block folds near s = {}, t = {}, u = {} after {depth} quarterings: cells \
+            are flat there, or inverted", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
         /// Cells of a grid are inverted: the hexahedra with straight sides, or those of the block itself where it folds.
         CellsInverted {
@@ -44,7 +44,7 @@ table! {
             cells: usize,
             /// The block of the first one, from 0.
             block: usize,
-            /// Its place in the block along s, t and u, from 0.
+            /// Its position in the block along s, t and u, from 0.
             at: [usize; 3],
             /// Why.
             cause: InvertedCause,
