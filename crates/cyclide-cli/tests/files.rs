@@ -292,12 +292,12 @@ fn input_of_any_size_is_refused() {
         format!(r#"{{"cyclide": 1, "objects": {{"c": {{"type": "circle", "radius": {}}}}}}}"#, &digits[..10_000_000]);
     for (name, text, command, message) in [
         ("d.json", digits.clone(), "build d.json -o o.step", "the number or word is longer than 2048 bytes"),
-        ("d.csv", digits.clone(), "curve d.csv -o o.step", "the line has 100000000 bytes, more than 65536"),
+        ("d.csv", digits.clone(), "curve d.csv -o o.step", "the line has 100000000 bytes, maximum 65536"),
         ("n.json", long_number, "build n.json -o o.step", "the number or word is longer than 2048 bytes"),
         ("s.json", long_string, "build s.json -o o.step", "the string is longer than 65536 bytes"),
         ("c.csv", format!("x,y\n{}", "1,".repeat(50_000_000)), "curve c.csv -o o.step", "the line has 100000000 bytes"),
         ("l.json", format!("{{\"cyclide\": {}", "[".repeat(100_000_000)), "build l.json -o o.step", "deeper than 64"),
-        ("b.csv", "\n".repeat(100_000_000), "curve b.csv -o o.step", "the file holds no points"),
+        ("b.csv", "\n".repeat(100_000_000), "curve b.csv -o o.step", "the file has no points"),
     ] {
         folder.write(name, &text);
         let error = folder.fails(1, command);
@@ -306,7 +306,7 @@ fn input_of_any_size_is_refused() {
     }
     // A file that is larger than any is not read at all.
     fs::File::create(folder.path("hole.csv")).unwrap().set_len(1 << 33).unwrap();
-    assert!(folder.fails(3, "curve hole.csv -o o.step").contains("it has 8589934592 bytes, more than 536870912"));
+    assert!(folder.fails(3, "curve hole.csv -o o.step").contains("it has 8589934592 bytes, maximum 536870912"));
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn a_document_reads_below_one_folder_only() {
                 assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{file}");
             } else {
                 assert_eq!(run.code, 3, "{file}");
-                let why = "it is not below the folder in, which reading is confined to";
+                let why = "it is not below the folder in, to which reading is restricted";
                 assert!(run.stderr.contains(why) && !run.stderr.contains("password"), "{}", run.stderr);
             }
         }

@@ -21,7 +21,7 @@ fn a_french_survey_has_its_length_and_lies_in_a_plane() {
     let object = &report["objects"]["survey_fr"];
     assert!((object["length"].as_f64().unwrap() - SURVEY_LENGTH).abs() < 5e-3, "{object}");
     assert!(
-        run.stderr.contains("x is `Abscisse`, y is `Ordonnée`, the points are called as `N°` says"),
+        run.stderr.contains("x is `Abscisse`, y is `Ordonnée`, the names of the points are in `N°`"),
         "{}",
         run.stderr
     );

@@ -2,7 +2,7 @@
 
 use cyclide::{Error, FitError, NoiseWarning, NumberError, PatchError, PoseFitWarning, PrincipalGridError, Warning};
 
-const PIECES: &str = "; `\"umbilics\": \"pieces\"`";
+const PIECES: &str = "; write `\"umbilics\": \"pieces\"`";
 
 /// The sentence of an error of the kernel, and what to write.
 pub(crate) fn words_of(error: &Error) -> String {
@@ -16,7 +16,9 @@ pub(crate) fn words_of(error: &Error) -> String {
         Error::Number(NumberError::AngleOutOfRange { angle, .. }) if *angle != 0.0 => {
             "; degrees are written `{\"degrees\": 90}`"
         }
-        Error::Patch(PatchError::OffsetNotRegular { limit, .. }) if *limit != 0.0 => "; `report` gives the radii",
+        Error::Patch(PatchError::OffsetNotRegular { limit, .. }) if *limit != 0.0 => {
+            "; `cyclide report` lists the radii of curvature"
+        }
         Error::PrincipalGrid(error) => of_grids(error),
         _ => "",
     };
@@ -26,10 +28,10 @@ pub(crate) fn words_of(error: &Error) -> String {
 fn of_grids(error: &PrincipalGridError) -> &'static str {
     match error {
         PrincipalGridError::UmbilicsRemain { .. } => {
-            "; `\"umbilics\": \"pieces\"`, or `\"joined\"` with `\"border\": \"inside\"` or `\"staircase\"`"
+            "; write `\"umbilics\": \"pieces\"`, or `\"joined\"` with `\"border\": \"inside\"` or `\"staircase\"`"
         }
         PrincipalGridError::UmbilicsNotJoined { .. } | PrincipalGridError::FieldNotOrientable { .. } => PIECES,
-        PrincipalGridError::SpiralLines { .. } => "; `\"closed\": true`, or `\"closed\": false`",
+        PrincipalGridError::SpiralLines { .. } => "; write `\"closed\": true` or `\"closed\": false`",
         _ => "",
     }
 }

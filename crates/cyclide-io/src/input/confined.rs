@@ -62,7 +62,8 @@ impl ReadFolder {
     /// Where a path leads to, relative to the folder.
     fn below(&self, path: &Path) -> io::Result<PathBuf> {
         let outside = || {
-            let message = format!("it is not below the folder {}, which reading is confined to", self.given.display());
+            let message =
+                format!("it is not below the folder {}, to which reading is restricted", self.given.display());
             io::Error::new(io::ErrorKind::PermissionDenied, message)
         };
         let inside = |path: &Path| path.strip_prefix(&self.path).map(Path::to_path_buf).map_err(|_| outside());

@@ -85,7 +85,7 @@ impl RegularFile {
         refuse_irregular(&found)?;
         let len = found.len();
         if len == 0 && is_made_by_the_system(&file) {
-            let message = "it is not a regular file: the system makes its content as it is read";
+            let message = "it is not a regular file: the system generates its content on reading";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }
         Ok(Self { file, len })
@@ -140,13 +140,13 @@ fn read(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_INPUT_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST_INPUT_BYTES {
-        return Err(too_large("it goes on"));
+        return Err(too_large("its content does not end"));
     }
     Ok(bytes)
 }
 
 fn too_large(what: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::FileTooLarge, format!("{what}, more than {MOST_INPUT_BYTES}"))
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("{what}, maximum {MOST_INPUT_BYTES}"))
 }
 
 #[cfg(test)]
@@ -165,7 +165,7 @@ mod tests {
         // A hole of a file: its size is looked at before it is read.
         File::options().write(true).open(&path).unwrap().set_len(MOST_INPUT_BYTES + 1).unwrap();
         let error = read_input(&path).unwrap_err().to_string();
-        assert_eq!(error, "it has 536870913 bytes, more than 536870912");
+        assert_eq!(error, "it has 536870913 bytes, maximum 536870912");
         if Path::new("/dev/zero").exists() {
             assert!(read_input(Path::new("/dev/zero")).unwrap_err().to_string().contains("not a regular file"));
         }
@@ -185,6 +185,6 @@ mod tests {
     #[test]
     fn what_has_no_end_is_given_up() {
         let error = read(io::repeat(b'7')).unwrap_err().to_string();
-        assert_eq!(error, "it goes on, more than 536870912");
+        assert_eq!(error, "its content does not end, maximum 536870912");
     }
 }

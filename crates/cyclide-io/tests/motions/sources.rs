@@ -23,8 +23,8 @@ fn tables_of_matrices_are_poses() {
             .unwrap()
     ));
     for (table, words) in [
-        (format!("x,y,z,{twelve}\n0,0,0,{}\n", rows[0]), "the positions are there twice"),
-        (format!("roll,pitch,yaw,{twelve}\n0,0,0,{}\n", rows[0]), "the rotations are there twice"),
+        (format!("x,y,z,{twelve}\n0,0,0,{}\n", rows[0]), "the positions are given twice"),
+        (format!("roll,pitch,yaw,{twelve}\n0,0,0,{}\n", rows[0]), "the rotations are given twice"),
         ("m11,m12,m13,m14,m21,m22,m23,m24,m31,m32,m34\n1,0,0,0,0,1,0,0,0,0,0\n".to_owned(), "m33"),
         (format!("{twelve}\n{}\n1,0,0,0,0,1,0,0,0,0,-1,0\n", rows[0]), "[not-a-rotation]"),
         (format!("{twelve},m44\n{},2\n", rows[0]), "[not-a-rotation]"),

@@ -41,7 +41,10 @@ impl GridCellFault {
             Self::Enclosed => format!("the grid surrounds quad {cell}, which is outside: make it an opening"),
             Self::NoPoint => format!("quad {cell} has no point at a corner"),
             Self::Closed => "a closed grid must be complete: none of its quads can be left out".to_owned(),
-            Self::Curves => "curves need the sides of a complete grid, and this border is stepped: leave it free, or pin it".to_owned(),
+            Self::Curves => {
+                "curves need the sides of a complete grid, and this border is stepped: leave it free, or pin it"
+                    .to_owned()
+            }
         }
     }
 }

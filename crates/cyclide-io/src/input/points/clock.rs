@@ -78,7 +78,7 @@ impl Clock {
                 };
                 if let Some((per_second, name)) = found {
                     self.unit = TimeUnit::PerSecond(per_second);
-                    self.note = Some(format!("the times are dates in {name}, by their figures"));
+                    self.note = Some(format!("the times are read as dates in {name}, judging by their values"));
                 }
             }
         }
@@ -99,12 +99,12 @@ impl Clock {
         let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(field.text))));
         let Some(CivilTime { kind, nanoseconds }) = CivilTime::parse(field.text) else {
             return refused(
-                "is no time: write seconds, or `10:00:00.25`, or `2026-11-28T10:00:00.25` with or without a zone (`Z`, `+01:00`), to nanoseconds",
+                "is not a time: write seconds, or `10:00:00.25`, or `2026-11-28T10:00:00.25` with or without a zone (`Z`, `+01:00`), to nanoseconds",
             );
         };
         let fresh = !self.begun && self.count == 0;
         if self.civil != Some(kind) && !fresh {
-            return refused("does not say its time as the lines before do: write all times alike");
+            return refused("has another format than the times before it: write all times in one format");
         }
         self.civil = Some(kind);
         let first = *self.first.get_or_insert(nanoseconds);
@@ -133,8 +133,7 @@ impl Clock {
         let step = (high - low) / (self.count - 1) as f64;
         (step >= if self.whole && self.count >= SOME { WHOLE_STEP } else { LONG_STEP }).then(|| {
             format!(
-                "no unit of the times is named: they are taken as seconds, {} apart on average; if they are others, name the column time_ms, time_us or \
-                 time_ns",
+                "the times have no unit and are taken as seconds, {} apart on average; for other units name the column time_ms, time_us or time_ns",
                 ShortNumber(step)
             )
         })

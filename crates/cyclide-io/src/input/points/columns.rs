@@ -55,11 +55,13 @@ impl Chosen {
             None => found(table, &sampled, &[contour, corner])?,
         };
         if coordinates.len() < 2 {
-            return Err(table.refused("two or three coordinates are needed in each line"));
+            return Err(table.refused("each line needs two or three coordinates"));
         }
         if let Some(k) = (1..coordinates.len()).find(|&k| coordinates[..k].contains(&coordinates[k])) {
             let name = table.names([coordinates[k]]);
-            return Err(table.refused(format!("the column {name} is asked for twice: each coordinate has its own")));
+            return Err(
+                table.refused(format!("the column {name} is chosen twice: each coordinate needs its own column"))
+            );
         }
         let taken: Vec<usize> = coordinates.iter().copied().chain(contour).chain(corner).collect();
         let label = label(table, &taken);
@@ -87,8 +89,7 @@ impl Chosen {
         let units = Units::ALL.map(Units::symbol).join(", ");
         (!other.is_empty()).then(|| {
             format!(
-                "the names of the columns {} speak of a unit that models do not have ({units}): it is not applied, \
-                 coordinates are taken as they are",
+                "the columns {} name a unit that models do not have ({units}): it is ignored, and the coordinates are taken as they are",
                 table.names(other)
             )
         })
@@ -106,8 +107,7 @@ impl Chosen {
             return Ok(());
         }
         let names = table.names(words.into_iter().map(|(i, _)| i));
-        let message =
-            format!("the columns {names} speak of different units: write all coordinates in one, and name it once");
+        let message = format!("the columns {names} have different units: write all coordinates in one unit");
         Err(table.header_refused(message))
     }
 }

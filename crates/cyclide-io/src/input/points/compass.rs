@@ -132,8 +132,7 @@ pub(super) fn asked_for_mirrored(table: &Table<'_>, coordinates: &[usize]) -> Op
     };
     let turned = [second, first].into_iter().chain(coordinates.get(2).copied());
     Some(format!(
-        "of {}, the first is a northing by their {why}, and the second an easting: taken as x and y, as asked for, the curve is mirrored; `--columns {}` \
-         is the map (in a document `columns`)",
+        "of {}, the first is a northing by their {why}, and the second an easting: as x and y, as requested, they mirror the curve; `--columns {}` keeps the orientation of the map (in a document `columns`)",
         table.names([first, second]),
         numbers_of(turned)
     ))

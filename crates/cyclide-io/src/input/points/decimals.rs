@@ -52,8 +52,7 @@ impl Decimals {
             && let Some(field) = first
         {
             let message = format!(
-                "`{}` is a fraction with a decimal comma or a number with a separator of thousands, and no number of the file tells which: \
-                 separate the columns by semicolons if it is a fraction, else leave the separator out",
+                "`{}` has either a decimal comma or a thousands separator, and no number of the file decides which: separate the columns by semicolons if it is a decimal comma, otherwise remove the separator",
                 quoted(field.text)
             );
             return Err(field.refused(source, message));
@@ -80,14 +79,14 @@ impl Decimals {
         let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(field.text))));
         match parsed {
             Some(_) if self.point && self.comma => {
-                refused("does not go with the numbers before: the file has decimal commas and decimal points")
+                refused("contradicts the numbers before it: the file has decimal commas and decimal points")
             }
             Some(value) if vanishes(&text, value) => refused(NEARER_TO_ZERO),
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => refused("is not a finite number"),
             None if text.is_empty() => Err(field.refused(source, "a number is missing")),
             None if text.contains(',') && text.replace([',', '.', '\''], "").parse::<f64>().is_ok() => {
-                refused("is not a number: write it without separators of thousands")
+                refused("is not a number: write it without thousands separators")
             }
             None => refused("is not a number"),
         }

@@ -129,7 +129,7 @@ pub(super) fn split<'a>(
     fields.clear();
     refuse_long(source, start, line)?;
     delimiter.split(line, start, fields).map_err(|quote| {
-        let message = "the quote has no end on this line: fields with line ends in them are not read";
+        let message = "the quote has no end on this line: fields with line breaks are not supported";
         source.diagnostic(quote..quote + 1, "", message)
     })
 }
@@ -138,7 +138,7 @@ fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<D
     if line.len() <= LONGEST_LINE {
         return Ok(());
     }
-    let message = format!("the line has {} bytes, more than {LONGEST_LINE}", line.len());
+    let message = format!("the line has {} bytes, maximum {LONGEST_LINE}", line.len());
     Err(source.diagnostic(start..start + 1, "", message))
 }
 

@@ -53,8 +53,7 @@ pub(super) fn on_the_globe(table: &Table<'_>) -> Option<[usize; 2]> {
 /// The refusal of angles on the globe, with the remedy.
 pub(super) fn refused_on_the_globe(table: &Table<'_>, globe: [usize; 2]) -> Box<Diagnostic> {
     let message = format!(
-        "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
-         `cs2cs` do it), and name the columns x_m, y_m",
+        "{} are geographic angles: project them to a plane grid first (UTM or the national one, with a GIS program or `cs2cs`), and name the columns x_m, y_m",
         table.names(globe)
     );
     table.header_refused(message)
@@ -187,24 +186,23 @@ fn of_axes(
         let [swapped, as_they_stand] = [numbers_of(swapped()), numbers_of(as_they_stand())];
         let which = match by_figures {
             Some(true) => format!(
-                "`--columns {swapped}`, since x is the northing by its figures; `--columns {as_they_stand}` if it is the easting all the same"
+                "`--columns {swapped}`, since x is the northing by its values; `--columns {as_they_stand}` if it is the easting nevertheless"
             ),
             Some(false) => format!(
-                "`--columns {as_they_stand}`, since x is the easting by its figures; `--columns {swapped}` if it is the northing all the same"
+                "`--columns {as_they_stand}`, since x is the easting by its values; `--columns {swapped}` if it is the northing nevertheless"
             ),
             None => {
                 format!("`--columns {swapped}` if x is the northing, `--columns {as_they_stand}` if it is the easting")
             }
         };
         return Err(table.header_refused(format!(
-            "y stands before x, and the coordinates are those of a map grid: in German and many other surveys x is the northing. \
-             Choose the easting first, the northing second: {which} (in a document `columns`)"
+            "y comes before x, and the coordinates are those of a map grid: in German and many other surveys x is the northing. Choose the easting first, the northing second: {which} (in a document `columns`)"
         )));
     }
     let turned = y + 1 == x && !is_plain && z.is_none_or(|z| z > x);
     if turned {
         let remark = format!(
-            "{}; y stands before x: if x is the northing, as in Gauss-Krüger coordinates, the curve is mirrored, and `--columns {}` is right",
+            "{}; y comes before x: if x is the northing, as in Gauss-Krüger coordinates, the curve is mirrored, and `--columns {}` is right",
             taken_columns(table, all),
             numbers_of(swapped())
         );
@@ -232,8 +230,7 @@ fn in_order(
             let names = table.names([all[0], all[1]]);
             let columns = if table.header.is_empty() { "of the columns " } else { "of " };
             let message = format!(
-                "{columns}{names}, the first is a northing of a map grid by its figures, and the second an easting: taken as x and y the curve would \
-                 be mirrored. Choose the easting first: `--columns {}`; `--columns {}` takes them as they stand (in a document `columns`)",
+                "{columns}{names}, the first is a northing of a map grid by its values, and the second an easting: as x and y they would mirror the curve. Choose the easting first: `--columns {}`; `--columns {}` takes them in this order (in a document `columns`)",
                 swapped(),
                 numbers_of([all[0], all[1]].into_iter().chain(height()))
             );
@@ -242,7 +239,7 @@ fn in_order(
         Order::Possible => {
             let before = remark.unwrap_or_else(|| taken_columns(table, &all));
             let remark = format!(
-                "{before}; by its figures the first may be a northing: then the curve is mirrored, and `--columns {}` is right",
+                "{before}; by its values the first may be a northing: then the curve is mirrored, and `--columns {}` is right",
                 swapped()
             );
             Ok((all, Some(remark)))
@@ -305,7 +302,9 @@ fn only_numbers(
         0 | 1 => "by their names or numbers (`--columns`, in a document `columns`)".to_owned(),
         _ => format!("x first (`--columns {}`, in a document `columns`)", example(&which)),
     };
-    Err(table.header_refused(format!("no column is named x or y; there are {names}: name two or three of them, {way}")))
+    Err(table.header_refused(format!(
+        "no column is named x or y; the columns are {names}: choose two or three of them, {way}"
+    )))
 }
 
 /// The columns of a file without names.
@@ -327,7 +326,7 @@ fn found_without_names(
             String::new()
         };
         return Err(table.refused(format!(
-            "column {} seems to number the points, and the file has no header line to say so: choose the coordinates, x first \
+            "column {} seems to hold point numbers, and the file has no header line: choose the coordinates, x first \
              (`--columns {}`, in a document `columns`){both}; if it is x, `--columns {}`",
             numbers[0] + 1,
             example(&others),

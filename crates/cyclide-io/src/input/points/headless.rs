@@ -107,8 +107,7 @@ fn goes_ahead(rows: &[Vec<f64>], order: [usize; 4]) -> f64 {
 fn perhaps_first() -> String {
     let first = WITH_W_FIRST.map(|name| format!("\"{name}\"")).join(", ");
     format!(
-        "the last four of the eight columns are taken as qx qy qz qw, but by their figures the first of them may be w: then say so, in the \
-         document `\"columns\": [{first}]`"
+        "the last four of the eight columns are taken as qx qy qz qw, but by their values the first of them may be w: if so, write in the document `\"columns\": [{first}]`"
     )
 }
 

@@ -37,12 +37,14 @@ pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<
         let needed = rows.first().map_or(row.len(), Vec::len);
         if row.len() != needed {
             let span = fields.get(needed).map_or(end..end, |field| field.start..field.start + field.text.len());
-            let message =
-                format!("the row has {} heights, the first one has {needed}: holes are empty cells or NaN", row.len());
+            let message = format!(
+                "the row has {} heights, the first one has {needed}: write holes as empty cells or NaN",
+                row.len()
+            );
             return Err(source.diagnostic(span, "", message).with_reason("count-differs"));
         }
         if (rows.len() + 1).saturating_mul(needed) > MOST_POINTS {
-            let message = format!("the file has more than {MOST_POINTS} heights");
+            let message = format!("the file has too many heights, maximum {MOST_POINTS}");
             return Err(source.diagnostic(end..end, "", message).with_reason("too-many-pieces"));
         }
         starts.extend(fields.iter().zip(&row).filter(|(_, height)| height.is_some()).map(|(field, _)| field.start));
@@ -52,7 +54,7 @@ pub(crate) fn read_heights(name: &str, bytes: &[u8]) -> Result<HeightTable, Box<
     if let Some(missing) = MissingHeights::of(rows.iter().flatten().flatten().copied()).filter(|found| found.is_certain)
     {
         let start = starts[missing.first];
-        let message = format!("{}; holes are empty cells or NaN", missing.sentence());
+        let message = format!("{}; write holes as empty cells or NaN", missing.sentence());
         return Err(source.diagnostic(start..start, "", message).with_reason(HEIGHTS_MISSING));
     }
     Ok(HeightTable { rows, decimal_commas: decimals.comma })
@@ -90,7 +92,7 @@ mod tests {
             ("", "h.csv"),
             (
                 "1,2,3\n4,-9999,-9999\n",
-                "h.csv:2:3: 2 heights are -9999, which stands for a missing one: the others lie from 1 to 4; holes",
+                "h.csv:2:3: 2 heights are -9999, which marks a missing value: the others lie from 1 to 4; write holes",
             ),
         ] {
             let message = read(text).unwrap_err();

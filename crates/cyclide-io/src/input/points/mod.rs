@@ -112,8 +112,8 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     if pairs.is_some_and(|pairs| pairs.found()) {
         let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
         let message = format!(
-            "all {} columns are whole numbers, {taken} are taken as coordinates; if the commas are decimal ones, as in \
-             `{}`, separate the columns by semicolons (`--columns` says which ones are meant as they are)",
+            "all {} columns are whole numbers, {taken} are taken as coordinates; if the commas are decimal commas, as \
+             in `{}`, separate the columns by semicolons (otherwise choose the columns by `--columns`)",
             table.width,
             if table.width == 3 { "1,5,2" } else { "1,5,2,5" }
         );
@@ -140,8 +140,7 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     // Without a header nothing says that a first column that counts on is no coordinate.
     if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {
-        let message = "the file has no header line, and its first column counts on in equal steps: it is taken as x; if it \
-                       numbers the points, or is a station, choose the others (`--columns 2,3`, in a document `columns`)";
+        let message = "the file has no header line, and its first column increases in equal steps: it is taken as x; if it numbers the points, or is a station, choose the others (`--columns 2,3`, in a document `columns`)";
         remark("numbers-as-x", message.to_owned());
     }
     if decimals.comma {
@@ -149,7 +148,10 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     if chosen.contour.is_none() && lists.len() > 1 && lists.iter().all(|list| list.points.len() == 1) {
         lists = vec![joined(lists)];
-        remark("blank-lines", "a blank line stands after every point: they separate no contours".to_owned());
+        remark(
+            "blank-lines",
+            "there is a blank line after every point: blank lines are not taken as separators of contours".to_owned(),
+        );
     }
     let heights = lists.iter().flat_map(|list| &list.points).map(|p| p.z);
     if let Some(missing) = MissingHeights::of(heights).filter(|_| columns.coordinates.is_none()) {

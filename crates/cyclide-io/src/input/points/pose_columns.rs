@@ -60,7 +60,7 @@ impl PoseColumns {
             if from_zero && is_entry(field.text) {
                 let name = quoted(field.text);
                 let message = format!(
-                    "`{name}` counts from 1, and other entries from 0: name all as m00 to m23, or all as m11 to m34"
+                    "`{name}` is numbered from 1, and other entries from 0: name all entries m00 to m23, or all m11 to m34"
                 );
                 return Err(field.refused(source, message));
             }
@@ -73,7 +73,7 @@ impl PoseColumns {
                 [column] => Ok(Some(*column)),
                 several => {
                     let names = table.names(several.iter().copied());
-                    Err(table.header_refused(format!("several columns are {what}: {names}: leave one of them")))
+                    Err(table.header_refused(format!("several columns are {what}: {names}: keep only one of them")))
                 }
             }
         };
@@ -91,12 +91,12 @@ impl PoseColumns {
         let is_of = |axis: &str| table.header.iter().any(|field| is_of(field, axis));
         if by_matrix && is_of(AXES[0]) && !is_of(AXES[1]) {
             return Err(table.header_refused(
-                "these are points of a curve with its tangents, and poses need frames: `cyclide sample --frames KIND` writes them, and `along` runs on the curve itself",
+                "these are points of a curve with tangents, but poses need frames: `cyclide sample --frames KIND` writes them, and `along` moves a body along the curve itself",
             ));
         }
         if by_matrix && placed && any(&|m| matches!(m, Meaning::Matrix(0..=2, 3))) {
             return Err(table.header_refused(
-                "the positions are there twice, as x, y, z and as m14, m24, m34: leave the columns of one of them",
+                "the positions are given twice, as x, y, z and as m14, m24, m34: keep the columns of one form",
             ));
         }
         let mut absent = Vec::new();
@@ -118,18 +118,18 @@ impl PoseColumns {
         let (time, nanoseconds) = Self::time(table, &meanings)?;
         if any(&is_vector) && (any(&is_quaternion) || any(&is_angle) || by_matrix) {
             return Err(table.header_refused(
-                "the rotations are there twice, as rotation vectors and in another form: leave the columns of one of them",
+                "the rotations are given twice, as rotation vectors and in another form: keep the columns of one form",
             ));
         }
         let rotation = match (any(&is_quaternion), any(&is_angle)) {
             (true, true) => {
                 return Err(table.header_refused(
-                    "the rotations are there twice, as quaternions and as angles: leave the columns of one of them",
+                    "the rotations are given twice, as quaternions and as angles: keep the columns of one form",
                 ));
             }
             (false, true) if by_matrix => {
                 return Err(table.header_refused(
-                    "the rotations are there twice, as angles and as a matrix: leave the columns of one of them",
+                    "the rotations are given twice, as angles and as a matrix: keep the columns of one form",
                 ));
             }
             (true, false) => {
@@ -187,7 +187,7 @@ impl PoseColumns {
                     return Ok((Some((seconds, TimeUnit::PerSecond(1.0))), Some(parts)));
                 }
                 let names = table.names(several.iter().map(|(column, _)| *column));
-                Err(table.header_refused(format!("several columns are the time: {names}: leave one of them")))
+                Err(table.header_refused(format!("several columns are the time: {names}: keep only one of them")))
             }
         }
     }
@@ -207,10 +207,12 @@ fn unknown(source: Source<'_>, table: &Table<'_>, meanings: &[Option<Meaning>], 
     let proposal = Proposal::new(table, meanings);
     let refusal = proposal.typed(table).and_then(|typed| PoseColumns::new(source, &typed).err());
     let remedy = match refusal {
-        Some(refusal) => format!("; and the other columns are no table of poses yet: {}", refusal.message),
-        None => format!("; or say what each column is (`-`: nothing of the pose), as in the document {proposal}"),
+        Some(refusal) => format!("; besides, the other columns are not a table of poses: {}", refusal.message),
+        None => {
+            format!("; or name every column (`-` for one that is not part of the pose), in the document {proposal}")
+        }
     };
-    field.refused(source, format!("`{}` is no column of poses, which are {NAMES}{hint}{remedy}", quoted(field.text)))
+    field.refused(source, format!("`{}` is not a column of poses, which are {NAMES}{hint}{remedy}", quoted(field.text)))
 }
 
 /// The radians of the unit of some angles.
@@ -225,7 +227,7 @@ fn common_unit(table: &Table<'_>, meanings: &[Option<Meaning>], columns: &[usize
     let units: Vec<f64> = columns.iter().filter_map(unit).collect();
     if units.iter().any(|unit| unit.total_cmp(&units[0]).is_ne()) {
         let names = table.names(columns.iter().copied());
-        let message = format!("the columns {names} speak of different units (without one they are radians)");
+        let message = format!("the columns {names} have different units (without a unit angles are in radians)");
         return Err(table.header_refused(message));
     }
     Ok(units.first().copied().unwrap_or(1.0))

@@ -183,7 +183,7 @@ fn places_are_read_in_many_words() {
 #[test]
 fn entries_count_from_one_number() {
     let message = read(&table("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m14=m23"), None).err().unwrap();
-    assert!(message.contains("`m14` counts from 1, and other entries from 0"), "{message}");
+    assert!(message.contains("`m14` is numbered from 1, and other entries from 0"), "{message}");
     let message = read(&table("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22"), None).err().unwrap();
     assert!(message.contains("no column is named `m23`"), "{message}");
 }
@@ -207,9 +207,9 @@ fn what_is_refused_names_its_remedy() {
         (format!("t,x,y,down=z,{ANGLES}"), r#"["t", "x", "y", "?", "#),
         (format!("t,E=x,N=y,H=z,{ANGLES}"), r#"["t", "x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"]"#),
         (format!("t,E [m]=x,N [m]=y,H [m]=z,{ANGLES}"), r#"["t", "x_m", "y_m", "z_m", "#),
-        (format!("timestamp=t,lat=x,lon=y,alt=z,{ANGLES}"), "lon, lat are angles on the globe: project them"),
+        (format!("timestamp=t,lat=x,lon=y,alt=z,{ANGLES}"), "lon, lat are geographic angles: project them"),
         (format!("when=t,foo=x,bar=y,z,{ANGLES}"), "\"?\""),
-        (format!("t,foo=one,y,z,{ANGLES}"), "no table of poses yet: no column is named `x`"),
+        (format!("t,foo=one,y,z,{ANGLES}"), "not a table of poses: no column is named `x`"),
         (
             "t,x,y,z,quaternion[0]=qw,quaternion[1]=qx,quaternion[2]=qy,quaternion[3]=qz".to_owned(),
             r#""z", "qw", "qx", "qy", "qz"]"#,
@@ -224,7 +224,7 @@ fn what_is_refused_names_its_remedy() {
         assert!(message.contains(words), "{columns}: {message}");
     }
     let message = read("time,x,y\n10:61:00,1,2\n", None).err().unwrap();
-    assert!(message.contains("is no time: write seconds"), "{message}");
+    assert!(message.contains("is not a time: write seconds"), "{message}");
     let message = read("time,x,y\n23:59:59,1,2\n00:00:01,1,3\n", None).err().unwrap();
     assert!(message.contains("write them with their dates"), "{message}");
 }

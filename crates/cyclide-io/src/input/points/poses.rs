@@ -195,8 +195,7 @@ pub(crate) fn read_poses(
 fn zeros(absent: &[&str], not_turned: bool) -> Option<String> {
     let place = (!absent.is_empty()).then(|| format!("no column is named {}: taken as 0", absent.join(", ")));
     let turn = not_turned.then(|| {
-        "`columns` leaves columns aside (`-`), and none of the others says how the poses are turned: they are not"
-            .to_owned()
+        "`columns` ignores columns (`-`), and none of the others is a rotation: the poses are not rotated".to_owned()
     });
     let sentences: Vec<String> = place.into_iter().chain(turn).collect();
     (!sentences.is_empty()).then(|| sentences.join("; "))
@@ -213,7 +212,7 @@ fn name_columns<'a>(
         Some(columns) if columns.len() == table.width => columns.iter().map(String::as_str).collect(),
         Some(columns) => {
             let message = format!(
-                "`columns` says what {} columns are, and the table has {}: write `-` for those that are no part of the pose",
+                "`columns` names {} columns, but the table has {}: write `-` for those that are not part of the pose",
                 columns.len(),
                 table.width
             );
@@ -232,9 +231,8 @@ fn name_columns<'a>(
             }
             Headless::QuaternionFirstOrLast => {
                 return Err(table.refused(
-                    "the table has no header line; its eight columns are a time, a place and a quaternion, whose w may be first or last: \
-                     say which, in the document `\"columns\": [\"t\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]` or \
-                     `[\"t\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"]`",
+                    "the table has no header line; its eight columns are a time, a position and a quaternion, whose w may be first or last: write in the document `\"columns\": [\"t\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \
+                     \"qz\", \"qw\"]` or `[\"t\", \"x\", \"y\", \"z\", \"qw\", \"qx\", \"qy\", \"qz\"]`",
                 ));
             }
             Headless::Unknown => {

@@ -35,15 +35,15 @@ fn other_format(text: &str) -> Option<&'static str> {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty())?;
     if ["<?xml", "<!DOCTYPE", "<LandXML", "<gpx", "<kml"].iter().any(|start| first.starts_with(start)) {
         return Some(
-            "this is an XML file (LandXML, JobXML, GPX, KML, …), which is not read as points: export the points as a table (CSV)",
+            "this is an XML file (LandXML, JobXML, GPX, KML, …), which is not supported for points: export the points as a table (CSV)",
         );
     }
     if first.starts_with("JB,") || first.starts_with("00NM") {
         return Some(
-            "this is a file of a survey controller (RW5, SDR), which is not read: export the coordinates of the points as a table (CSV)",
+            "this is a file of a survey controller (RW5, SDR), which is not supported: export the coordinates of the points as a table (CSV)",
         );
     }
-    is_gsi(first).then_some("this is a Leica GSI file, which is not read: export the points as a table (CSV)")
+    is_gsi(first).then_some("this is a Leica GSI file, which is not supported: export the points as a table (CSV)")
 }
 
 /// True for a line of Leica instruments: words of a number, what it is, a sign, and 8 or 16 figures.
@@ -77,7 +77,7 @@ impl<'a> Preamble<'a> {
         if let Some(message) = other_format(source.text) {
             return Err(source.diagnostic(0..0, "", message));
         }
-        let empty = || source.diagnostic(0..0, "", "the file holds no points");
+        let empty = || source.diagnostic(0..0, "", "the file has no points");
         let delimiter = delimiter(source)?.ok_or_else(empty)?;
         // The last remark before the data that could be a header.
         let mut remark: Vec<Field<'a>> = Vec::new();
@@ -164,7 +164,7 @@ impl<'a> Preamble<'a> {
                 // Numbers with units would be lost as names.
                 if line.fields.len() > 1 && line.fields.iter().all(begins_as_number) {
                     let message =
-                        "no names of columns and no numbers: write numbers without units and separators of thousands";
+                        "neither column names nor numbers: write numbers without units and thousands separators";
                     return Err(about(source, &line.fields, message));
                 }
                 self.header = line.fields;
@@ -353,7 +353,7 @@ mod tests {
             ),
             ("<?xml version=\"1.0\"?>\n<LandXML>\n", "XML"),
             ("JB,NMSITE,DT01-02-2024,TM10:11:12\nMO,AD0,UN1,SF1.0\n", "survey controller"),
-            ("nothing but words\n", "the file holds no points"),
+            ("nothing but words\n", "the file has no points"),
         ] {
             let refused = Preamble::read(Source { name: "t", text }, &[], |_| false).err().unwrap();
             assert!(refused.message.contains(name), "{text}: {}", refused.message);

@@ -14,8 +14,9 @@ use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// What is said of coordinates that [`seem_to_be_of_a_grid`].
-pub(super) const GRID_COORDINATES: &str = "no unit is named, and the coordinates look like those of a map grid in metres: they are taken in the model's unit \
-     (`--units m`, in a document `\"units\": \"m\"`, or name the columns x_m, y_m)";
+pub(super) const GRID_COORDINATES: &str = "no unit is given, and the coordinates look like those of a map grid in \
+     metres: they are taken in the model's unit (`--units m`, in a document `\"units\": \"m\"`, or name the columns \
+     x_m, y_m)";
 
 /// Words below the last point of a table that name no point.
 const TOTALS: [&str; 32] = [
@@ -68,7 +69,7 @@ pub(super) fn refuse_total(source: Source<'_>, label: Option<Field<'_>>) -> Resu
     else {
         return Ok(());
     };
-    Err(field.refused(source, format!("`{}` names no point: leave this line out", quoted(field.text))))
+    Err(field.refused(source, format!("`{}` is not the name of a point: remove this line", quoted(field.text))))
 }
 
 /// What was chosen with certainty and is not plain.
@@ -94,25 +95,25 @@ pub(super) fn notes(
     if words || chosen.label.is_some() {
         columns.extend(chosen.coordinates.iter().zip(axes).map(|(i, axis)| format!("{axis} is {}", name(*i))));
     }
-    columns.extend(chosen.label.map(|i| format!("the points are called as {} says", name(i))));
+    columns.extend(chosen.label.map(|i| format!("the names of the points are in {}", name(i))));
     if !columns.is_empty() {
         notes.push(columns.join(", "));
     }
     if let Some(globe) = on_the_globe(table).filter(|globe| globe.iter().all(|i| !chosen.coordinates.contains(i))) {
-        notes.push(format!("{} are angles on the globe, and not read", globe.map(name).join(" and ")));
+        notes.push(format!("{} are geographic angles and are ignored", globe.map(name).join(" and ")));
     }
     if let Some(start) = table.titles.first() {
         let lines = match table.titles.len() {
             1 => "line".to_owned(),
             several => format!("the first of {several} lines"),
         };
-        notes.push(format!("line {} is passed over ({lines} above the names of the columns)", source.line_of(*start)));
+        notes.push(format!("line {} is skipped ({lines} above the names of the columns)", source.line_of(*start)));
     }
     if let Some((UnitWord::Known(unit), line)) = table.said.filter(|_| !table.columns_have_units(&chosen.coordinates)) {
-        notes.push(format!("the coordinates are in {}, as `{}` says", unit.symbol(), quoted(line.trim())));
+        notes.push(format!("the coordinates are in {}, according to `{}`", unit.symbol(), quoted(line.trim())));
     }
     if decimals.grouped {
-        notes.push("thousands are separated in the numbers".to_owned());
+        notes.push("the numbers have thousands separators".to_owned());
     }
     if let Some(encoding) = encoding {
         notes.push(format!("the text is read as {encoding}"));

@@ -72,8 +72,7 @@ impl Chosen {
             if are_apart(table, column, &only.points)? {
                 let name = quoted(table.header[column].text).into_owned();
                 return Ok(Some(format!(
-                    "not read: {name}; where it changes, the way to the next point is more than {FAR} times as long as any other step: if it tells \
-                     contours apart, say so by `contour` (`--contour-column \"{name}\"`)"
+                    "not read: {name}; where it changes, the distance to the next point is more than {FAR} times as long as any other step: if it separates contours, choose it by `contour` (`--contour-column \"{name}\"`)"
                 )));
             }
         }

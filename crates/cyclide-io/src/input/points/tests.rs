@@ -76,9 +76,9 @@ fn corners_are_marked_by_a_column() {
 #[test]
 fn every_refusal_has_its_place() {
     for (text, start) in [
-        ("", "p.csv:1:1: the file holds no points"),
-        ("# only a remark\n", "p.csv:1:1: the file holds no points"),
-        ("x,y\n", "p.csv:1:1: the file holds no points"),
+        ("", "p.csv:1:1: the file has no points"),
+        ("# only a remark\n", "p.csv:1:1: the file has no points"),
+        ("x,y\n", "p.csv:1:1: the file has no points"),
         ("1,2\n3,abc\n", "p.csv:2:3: `abc` is not a number"),
         ("1,2\n3,nan\n", "p.csv:2:3: `nan` is not a finite number"),
         ("nan,nan\n", "p.csv:1:1: `nan` is not a finite number"),
@@ -86,26 +86,23 @@ fn every_refusal_has_its_place() {
         ("1,2\n1e999,0\n", "p.csv:2:1: `1e999` is not a finite number"),
         ("1,2\n3,1e-400\n", "p.csv:2:3: `1e-400` is nearer to 0 than any number that can be read"),
         ("x;y\n1;2\n-0,5E-400;1\n", "p.csv:3:1: `-0,5E-400` is nearer to 0"),
-        ("x_m,y_mm\n1,2\n", "p.csv:1:1: the columns x_m, y_mm speak of different units: write all coordinates in one"),
-        ("x_m,y_um\n1,2\n", "p.csv:1:1: the columns x_m, y_um speak of different units"),
+        ("x_m,y_mm\n1,2\n", "p.csv:1:1: the columns x_m, y_mm have different units: write all coordinates in one"),
+        ("x_m,y_um\n1,2\n", "p.csv:1:1: the columns x_m, y_um have different units"),
         ("1,2\n3,\n", "p.csv:2:3: a number is missing"),
         ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 fields"),
         ("1,2\n\n3\n", "p.csv:3:2: the coordinate of column 2 is missing"),
         ("1,2\n3,4,five\n", "p.csv:2:5: the line has 3 fields for 2 columns"),
-        ("1.5;2\n1,5;2,5\n", "p.csv:2:1: `1,5` does not go with the numbers before: the file has decimal commas and"),
-        ("1,5;2\n1.5;2,5\n", "p.csv:2:1: `1.5` does not go with the numbers before"),
-        ("1.5;2\n1.234,5;2,5\n", "p.csv:2:1: `1.234,5` is not a number: write it without separators of thousands"),
-        ("1,5;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without separators"),
-        (
-            "x,y\n\"1,234\",\"5,678\"\n",
-            "p.csv:2:2: `1,234` is a fraction with a decimal comma or a number with a separator",
-        ),
-        ("Nr;x;y\n1;1;2\n2;3;5\nTotal;4;7\n", "p.csv:4:1: `Total` names no point: leave this line out"),
+        ("1.5;2\n1,5;2,5\n", "p.csv:2:1: `1,5` contradicts the numbers before it: the file has decimal commas and"),
+        ("1,5;2\n1.5;2,5\n", "p.csv:2:1: `1.5` contradicts the numbers before it"),
+        ("1.5;2\n1.234,5;2,5\n", "p.csv:2:1: `1.234,5` is not a number: write it without thousands separators"),
+        ("1,5;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without thousands"),
+        ("x,y\n\"1,234\",\"5,678\"\n", "p.csv:2:2: `1,234` has either a decimal comma or a thousands separator"),
+        ("Nr;x;y\n1;1;2\n2;3;5\nTotal;4;7\n", "p.csv:4:1: `Total` is not the name of a point: remove this line"),
         ("x;y\n1;2\nEnd of file\n", "p.csv:3:1: `End of file` is not a number"),
         ("1,2\n\"3,4\n", "p.csv:2:1: the quote has no end on this line"),
         ("\"x,y\n1,2\n", "p.csv:1:1: the quote has no end on this line"),
         ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns; if its commas are decimal, separate"),
-        ("5\n6\n", "p.csv:1:1: two or three coordinates are needed in each line"),
+        ("5\n6\n", "p.csv:1:1: each line needs two or three coordinates"),
         ("x,y\n1,2\nx,y\n", "p.csv:3:1: `x` is not a number"),
     ] {
         let message = read(text).unwrap_err();
@@ -264,33 +261,36 @@ fn columns_that_tell_parts_apart_are_used_or_named() {
 #[test]
 fn columns_that_could_only_be_guessed_are_refused() {
     for (text, message) in [
-        ("a,b,c,d\n1,2,3,4\n", "p.csv:1:1: no column is named x or y; there are a, b, c, d: name two or three"),
-        ("lon,lat\n7.1,50.2\n", "p.csv:1:1: lon, lat are angles on the globe: project them"),
-        ("id,GPSLatitude,GPSLongitude\n1,50.2,7.1\n", "p.csv:1:1: GPSLongitude, GPSLatitude are angles on the globe"),
-        ("X (Longitude),Y (Latitude)\n7.1,50.2\n", "p.csv:1:1: X (Longitude), Y (Latitude) are angles on the globe"),
-        ("lat_deg,lon_deg\n50.2,7.1\n", "p.csv:1:1: lon_deg, lat_deg are angles on the globe"),
-        ("1 1.5 2.5\n2 3.5 2.5\n3 3.5 4.5\n", "p.csv:1:1: column 1 seems to number the points"),
-        ("station,height,level\n0,1.5,2\n", "p.csv:1:1: no column is named x or y; there are station, height, level"),
+        ("a,b,c,d\n1,2,3,4\n", "p.csv:1:1: no column is named x or y; the columns are a, b, c, d: choose two or three"),
+        ("lon,lat\n7.1,50.2\n", "p.csv:1:1: lon, lat are geographic angles: project them"),
+        ("id,GPSLatitude,GPSLongitude\n1,50.2,7.1\n", "p.csv:1:1: GPSLongitude, GPSLatitude are geographic angles"),
+        ("X (Longitude),Y (Latitude)\n7.1,50.2\n", "p.csv:1:1: X (Longitude), Y (Latitude) are geographic angles"),
+        ("lat_deg,lon_deg\n50.2,7.1\n", "p.csv:1:1: lon_deg, lat_deg are geographic angles"),
+        ("1 1.5 2.5\n2 3.5 2.5\n3 3.5 4.5\n", "p.csv:1:1: column 1 seems to hold point numbers"),
+        (
+            "station,height,level\n0,1.5,2\n",
+            "p.csv:1:1: no column is named x or y; the columns are station, height, level",
+        ),
         (
             "km;foo\n1;2\n",
-            "p.csv:1:1: no column is named x or y; there are km, foo: name two or three of them, x first (`--columns 1,2`",
+            "p.csv:1:1: no column is named x or y; the columns are km, foo: choose two or three of them, x first (`--columns 1,2`",
         ),
         (
             "merkmal;foo;bar\n1;2,5;3,5\n2;1,5;4\n3;8,5;1,5\n",
-            "p.csv:1:1: no column is named x or y; there are merkmal, foo, bar: name two or three of them, x first (`--columns 2,3`",
+            "p.csv:1:1: no column is named x or y; the columns are merkmal, foo, bar: choose two or three of them, x first (`--columns 2,3`",
         ),
         ("easting,foo\n1,2\n", "p.csv:1:1: no column is named x or y"),
         (
             "Nr;Y;X\n1;4500010,5;5334000,1\n2;4500020,5;5334010,1\n",
-            "p.csv:1:1: y stands before x, and the coordinates are those of a map grid",
+            "p.csv:1:1: y comes before x, and the coordinates are those of a map grid",
         ),
         (
             "Hz;V;SD\n8,5;47,1;1\n",
-            "p.csv:1:1: no column is named x or y; there are Hz, V, SD: name two or three of them, by their names or numbers (`--columns`",
+            "p.csv:1:1: no column is named x or y; the columns are Hz, V, SD: choose two or three of them, by their names or numbers (`--columns`",
         ),
         ("southing,westing\n1,2\n", "p.csv:1:1: no column is named x or y"),
-        ("0 mm,0 mm\n10,5\n", "p.csv:1:1: no names of columns and no numbers"),
-        ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are angles on the globe"),
+        ("0 mm,0 mm\n10,5\n", "p.csv:1:1: neither column names nor numbers"),
+        ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are geographic angles"),
         ("x,x,y\n1,2,3\n", "p.csv:1:1: several columns may be x: x, x; choose"),
         ("x_left,y_left,x_right,y_right\n1,2,3,4\n", "p.csv:1:1: several columns may be x: x_left, x_right"),
         ("x,y,corner,corner\n1,2,0,1\n", "p.csv:1:1: two columns are named `corner`: choose by numbers"),
@@ -301,8 +301,8 @@ fn columns_that_could_only_be_guessed_are_refused() {
     // Names that nobody asks for may repeat.
     assert_eq!(xyz(&read("x,y,note,note\n1,2,3,4\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
     for (names, message) in [
-        (["1", "1"], "the column x is asked for twice"),
-        (["x", "1"], "the column x is asked for twice"),
+        (["1", "1"], "the column x is chosen twice"),
+        (["x", "1"], "the column x is chosen twice"),
         (["note", "y"], "two columns are named `note`: choose by numbers"),
     ] {
         let columns = PointColumns { coordinates: Some(names.map(str::to_owned).to_vec()), contour: None };
@@ -353,10 +353,7 @@ fn a_unit_that_models_do_not_have_is_said_and_not_applied() {
         let table = read(&text).unwrap();
         assert_eq!((xyz(&table), remarks(&text)), (vec![vec![[1.0, 2.0, 0.0]]], vec!["unit-not-applied"]), "{header}");
         let message = &table.remarks[0].message;
-        assert!(
-            message.starts_with(&format!("the names of the columns {} speak of", header.replace(',', ", "))),
-            "{message}"
-        );
+        assert!(message.starts_with(&format!("the columns {} name a unit", header.replace(',', ", "))), "{message}");
         assert!(table.unit_hints.is_empty());
     }
     assert_eq!(remarks("x,y,speed_km\n1,2,3\n"), [""; 0], "a column that is not read");
@@ -367,7 +364,7 @@ fn a_unit_that_models_do_not_have_is_said_and_not_applied() {
 #[test]
 fn lines_and_fields_of_any_length_are_refused_and_quoted_in_part() {
     for (text, message) in [
-        ("7".repeat(30_000_000), "p.csv:1:1: the line has 30000000 bytes, more than 65536"),
+        ("7".repeat(30_000_000), "p.csv:1:1: the line has 30000000 bytes, maximum 65536"),
         ("1,".repeat(15_000_000), "p.csv:1:1: the line has 30000000 bytes"),
         (format!("1,2\n{}\n", "1,".repeat(15_000_000)), "p.csv:2:1: the line has 30000000 bytes"),
         (format!("1,{}x\n", "7".repeat(60_000)), "p.csv:1:3: `7777777"),
@@ -395,7 +392,7 @@ fn what_the_points_are_called_is_kept() {
         assert_eq!(labels, called, "{text:?}");
     }
     let notes = read("N°;Abscisse;Ordonnée\n1;1,5;2\n").unwrap().notes;
-    assert_eq!(notes, ["x is `Abscisse`, y is `Ordonnée`, the points are called as `N°` says"]);
+    assert_eq!(notes, ["x is `Abscisse`, y is `Ordonnée`, the names of the points are in `N°`"]);
     assert_eq!(read("x_m,y_m\n1,2\n").unwrap().notes, [""; 0]);
 }
 

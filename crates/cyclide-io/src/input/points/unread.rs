@@ -109,12 +109,12 @@ impl Unread {
         }
         if let Some(part) = self.parts.first() {
             ways.push(format!(
-                "a column that tells contours apart is chosen by `contour` (`--contour-column \"{}\"`)",
+                "a column that separates contours is chosen by `contour` (`--contour-column \"{}\"`)",
                 table.names([*part])
             ));
         }
         if !self.shapes.is_empty() {
-            ways.push("points alone are read, and no radii or arcs between them: put points on the arcs".to_owned());
+            ways.push("only points are read, not radii or arcs between them: put points on the arcs".to_owned());
         }
         if !self.numbers.is_empty() {
             ways.push("coordinates are chosen by `columns` (`--columns`)".to_owned());
@@ -156,8 +156,7 @@ impl Bulges {
         let bulge = field.text.replacen(',', ".", 1).parse::<f64>();
         if bulge.is_ok_and(|bulge| bulge.abs() > 0.0) {
             let message = format!(
-                "an arc with the bulge {} begins here, and a table gives points alone: its chord would stand for it. Put points on the arcs, or take the \
-                 points as they are (`--columns {}`, in a document `columns`)",
+                "an arc with the bulge {} begins here, but only points are read, so its chord would replace it. Put points on the arcs, or take the points as they are (`--columns {}`, in a document `columns`)",
                 quoted(field.text),
                 numbers_of(coordinates.iter().copied())
             );

@@ -162,12 +162,12 @@ fn coordinates_beside_angles_on_the_globe_are_read() {
         let table = read(text).unwrap();
         assert_eq!((first(&table), &table.remarks[..]), (expected, &[][..]), "{text}");
         assert!(
-            table.notes.iter().any(|note| note.ends_with("are angles on the globe, and not read")),
+            table.notes.iter().any(|note| note.ends_with("are geographic angles and are ignored")),
             "{:?}",
             table.notes
         );
     }
-    assert!(read("name,Latitude,Longitude\nA,50.2,7.1\n").unwrap_err().contains("angles on the globe"));
+    assert!(read("name,Latitude,Longitude\nA,50.2,7.1\n").unwrap_err().contains("geographic angles"));
 }
 
 #[test]
