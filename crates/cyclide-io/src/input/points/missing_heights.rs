@@ -51,9 +51,9 @@ impl MissingHeights {
     pub(super) fn sentence(&self) -> String {
         let Self { value, count, others: [low, high], is_certain, .. } = self;
         let heights = if *count == 1 { "height is" } else { "heights are" };
-        let verb = if *is_certain { "stands" } else { "may stand" };
+        let verb = if *is_certain { "marks" } else { "may mark" };
         let value = if value.abs() > NO_HEIGHT { format!("{value:e}") } else { value.to_string() };
-        format!("{count} {heights} {value}, which {verb} for a missing one: the others lie from {low} to {high}")
+        format!("{count} {heights} {value}, which {verb} a missing value: the others lie from {low} to {high}")
     }
 
     /// What is said of points, with the columns that leave heights out and that take these as they are.

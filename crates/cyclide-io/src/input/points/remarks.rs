@@ -14,9 +14,9 @@ use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
 
 /// What is said of coordinates that [`seem_to_be_of_a_grid`].
-pub(super) const GRID_COORDINATES: &str = "no unit is given, and the coordinates look like those of a map grid in \
-     metres: they are taken in the model's unit (`--units m`, in a document `\"units\": \"m\"`, or name the columns \
-     x_m, y_m)";
+pub(super) const GRID_COORDINATES: &str = "no unit is given, and the coordinates look like those of a map grid: they are \
+     taken in the model's unit (`--units m`, or `us-ft` or `ft` for a grid in feet; in a document `\"units\": \"m\"`, or \
+     name the columns x_m, y_m)";
 
 /// Words below the last point of a table that name no point.
 const TOTALS: [&str; 32] = [
