@@ -19,8 +19,8 @@ const STEPS: u32 = 16;
 const MOST_RATIO: f64 = 32.0;
 
 impl TorusSpline {
-    /// The closed quartic of a type through a place: there its second coordinate runs `ratio` times as fast as the first (a negative one
-    /// runs back), a quarter of the way on the same part slower. `1` and `-1` keep both even, which gives circles or knots.
+    /// The closed quartic of a type through a point: there its second coordinate runs `ratio` times as fast as the first (backwards for a
+    /// negative ratio); halfway around the ratio is the inverse. `1` and `-1` keep both even, which gives circles or knots.
     ///
     /// ```
     /// use cyclide::{CircleFamily, Frame, QuarticType, Torus, TorusSpline};
