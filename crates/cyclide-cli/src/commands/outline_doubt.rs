@@ -6,9 +6,9 @@ use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
 const PLACES: u32 = 8;
 /// A corner turns by more than samples of a curve do.
 const SHARP: f64 = 65.0 * std::f64::consts::PI / 180.0;
-/// Fewer corners make no outline, but of few points or by a long edge: one closed by that, or in a point, has one or two.
+/// Fewer corners make no outline, but a closed one of few points or by a long edge: one closed by that, or in a point, has one or two.
 const FEWEST: usize = 3;
-const FEW_POINTS: [usize; 2] = [6, 64];
+const FEW_POINTS: usize = 64;
 /// A long edge is this many times as long as they usually are.
 const LONG: f64 = 3.0;
 /// A curve that leaves an edge by this part of its length bulges: its corners may turn by less.
@@ -27,8 +27,8 @@ pub fn warnings(model: &Model) -> Vec<String> {
         let n = points.len();
         let turn = |i: &usize| (points[*i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[*i]);
         let is_outline = if corners.iter().any(|i| turn(i) > SHARP) {
-            let few = points.len() <= FEW_POINTS[usize::from(curve.is_closed())];
-            corners.len() >= FEWEST || few || edge > LONG * usual_edge(&points)
+            let is_simple = points.len() <= FEW_POINTS || edge > LONG * usual_edge(&points);
+            corners.len() >= FEWEST || (curve.is_closed() && is_simple)
         } else {
             corners.len() >= FEWEST && distance > BULGE * edge
         };

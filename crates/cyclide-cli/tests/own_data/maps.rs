@@ -130,7 +130,7 @@ fn offered(message: &str) -> Vec<String> {
 
 /// True if a remark says that what is read may be a mirror image.
 fn says_so(table: &PointTable) -> bool {
-    table.remarks.iter().any(|remark| remark.message.contains("mirrored"))
+    table.remarks.iter().any(|remark| remark.message.contains("mirror"))
 }
 
 /// Reads a table; where it is refused, with the first command offered. It may be mirrored only where figures and words tell nothing, and a remark says so.
@@ -232,7 +232,7 @@ fn feet_are_known_wherever_they_are_said() {
             assert!(found.unit_hints.iter().all(|(_, unit)| unit.symbol() == symbol), "{text}");
             assert!(found.remarks.is_empty(), "{:?}\n{text}", found.remarks);
             let of_title = head.contains("Coordinates in") || head.contains("Units: ");
-            let note = format!("the coordinates are in {symbol}, as `");
+            let note = format!("the coordinates are in {symbol}, according to `");
             assert_eq!(found.notes.iter().any(|own| own.starts_with(&note)), of_title, "{:?}\n{text}", found.notes);
         }
     }

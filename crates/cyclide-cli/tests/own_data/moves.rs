@@ -209,7 +209,7 @@ fn noisy_motions_close_and_name_lost_poses() {
     let document = |fields: &str, lost: bool| {
         let poses = noisy_ring(lost);
         format!(
-            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 2.5, "angle": {{"degrees": 0.6}}}},
+            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 2.5, "angle": {{"degrees": 0.5}}}},
                 {fields} "poses": [{poses}]}}}}}}"#
         )
     };

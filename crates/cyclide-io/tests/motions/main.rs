@@ -170,7 +170,7 @@ fn units_of_columns_are_told_and_not_applied() {
     let [(reason, message)] = &remarks("x_m,y_m,z_m\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
     assert!(*reason == "units-differ" && message.contains("x_m, y_m, z_m speak of m, the model says mm"), "{message}");
     let [(reason, message)] = &remarks("x_um,y_um,z_um\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
-    assert!(*reason == "unit-not-applied" && message.contains("it is not applied"), "{message}");
+    assert!(*reason == "unit-not-applied" && message.contains("it is ignored"), "{message}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! A block whose coordinate surfaces are cyclides that intersect at right angles.
+//! A block between cyclides that intersect at right angles.
 
 use cyclide::{CyclideVolume, ErrorItem, NumberError, Point3, PointError, SphericalCube};
 use schemars::JsonSchema;

@@ -194,7 +194,7 @@ kinds! {
         principal_grid: PrincipalGrid(PrincipalGridSpec) = "principal-grid",
     }
     "Volumes" {
-        /// A block whose coordinate surfaces are cyclides that intersect at right angles.
+        /// A block between cyclides that intersect at right angles.
         cyclide_volume: CyclideVolume(CyclideVolumeSpec) = "cyclide-volume",
         /// Blocks in a grid.
         cyclide_grid: CyclideGrid(CyclideGridSpec) = "cyclide-grid",

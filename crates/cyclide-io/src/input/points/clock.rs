@@ -199,7 +199,7 @@ mod tests {
         assert_eq!(at("2026-11-28T23:59:59.75Z").unwrap().to_bits(), 0.0_f64.to_bits());
         assert!(at("3.5").is_err());
         assert_eq!(at("2026-11-29T01:00:01+01:00").unwrap().to_bits(), 1.25_f64.to_bits());
-        assert!(at("2026-11-29T00:00:02").unwrap_err().message.contains("write all times alike"));
+        assert!(at("2026-11-29T00:00:02").unwrap_err().message.contains("write all times in one format"));
         assert!(clock.note.unwrap().contains("dates; seconds count from the first, 2026-11-28T23:59:59.75Z"));
         let mut clock = Clock::new(TimeUnit::PerSecond(1.0));
         let source = Source { name: "t", text: "" };
