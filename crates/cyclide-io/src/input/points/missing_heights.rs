@@ -60,8 +60,8 @@ impl MissingHeights {
     pub(super) fn of_points(&self, plane: &str, space: &str) -> String {
         let points = if self.count == 1 { "point" } else { "points" };
         format!(
-            "{}; leave the {points} out, or take all points in the plane (`--columns {plane}`, in a document `columns`); `--columns {space}` takes the \
-             {points} as they are",
+            "{}; leave the {points} out, or take all points in the plane (`--columns {plane}`, in a document `columns`); `--columns {space}` reads all \
+             heights unchanged",
             self.sentence()
         )
     }
