@@ -163,3 +163,35 @@ fn corners_of_noisy_gears_are_kept() {
         assert!(off < 4.0 * sigma, "{seed}: {off} for noise of {sigma}; {:?}", fit.warnings());
     }
 }
+
+/// Scanned outlines, whose points lie anywhere on the sides and none on a corner: it is where the sides meet.
+#[test]
+fn corners_between_points_are_found() {
+    let plus: Vec<Point3> =
+        [(2, 0), (4, 0), (4, 2), (6, 2), (6, 4), (4, 4), (4, 6), (2, 6), (2, 4), (0, 4), (0, 2), (2, 2)]
+            .map(|(x, y)| Point3::new(10.0 * f64::from(x), 10.0 * f64::from(y), 0.0))
+            .to_vec();
+    let rectangle = [(0.0, 0.0), (60.0, 0.0), (60.0, 40.0), (0.0, 40.0)].map(|(x, y)| Point3::new(x, y, 0.0)).to_vec();
+    let noises = [0.04, 0.07, 0.1];
+    let figures = [plus, rectangle];
+    for (seed, (figure, sigma)) in figures.iter().flat_map(|figure| noises.map(|noise| (figure, noise))).enumerate() {
+        let n = figure.len();
+        // At 1/3 past each whole number along the outline, whose sides are 20, 40 and 60 long.
+        let side = |k: usize| {
+            let (from, to) = (figure[k], figure[(k + 1) % n]);
+            let length = from.distance(to);
+            (0..length as usize).map(move |j| from.lerp(to, (j as f64 + 1.0 / 3.0) / length))
+        };
+        let exact: Vec<Point3> = (0..n).flat_map(side).collect();
+        let noise = deviates(700 + seed as u64, 2 * exact.len());
+        let moved = |(p, e): (&Point3, &[f64])| *p + Vec3::new(e[0], e[1], 0.0) * sigma;
+        let points: Vec<Point3> = exact.iter().zip(noise.chunks(2)).map(moved).collect();
+        let options = FairFitOptions { closed: true, ..FairFitOptions::by_noise(Noise::Estimated) };
+        let fit = FairFit::new(&points, &options).unwrap();
+        assert!(fit.warnings().iter().any(|w| w.reason() == "corners-inserted"), "{seed}: {:?}", fit.warnings());
+        let off = figure.iter().map(|p| closest_point(fit.spline(), *p).distance).fold(0.0, f64::max);
+        assert!(off < 4.0 * sigma, "{seed}: {off} for noise of {sigma}; {:?}", fit.warnings());
+        let read = fit.certificate().noise.unwrap();
+        assert!((0.85..1.15).contains(&(read / sigma)), "{seed}: noise {read} of {sigma}");
+    }
+}

@@ -107,6 +107,40 @@ table! {
             noise (standard deviation {noise}), point {point} by {distance}; mark the corners (a corner angle), or use \
             denser points";
 
+        /// Points next to each other are farther from the smoothed curve than their noise.
+        PointsLeft {
+            /// The first of two.
+            point: usize,
+            /// How far the nearer of them is.
+            distance: f64,
+            /// Standard deviation of the noise of the points.
+            noise: f64,
+        }
+        reason "corners-rounded";
+        at *point;
+        says "a corner may be rounded off: point {point} and the next are both {distance} or more from the curve, and the \
+            noise of the points has a standard deviation of {noise}; mark the corner, or use denser points";
+
+        /// Straight runs of points meet between two of them: there is a corner that no point measures.
+        CornersInserted {
+            /// The point before the first of them.
+            point: usize,
+            /// Where the first of them is.
+            at: [f64; 3],
+            /// How far one of them is from the edge between its points, at most.
+            distance: f64,
+            /// How many there are.
+            count: usize,
+        }
+        reason "corners-inserted";
+        at *point;
+        when *count == 1, says "a corner was inserted after point {point}, at {},{},{}: straight runs of points meet there, \
+            {distance} from the edge between two points; if the shape is rounded there, use a tolerance as the strength",
+            ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+        says "{count} corners were inserted where straight runs of points meet between two of them, up to {distance} \
+            from the edge between these: the first after point {point}, at {},{},{}; if the shape is rounded there, use \
+            a tolerance as the strength", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
+
         /// The closest locations of some points step back along the curve: distances are bounded in one direction only.
         FeetNotMonotone {
             /// The first point whose closest location is before that of its predecessor.

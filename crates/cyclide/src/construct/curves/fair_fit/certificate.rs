@@ -36,6 +36,8 @@ pub(super) struct PieceSheet {
     /// Largest distance of a point from the curve, and the point.
     pub vertex: (f64, usize),
     pub squares: f64,
+    /// The largest distance that two points next to each other both have, and the first of them.
+    pub beside: (f64, usize),
     /// Bound on the distance between curve and polyline.
     pub polyline: f64,
     /// The first point whose foot steps back, and their number.
@@ -49,7 +51,8 @@ pub(super) struct PieceSheet {
 pub(super) fn certify(curve: &[RationalBezier], closed: bool, points: &[Point3], feet: &[f64]) -> PieceSheet {
     let errors: Vec<Vec3> = points.iter().zip(feet).map(|(p, foot)| *p - at(curve, *foot)).collect();
     let roughness = roughness(&errors);
-    let mut sheet = PieceSheet { vertex: (0.0, 0), squares: 0.0, polyline: 0.0, back: None, roughness };
+    let mut sheet =
+        PieceSheet { vertex: (0.0, 0), squares: 0.0, beside: (0.0, 0), polyline: 0.0, back: None, roughness };
     for (i, error) in errors.iter().enumerate() {
         let distance = error.length();
         if distance > sheet.vertex.0 {
@@ -57,6 +60,8 @@ pub(super) fn certify(curve: &[RationalBezier], closed: bool, points: &[Point3],
         }
         sheet.squares += distance * distance;
     }
+    let both = errors.windows(2).map(|w| w[0].length().min(w[1].length()));
+    sheet.beside = both.zip(0..).fold(sheet.beside, |most, next| if next.0 > most.0 { next } else { most });
     let m = curve.len() as f64;
     // Positions that start at the first foot and go on past the seam; open curves are matched end with end.
     let mut along: Vec<f64> = feet.iter().map(|f| if *f < feet[0] && closed { f + m } else { *f }).collect();

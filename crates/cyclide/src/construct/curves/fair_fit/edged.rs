@@ -2,7 +2,7 @@
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::measured::{NEAREST, OF_NOISE, read};
-use super::meeting_sides::with_meeting_sides;
+use super::meeting_sides::{Sharp, with_meeting_sides};
 use super::noise::{self, Denoised, Run};
 use super::options::{Heights, Noise};
 use super::{FairFitOptions, corners};
@@ -39,7 +39,7 @@ pub(super) fn in_plan<'a>(points: &'a [Point3], options: &FairFitOptions) -> Cow
 }
 
 /// What of the points is no curve: corners, and the edges that are straight sides.
-#[derive(PartialEq)]
+#[derive(Default, PartialEq)]
 pub(super) struct Edged {
     /// Positions of the corners, rising.
     pub corners: Vec<usize>,
@@ -105,10 +105,17 @@ impl Edged {
         runs
     }
 
-    /// The corners and straight sides that last over more than the noise, and what the points say about that with them.
-    pub fn in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> (Self, Option<Denoised>) {
-        if let Some(exact) = Self::of_exact(distinct, options, size) {
-            return exact;
+    /// The corners and straight sides that last over more than the noise, and what the points say about that with them, if they are
+    /// enough.
+    pub fn in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> Result<Sharp, Self> {
+        if let Some((edged, found)) = Self::of_exact(distinct, options, size) {
+            return match found {
+                Some(found) if found.deviation > NEAREST * size => {
+                    Ok(with_meeting_sides(distinct, options, edged, found))
+                }
+                Some(found) => Ok(Sharp { inserted: None, edged, found }),
+                None => Err(edged),
+            };
         }
         let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
         let forced = Self::within(distinct, &automatic, f64::INFINITY);
@@ -116,8 +123,7 @@ impl Edged {
         if let Some((edged, found)) =
             Self::by_places(distinct, options, Self { corners: forced.corners.clone(), straight: gaps })
         {
-            let (edged, found) = with_meeting_sides(distinct, options, edged, found);
-            return (edged, Some(found));
+            return Ok(with_meeting_sides(distinct, options, edged, found));
         }
         // Else those that last over the noise that the points have without any.
         let mut found = read(distinct, options, &forced);
@@ -126,9 +132,10 @@ impl Edged {
         if edged != forced {
             found = read(distinct, options, &edged);
         }
-        let Some(found) = found else { return (edged, None) };
-        let (edged, found) = with_meeting_sides(distinct, options, edged, found);
-        (edged, Some(found))
+        match found {
+            Some(found) => Ok(with_meeting_sides(distinct, options, edged, found)),
+            None => Err(edged),
+        }
     }
 
     /// All corners and sides of exact points, if they are some with the noise of the runs between them too: else they are taken for

@@ -3,6 +3,7 @@
 
 use super::doubts::Swing;
 use super::edged::{Edged, in_plan};
+use super::meeting_sides::Sharp;
 use super::noise::{self, Denoised, Reading, Rounded, Stop, denoised};
 use super::options::{Heights, Noise, Outliers};
 use super::{FairFit, FairFitOptions, corners, whittaker};
@@ -25,6 +26,8 @@ const OF_FIRST: f64 = 32.0;
 pub(super) const OF_NOISE: f64 = 3.0;
 /// Few points may be corners where their noise is above this part of what they are apart.
 const OF_STEP: f64 = 0.1;
+/// Noise does not have two points next to each other farther off the curve than so many deviations.
+const OF_TWO: f64 = 4.0;
 /// With more outliers than this each is not named any more.
 pub(super) const NAMED: usize = 20;
 
@@ -159,10 +162,10 @@ impl FairFit {
     pub(super) fn by_noise(prepared: Prepared, options: &FairFitOptions) -> Result<Self> {
         let Prepared { distinct, mut warnings } = prepared;
         let size = diameter(&distinct.points);
-        let (edged, found) = match Edged::in_noise(&distinct, options, size) {
-            (edged, Some(found)) => (edged, found),
+        let sharp = match Edged::in_noise(&distinct, options, size) {
+            Ok(sharp) => sharp,
             // Runs between corners and sides that have too few points to tell noise: an outline, which is kept.
-            (edged, None) if edged.is_any() => {
+            Err(edged) if edged.is_any() => {
                 let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
                 // What neighbours were merged over counts.
                 let tolerance = (NEAREST * size + distinct.moved).min(options.tolerance);
@@ -179,8 +182,13 @@ impl FairFit {
                 fit.warnings = warnings;
                 return Ok(fit);
             }
-            _ => return Err(PointError::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }.into()),
+            Err(_) => {
+                return Err(PointError::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }.into());
+            }
         };
+        warnings.extend(sharp.inserted_corners());
+        let Sharp { inserted, edged, found } = sharp;
+        let distinct = inserted.unwrap_or(distinct);
         let dropped = options.outliers == Outliers::Drop;
         warnings.extend(outliers_named(&found, &distinct.source, dropped));
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
@@ -198,12 +206,10 @@ impl FairFit {
         if found.deviation > NEAREST * size {
             warnings.extend(Self::long_edges(&distinct, options, &straight, &found.kept));
         }
-        if let Some(Rounded { point, distance, count, noise }) =
-            noise::rounded(&measured, &found.places, options.closed, found.directions)
-        {
-            let point = source[point];
-            warnings.push(Warning::Noise(NoiseWarning::CornersRounded { point, distance, count, noise }));
-        }
+        let rounded = noise::rounded(&measured, &found.places, options.closed, found.directions);
+        let rounded = rounded.map(|Rounded { point, distance, count, noise }| {
+            Warning::Noise(NoiseWarning::CornersRounded { point: source[point], distance, count, noise })
+        });
         let measured = Measured { points: &measured, straight: &straight };
         let places = Distinct::of(found.places, source, distinct.warning.clone());
         let mut task = FairFitOptions {
@@ -246,6 +252,11 @@ impl FairFit {
             let (deviation, tolerance) = (fit.certificate.deviation, options.tolerance);
             return Err(FitError::ToleranceNotReached { points, deviation, tolerance }.into());
         }
+        let (distance, point) = fit.beside;
+        let is_outlier = |out: &(usize, f64)| (point..=point + 1).contains(&distinct.source[out.0]);
+        let leaves = distance > OF_TWO * found.deviation.max(NEAREST * size) && !found.outliers.iter().any(is_outlier);
+        let left = leaves.then_some(NoiseWarning::PointsLeft { point, distance, noise: found.deviation });
+        warnings.extend(rounded.or(left.map(Warning::Noise)));
         let apart = noise::usual_length(&distinct.points);
         if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {
             warnings.push(Warning::Noise(NoiseWarning::FewPoints {

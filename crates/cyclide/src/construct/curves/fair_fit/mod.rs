@@ -36,6 +36,7 @@ mod places;
 mod removal;
 mod run;
 mod shape;
+mod sides;
 mod spline_basis;
 mod tube_curve;
 mod whittaker;
@@ -84,6 +85,8 @@ pub struct FairFit {
     warnings: Vec<Warning>,
     /// Where it swings out between points.
     swing: Option<Swing>,
+    /// The largest distance that two points next to each other both have from it, and the first of them.
+    beside: (f64, usize),
     /// Where corners smaller than the tolerance are kept: the positions of all among the distinct points, rising.
     corners: Vec<usize>,
 }
@@ -173,7 +176,8 @@ impl FairFit {
             // Points of straight runs are sides to a tolerance, and outliers corners; to noise they are not.
             let by_noise = || {
                 let options = FairFitOptions { noise: Some(Noise::Estimated), ..options.clone() };
-                Edged::in_noise(&distinct, &options, diameter(&distinct.points)).1
+                let sharp = Edged::in_noise(&distinct, &options, diameter(&distinct.points)).ok()?;
+                Some(sharp.of_own(&distinct))
             };
             let found = read(&distinct, options, &edged).filter(|found| !found.outliers.is_empty()).or_else(by_noise);
             if let Some(found) = found.filter(|found| !found.outliers.is_empty()) {

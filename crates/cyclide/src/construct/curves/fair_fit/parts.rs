@@ -180,7 +180,9 @@ impl<'a> Parts<'a> {
         let in_users_numbers =
             |piece: &PieceFit| piece.swing.map(|swing| Swing { point: source[piece.numbers[swing.point]], ..swing });
         let swing = Swing::largest(self.pieces.iter().filter_map(in_users_numbers));
-        Ok(FairFit { spline, certificate: sheet, warnings, swing, corners: Vec::new() })
+        let beside = |piece: &PieceFit| (piece.sheet.beside.0, source[piece.numbers[piece.sheet.beside.1]]);
+        let beside = self.pieces.iter().map(beside).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+        Ok(FairFit { spline, certificate: sheet, warnings, swing, beside, corners: Vec::new() })
     }
 
     fn certificate(&self, distinct: &Distinct) -> FairFitCertificate {
