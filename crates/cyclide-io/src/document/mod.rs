@@ -34,7 +34,7 @@ pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 pub use kinds::ObjectSpec;
 pub use objects::contours::{ContourFacts, Fitted};
 pub use objects::facts::{
-    BlendFacts, CellFacts, Facts, GridFacts, InterpolationFacts, NetFacts, RoundedPolyhedron, SmoothChoice, TubeFacts,
+    BlendFacts, CellFacts, Facts, InterpolationFacts, NetFacts, RoundedPolyhedron, SmoothChoice, TubeFacts,
     UnrolledPlane,
 };
 pub use objects::idle::NO_EFFECT;

@@ -1,6 +1,6 @@
 //! What a kind of object says of itself: all that the rest of the program asks about it.
 
-use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject, Torus, TorusSpline};
+use cyclide::{Body, CurveObject, CyclideVolume, GridObject, MovingBody, SurfaceObject, Torus, TorusSpline};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
@@ -137,9 +137,10 @@ pub(in crate::document) enum Blame {
     Object,
 }
 
-/// What a construction makes: curves, surfaces, blocks or a motion.
+/// What a construction makes: curves, grids, surfaces, blocks or a motion.
 pub(in crate::document) enum Shape {
     Curves(Vec<(CurveObject, ContourFacts)>),
+    Grids(Box<GridObject>),
     Surfaces(Vec<SurfaceObject>),
     /// With the parameters of their cells, if they are divided.
     Blocks(Vec<CyclideVolume>, Option<[Vec<f64>; 3]>),

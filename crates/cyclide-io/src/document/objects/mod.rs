@@ -253,7 +253,8 @@ impl Builder<'_> {
                 bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect()
             }
             Shape::Blocks(volumes, _) => self.block_bodies(volumes)?,
-            Shape::Motion(_) => Vec::new(),
+            // Straight lines are what they are at any place.
+            Shape::Grids(_) | Shape::Motion(_) => Vec::new(),
         };
         kind.remark_on(&mut self, &shape, &bodies);
         let tolerance = kind.tolerance().or(self.bound);
@@ -264,12 +265,16 @@ impl Builder<'_> {
                 contours = facts;
                 Geometry::Curves(curves)
             }
+            Shape::Grids(laid) => {
+                contours = vec![ContourFacts::default(); laid.lines().len()];
+                Geometry::Grids(laid)
+            }
             Shape::Surfaces(surfaces) => Geometry::Surfaces(surfaces),
             Shape::Blocks(volumes, parameters) => {
                 places = parameters;
                 Geometry::Volumes(volumes)
             }
-            Shape::Motion(body) => (*body).into(),
+            Shape::Motion(body) => Geometry::Motion(body),
         };
         let item = Item::new(self.name, geometry);
         let construction = self.construction;

@@ -1,11 +1,6 @@
 //! Grids along the lines of curvature of surfaces.
 
-use std::collections::HashSet;
-
-use cyclide::{
-    ArcPath, CurveObject, Error as KernelError, ErrorItem, MeshError, NumberError, Point3, PrincipalGridError,
-    ShortNumber,
-};
+use cyclide::{Error as KernelError, ErrorItem, GridObject, MeshError, NumberError, PrincipalGridError, ShortNumber};
 use cyclide_grids::{
     FreeLayout, GridBorder, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
     covering_principal_grids,
@@ -14,7 +9,7 @@ use cyclide_grids::{
 use crate::document::kinds::principal_grid::PrincipalGridSpec;
 use crate::document::kinds::smooth_mesh::Given;
 use crate::document::objects::Builder;
-use crate::document::objects::facts::{Facts, GridFacts};
+use crate::document::objects::facts::Facts;
 use crate::document::objects::idle::{Idle, found};
 use crate::document::objects::remark::Remark;
 use crate::error::hints::words_of;
@@ -29,8 +24,8 @@ const ONE_SURFACE: &str =
     "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`";
 
 impl Builder<'_> {
-    /// Lays the grids; their lines are the curves of the object.
-    pub(in crate::document) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<Vec<CurveObject>> {
+    /// Lays the grids.
+    pub(in crate::document) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<GridObject> {
         let given = self.mesh_to_lay_on(spec)?;
         let mut mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
         // Nothing but vertices and neighbours is taken of a mesh: how polygons are cut is nobody's matter.
@@ -53,11 +48,13 @@ impl Builder<'_> {
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
         let closed = laid.grids.iter().any(|grid| grid.closed()[0]);
         self.remark_on_idle(idle_in_principal_grid(spec, closed, laid.joined.is_some()));
-        let lines = lines(&laid).map_err(|e| self.refused(&e, None))?;
-        self.field = Some(field(&laid));
-        let facts = GridFacts { grids: laid.grids, joined: laid.joined, report: laid.report };
-        self.facts = Facts::Grids(Box::new(facts));
-        Ok(lines)
+        let PrincipalGrids { grids, joined, report, field, .. } = laid;
+        let PrincipalField { points, triangles, normals, along, .. } = field;
+        let umbilics = report.umbilics.iter().map(|umbilic| (umbilic.point, umbilic.halves)).collect();
+        self.field = Some(LaidField { surface: GivenSurface { points, normals, triangles }, along, umbilics });
+        self.facts = Facts::PrincipalGrid(Box::new(report));
+        let made = joined.map_or_else(|| GridObject::apart(grids), GridObject::joined);
+        made.map_err(|e| self.refused(&e, None))
     }
 
     fn mesh_to_lay_on(&mut self, spec: &PrincipalGridSpec) -> Result<Given> {
@@ -131,13 +128,6 @@ pub(in crate::document) fn idle_in_principal_grid(spec: &PrincipalGridSpec, clos
     ])
 }
 
-/// What pictures show of it.
-fn field(laid: &PrincipalGrids) -> LaidField {
-    let PrincipalField { points, triangles, normals, along, .. } = laid.field.clone();
-    let umbilics = laid.report.umbilics.iter().map(|umbilic| (umbilic.point, umbilic.halves)).collect();
-    LaidField { surface: GivenSurface { points, normals, triangles }, along, umbilics, grids: laid.grids.clone() }
-}
-
 /// What is being done, for a line of progress.
 fn words(stage: PrincipalStage) -> String {
     match stage {
@@ -148,44 +138,4 @@ fn words(stage: PrincipalStage) -> String {
         PrincipalStage::Lattice { grids } => format!("grid {grids}"),
         _ => "curvatures of the mesh".to_owned(),
     }
-}
-
-/// The lines of the grids, those along s first; of joined grids what several share is drawn once.
-fn lines(laid: &PrincipalGrids) -> cyclide::Result<Vec<CurveObject>> {
-    let mut drawn = HashSet::new();
-    let mut curves = Vec::new();
-    for (k, grid) in laid.grids.iter().enumerate() {
-        let numbers = laid.joined.as_ref().map(|mesh| &mesh.pieces()[k].vertices);
-        for (vertices, closed) in grid.lines() {
-            let is_new = |a: usize, b: usize| match numbers.map(|numbers| [numbers[a], numbers[b]]) {
-                Some([a, b]) => drawn.insert([a.min(b), a.max(b)]),
-                None => true,
-            };
-            for part in parts(&vertices, closed, is_new) {
-                let points: Vec<Point3> = part.iter().map(|v| grid.points()[*v]).collect();
-                let path = ArcPath::rounded_polyline(&points, closed, &vec![0.0; points.len()])?;
-                curves.push(CurveObject::ArcPath(path));
-            }
-        }
-    }
-    Ok(curves)
-}
-
-/// The parts of a line between edges that are not wanted; a closed line is one.
-fn parts(line: &[usize], closed: bool, mut wanted: impl FnMut(usize, usize) -> bool) -> Vec<Vec<usize>> {
-    if closed {
-        return vec![line.to_vec()];
-    }
-    let mut parts: Vec<Vec<usize>> = Vec::new();
-    let mut goes_on = false;
-    for pair in line.windows(2) {
-        let is_wanted = wanted(pair[0], pair[1]);
-        match parts.last_mut() {
-            Some(part) if is_wanted && goes_on => part.push(pair[1]),
-            _ if is_wanted => parts.push(pair.to_vec()),
-            _ => {}
-        }
-        goes_on = is_wanted;
-    }
-    parts
 }
