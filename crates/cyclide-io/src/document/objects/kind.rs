@@ -111,7 +111,7 @@ pub(in crate::document) trait Kind {
     }
 
     /// What it is of the panels of another object.
-    fn of_panels(&self) -> Option<OfPanels<'_>> {
+    fn of_panels(&self) -> Option<OfPanels> {
         None
     }
 
@@ -120,11 +120,12 @@ pub(in crate::document) trait Kind {
 }
 
 /// What an object is of the panels of another, whose name it has.
-pub(crate) enum OfPanels<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum OfPanels {
     /// Their other side at a distance, or the solid between both.
-    OtherSide { of: &'a str, distance: f64, solid: bool },
+    OtherSide { of: String, distance: f64, solid: bool },
     /// Their edges.
-    Edges { of: &'a str },
+    Edges { of: String },
 }
 
 /// The value of an object that an error is about.
