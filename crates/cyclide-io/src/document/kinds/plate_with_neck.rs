@@ -91,6 +91,16 @@ pub enum PlateSpec {
     Disk(DiskSpec),
 }
 
+impl PlateSpec {
+    /// What the kernel calls it.
+    pub(in crate::document) fn shape(self) -> PlateShape {
+        match self {
+            Self::Rectangle(sides) => PlateShape::Rectangle(sides),
+            Self::Disk(disk) => PlateShape::Disk(disk.radius),
+        }
+    }
+}
+
 /// A disk.
 ///
 /// ```
@@ -165,12 +175,8 @@ impl Builder<'_> {
         let slope = spec.slope.map_or(0.0, Angle::radians);
         let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, spec.variant);
         let neck = neck.map_err(|e| self.refused(&e, None))?;
-        let plate = spec.plate.map(|plate| match plate {
-            PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),
-            PlateSpec::Disk(disk) => PlateShape::Disk(disk.radius),
-        });
         let mut made = NeckBody::new(spec.height);
-        (made.plate, made.thickness, made.wall) = (plate, spec.thickness, spec.wall);
+        (made.plate, made.thickness, made.wall) = (spec.plate.map(PlateSpec::shape), spec.thickness, spec.wall);
         let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
         for warning in neck.warnings() {
             self.warn_at("ball_radius", None, warning);

@@ -1,6 +1,6 @@
 //! Grids along the lines of curvature of surfaces.
 
-use cyclide::{Error as KernelError, ErrorItem, GridObject, MeshError, NumberError, PrincipalGridError, ShortNumber};
+use cyclide::{Error as KernelError, ErrorItem, GridObject, NumberError, PrincipalGridError, ShortNumber};
 use cyclide_grids::{
     FreeLayout, GridBorder, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
     covering_principal_grids,
@@ -16,12 +16,7 @@ use crate::error::hints::words_of;
 use crate::error::{Error, Result};
 use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::input::exported_faces::Counted;
-use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::TriangleMesh;
-
-/// What is said where a surface is given twice, or not at all.
-const ONE_SURFACE: &str =
-    "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`";
 
 impl Builder<'_> {
     /// Lays the grids.
@@ -44,7 +39,7 @@ impl Builder<'_> {
         let progress = &mut *self.progress;
         let tell = &mut |stage| progress(words(stage));
         let laid = covering_principal_grids(&mesh.points, &mesh.triangles, &options, free, tell);
-        let laid = laid.map_err(|e| self.refused_grid(spec, &given, &mesh, e))?;
+        let laid = laid.map_err(|e| self.refused_grid(&given, &mesh, e))?;
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
         let closed = laid.grids.iter().any(|grid| grid.closed()[0]);
         self.remark_on_idle(idle_in_principal_grid(spec, closed, laid.joined.is_some()));
@@ -58,34 +53,19 @@ impl Builder<'_> {
     }
 
     fn mesh_to_lay_on(&mut self, spec: &PrincipalGridSpec) -> Result<Given> {
-        match (&spec.mesh, &spec.vertices, &spec.faces) {
-            (None, None, None) => match (&spec.nurbs, &spec.heights) {
-                (Some(surface), None) => self.mesh_of_nurbs(surface, spec.edge_length),
-                (None, Some(heights)) => self.mesh_of_heights(heights),
-                _ => Err(self.unfit(ONE_SURFACE)),
-            },
-            _ if spec.nurbs.is_some() || spec.heights.is_some() => Err(self.unfit(ONE_SURFACE)),
-            (Some(file), None, None) => self.polygon_file(file),
-            (None, Some(vertices), Some(faces)) => {
-                let count = vertices.len();
-                let faces: Vec<Vec<usize>> = faces.iter().map(|f| f.iter().map(|v| *v as usize).collect()).collect();
-                for (index, face) in faces.iter().enumerate() {
-                    if let Some(place) = face.iter().position(|v| *v >= count) {
-                        let error =
-                            KernelError::Mesh(MeshError::NoSuchVertex { triangle: index, vertex: face[place], count });
-                        return Err(self.refused_at(["faces".into(), index.into(), place.into()], &error));
-                    }
-                }
-                let points = vertices.iter().map(|p| p.point()).collect();
-                let mesh = PolygonMesh { points, faces, ..PolygonMesh::default() };
-                Ok(Given { mesh, file: None, field: "faces", shared: true, lists_normals: false })
-            }
-            _ => Err(self.unfit(ONE_SURFACE)),
+        match (&spec.mesh, &spec.vertices, &spec.faces, &spec.nurbs, &spec.heights) {
+            (Some(file), None, None, None, None) => self.polygon_file(file),
+            (None, Some(vertices), Some(faces), None, None) => self.listed_polygons(vertices, faces, "faces"),
+            (None, None, None, Some(surface), None) => self.mesh_of_nurbs(surface, spec.edge_length),
+            (None, None, None, None, Some(heights)) => self.mesh_of_heights(heights),
+            _ => Err(self.unfit(
+                "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`",
+            )),
         }
     }
 
     /// The message for what the kernel said, in the numbers of the mesh as given.
-    fn refused_grid(&self, spec: &PrincipalGridSpec, given: &Given, mesh: &TriangleMesh, error: KernelError) -> Error {
+    fn refused_grid(&self, given: &Given, mesh: &TriangleMesh, error: KernelError) -> Error {
         let error = match error {
             KernelError::PrincipalGrid(PrincipalGridError::NotASurface { fault, index }) => {
                 KernelError::PrincipalGrid(PrincipalGridError::NotASurface {
@@ -100,16 +80,14 @@ impl Builder<'_> {
             | KernelError::PrincipalGrid(PrincipalGridError::NoGrid { .. }) => "edge_length",
             KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Columns, .. }) => "columns",
             KernelError::Number(NumberError::ParameterOutOfRange { name: ErrorItem::MostPieces, .. }) => "most_pieces",
-            KernelError::Number(NumberError::NotFinite { .. }) if spec.vertices.is_some() => "vertices",
+            KernelError::Number(NumberError::NotFinite { .. }) if given.field == "faces" => "vertices",
             _ => given.field,
         };
         match (&error, &given.file) {
             (_, Some(file)) if field == given.field && !self.document.text.is_empty() => {
                 self.refused_in_words([field.into()], error.reason(), format!("{} (of {file})", words_of(&error)))
             }
-            (KernelError::PrincipalGrid(PrincipalGridError::NotASurface { index, .. }), None)
-                if spec.faces.is_some() =>
-            {
+            (KernelError::PrincipalGrid(PrincipalGridError::NotASurface { index, .. }), _) if field == "faces" => {
                 self.refused_at([field.into(), (*index).into()], &error)
             }
             _ => self.refused_at([field.into()], &error),
