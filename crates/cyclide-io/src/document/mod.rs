@@ -9,6 +9,7 @@
 
 mod angle;
 mod coordinates;
+mod forms;
 pub mod kinds;
 mod limits;
 mod locate;

@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::angle::Angle;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
@@ -121,24 +122,10 @@ pub struct DiskSpec {
     pub radius: f64,
 }
 
-impl<'de> Deserialize<'de> for PlateSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct PlateVisitor;
-        impl<'de> serde::de::Visitor<'de> for PlateVisitor {
-            type Value = PlateSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("two sides `[80, 60]` or `{\"radius\": …}`")
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PlateSpec, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                <[f64; 2]>::deserialize(seq).map(PlateSpec::Rectangle)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PlateSpec, A::Error> {
-                DiskSpec::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PlateSpec::Disk)
-            }
-        }
-        deserializer.deserialize_any(PlateVisitor)
-    }
+forms! {
+    PlateSpec: "two sides `[80, 60]` or `{\"radius\": …}`";
+    list [f64; 2] => PlateSpec::Rectangle;
+    object DiskSpec => PlateSpec::Disk;
 }
 
 impl Kind for PlateWithNeckSpec {

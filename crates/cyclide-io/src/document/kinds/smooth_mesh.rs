@@ -9,6 +9,7 @@ use serde::Deserialize;
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
@@ -114,28 +115,14 @@ enum NormalsWord {
     File,
 }
 
-impl<'de> Deserialize<'de> for NormalsSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NormalsVisitor;
-        impl<'de> serde::de::Visitor<'de> for NormalsVisitor {
-            type Value = NormalsSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"angle\", \"sphere\", \"file\" or a list of directions `[[x, y, z], …]`")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<NormalsSpec, E> {
-                let word = NormalsWord::deserialize(serde::de::value::StrDeserializer::new(word))?;
-                Ok(match word {
-                    NormalsWord::Angle => NormalsSpec::Angle,
-                    NormalsWord::Sphere => NormalsSpec::Sphere,
-                    NormalsWord::File => NormalsSpec::File,
-                })
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<NormalsSpec, A::Error> {
-                Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(NormalsSpec::Given)
-            }
-        }
-        deserializer.deserialize_any(NormalsVisitor)
-    }
+forms! {
+    NormalsSpec: "\"angle\", \"sphere\", \"file\" or a list of directions `[[x, y, z], …]`";
+    word NormalsWord => |word| match word {
+        NormalsWord::Angle => NormalsSpec::Angle,
+        NormalsWord::Sphere => NormalsSpec::Sphere,
+        NormalsWord::File => NormalsSpec::File,
+    };
+    list Vec<Coordinates> => NormalsSpec::Given;
 }
 
 /// Polygons as they are given.

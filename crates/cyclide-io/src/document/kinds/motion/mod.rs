@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
@@ -252,24 +253,10 @@ pub struct StartSpec {
     pub rpy: Option<[Angle; 3]>,
 }
 
-impl<'de> Deserialize<'de> for PoseSource {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct PoseVisitor;
-        impl<'de> serde::de::Visitor<'de> for PoseVisitor {
-            type Value = PoseSource;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a list of poses, or `{\"csv\": FILE}`")
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PoseSource, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                Vec::<PoseSpec>::deserialize(seq).map(PoseSource::Inline)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PoseSource, A::Error> {
-                PoseFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PoseSource::File)
-            }
-        }
-        deserializer.deserialize_any(PoseVisitor)
-    }
+forms! {
+    PoseSource: "a list of poses, or `{\"csv\": FILE}`";
+    list Vec<PoseSpec> => PoseSource::Inline;
+    object PoseFile => PoseSource::File;
 }
 
 /// How a body goes from pose to pose: place and turn together, on a curve through the places, or within a tolerance.
