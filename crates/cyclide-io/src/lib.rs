@@ -10,7 +10,7 @@
 //! |---|---|
 //! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], where the fields of each stand; [`KindPage`], the manual of each |
 //! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]) |
-//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`Facts`]: [`NetFacts`], [`GridFacts`], [`BlendFacts`], [`CellFacts`]; [`ContourFacts`], [`Fitted`], [`InterpolationFacts`], [`RoundedPolyhedron`], [`SmoothChoice`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
+//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`Facts`]: [`NetFacts`], [`BlendFacts`], [`CellFacts`]; [`ContourFacts`], [`Fitted`], [`InterpolationFacts`], [`RoundedPolyhedron`], [`SmoothChoice`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`], [`MendedQuads`]), [`MeshFormat`] |
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepFaces`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
@@ -48,8 +48,8 @@ pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::kinds;
 pub use document::{
     Angle, BlendFacts, BuiltObject, CellFacts, ContourFacts, Coordinates, DOCUMENT_VERSION, Directions, Document,
-    Facts, Fitted, GridFacts, InterpolationFacts, Lists, ModelBuilder, NO_EFFECT, NetFacts, ObjectSpec, PointFile,
-    PointSource, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane, document_schema,
+    Facts, Fitted, InterpolationFacts, Lists, ModelBuilder, NO_EFFECT, NetFacts, ObjectSpec, PointFile, PointSource,
+    Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;

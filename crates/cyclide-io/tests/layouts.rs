@@ -59,7 +59,7 @@ fn schedules_list_once_what_pieces_share() {
     for (net, openings) in [(dome(), 1), (skin(), 8)] {
         let (document, built) = built("dome", vec![net.clone().into()]);
         let options = ScheduleOptions { thickness: Some(0.02), beam_depth: Some(-0.05), ..ScheduleOptions::default() };
-        let schedule = WorkshopSchedule::new(&document, &built, &options).unwrap();
+        let schedule = WorkshopSchedule::new(document.units, &built, &options).unwrap();
         let files =
             schedule.files().unwrap().into_iter().map(|(name, bytes)| (name, String::from_utf8(bytes).unwrap()));
         let files: HashMap<String, String> = files.collect();

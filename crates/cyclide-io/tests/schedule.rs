@@ -20,7 +20,7 @@ impl Made {
     fn of(text: &str, options: &ScheduleOptions) -> Self {
         let document: Document = text.parse().unwrap();
         let built = document.build().unwrap();
-        let schedule = WorkshopSchedule::new(&document, &built, options).unwrap();
+        let schedule = WorkshopSchedule::new(document.units, &built, options).unwrap();
         let files = schedule.files().unwrap().into_iter().collect();
         Self { built, schedule, files }
     }
@@ -221,7 +221,7 @@ fn refusals_say_what_is_wrong() {
     let document: Document = canopy().parse().unwrap();
     let built = document.build().unwrap();
     let refused =
-        |options: ScheduleOptions| WorkshopSchedule::new(&document, &built, &options).unwrap_err().to_string();
+        |options: ScheduleOptions| WorkshopSchedule::new(document.units, &built, &options).unwrap_err().to_string();
     let ribs = refused(ScheduleOptions { objects: vec!["ribs".to_owned()], ..ScheduleOptions::default() });
     assert!(ribs.contains("no net of panels") && ribs.ends_with("[no-net]"), "{ribs}");
     let thick = refused(ScheduleOptions { thickness: Some(-40.0), ..ScheduleOptions::default() });
@@ -242,7 +242,7 @@ fn no_two_objects_give_one_name() {
     let refused = |name: &str, options: &ScheduleOptions| {
         let document: Document = model(name).parse().unwrap();
         let built = document.build().unwrap();
-        WorkshopSchedule::new(&document, &built, options).err().map(|error| error.to_string())
+        WorkshopSchedule::new(document.units, &built, options).err().map(|error| error.to_string())
     };
     let taken = refused("horn.1", &ScheduleOptions::default()).unwrap();
     assert!(taken.contains("`horn` and `horn.1`") && taken.ends_with("[name-taken]"), "{taken}");

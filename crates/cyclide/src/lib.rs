@@ -93,7 +93,7 @@
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | panels for a workshop | [`PanelMeasures`] ([`PanelSide`], [`PanelSideForm`], [`CurvatureExtreme`]), [`NearestSurfaces`] ([`NearSurface`]), [`Moulds`] ([`Mould`], [`MouldMember`], [`MouldShape`]), [`Congruences`] ([`CongruenceClass`], [`CongruentPanel`]), [`FlatPattern`] |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
-//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
+//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`GridObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`] (by subject: [`NumberError`], [`PointError`], [`ArcError`], [`CurveError`], [`InterpolationError`], [`NurbsError`], [`FitError`], [`PatchError`], [`GridError`], [`PrincipalGridError`], [`ShellError`], [`ProfileError`], [`PipeError`], [`TubeError`], [`TeeError`], [`CrossingError`], [`ContactError`], [`BallError`], [`BridgeError`], [`PolyhedronError`], [`TriangleError`], [`MeshError`], [`TorusError`], [`PoseError`], [`MotionError`], [`VolumeError`], [`PartError`]), [`ErrorItem`], [`FoldRemedy`], [`SurfaceFault`], [`GridCellFault`], [`JoinFault`], [`LayoutFault`], [`Result`], [`reasons`], [`Warning`] (by subject: [`PointWarning`], [`CurveWarning`], [`FitWarning`], [`NoiseWarning`], [`MotionWarning`], [`PoseFitWarning`], [`PrincipalGridWarning`], [`CircularWarning`], [`NetWarning`], [`MeshWarning`], [`PolyhedronWarning`], [`BodyWarning`], [`VolumeWarning`]; [`SpikeRemedy`], [`SwingPart`], [`WaverRemedy`], [`InvertedCause`]), [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
@@ -174,7 +174,8 @@ pub use mesh::{
     flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
 pub use model::{
-    ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
+    ChainPiece, CurveChain, CurveObject, Exactness, Geometry, GridObject, Item, Lower, Lowered, Model, SurfaceObject,
+    Units,
 };
 pub use motion::{
     BodyMesh, CubicMotions, DecoupledMotion, DualQuat, FastPlace, Motion, MotionDeviation, MotionExtremes, MotionJet,

@@ -37,7 +37,7 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
         return Err(Failure::Usage("--cells is for volumes, which the object is not".to_owned()));
     }
     let text = match &object.item.geometry {
-        Geometry::Curves(_) => curves(plan, &object)?,
+        Geometry::Curves(_) | Geometry::Grids(_) => curves(plan, &object)?,
         Geometry::Surfaces(_) => surface(plan, &object)?,
         Geometry::Volumes(blocks) => volume(plan, &object, blocks.len())?,
         Geometry::Motion(_) => motion(plan, &object)?,

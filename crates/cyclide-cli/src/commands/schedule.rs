@@ -32,7 +32,7 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
     let progress = Progress::new(document.objects.len() + STEPS);
     let loaded = load::build(&document, &folder, &inputs, &progress)?;
     progress.doing("measuring".to_owned());
-    let schedule = WorkshopSchedule::new(&document, &loaded.objects, &plan.options).map_err(failure)?;
+    let schedule = WorkshopSchedule::new(loaded.units, &loaded.objects, &plan.options).map_err(failure)?;
     progress.done();
     progress.doing("lists and drawings, read back".to_owned());
     let files = schedule.files().map_err(failure)?;

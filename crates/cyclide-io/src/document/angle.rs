@@ -1,12 +1,12 @@
 //! Angles of a document: a number is radians, degrees say so.
 
 use std::borrow::Cow;
-use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::Deserializer;
+
+use crate::document::forms::forms;
 
 /// An angle as it is written: `1.5708` or `{"degrees": 90}`.
 ///
@@ -56,24 +56,10 @@ struct AllInDegrees {
     degrees: [f64; 3],
 }
 
-impl<'de> Deserialize<'de> for ThreeAngles {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct AnglesVisitor;
-        impl<'de> Visitor<'de> for AnglesVisitor {
-            type Value = ThreeAngles;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list of three angles, or `{\"degrees\": [0, 0, 90]}`")
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<ThreeAngles, A::Error> {
-                <[Angle; 3]>::deserialize(SeqAccessDeserializer::new(seq)).map(ThreeAngles)
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ThreeAngles, A::Error> {
-                let all = AllInDegrees::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(ThreeAngles(all.degrees.map(Angle::Degrees)))
-            }
-        }
-        deserializer.deserialize_any(AnglesVisitor)
-    }
+forms! {
+    ThreeAngles: "a list of three angles, or `{\"degrees\": [0, 0, 90]}`";
+    list [Angle; 3] => ThreeAngles;
+    object AllInDegrees => |all| ThreeAngles(all.degrees.map(Angle::Degrees));
 }
 
 impl JsonSchema for ThreeAngles {
@@ -107,29 +93,10 @@ struct InDegrees {
     degrees: f64,
 }
 
-impl<'de> Deserialize<'de> for Angle {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct AngleVisitor;
-        impl<'de> Visitor<'de> for AngleVisitor {
-            type Value = Angle;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number of radians, or `{\"degrees\": 90}`")
-            }
-            fn visit_f64<E>(self, angle: f64) -> Result<Angle, E> {
-                Ok(Angle::Radians(angle))
-            }
-            fn visit_i64<E>(self, angle: i64) -> Result<Angle, E> {
-                Ok(Angle::Radians(angle as f64))
-            }
-            fn visit_u64<E>(self, angle: u64) -> Result<Angle, E> {
-                Ok(Angle::Radians(angle as f64))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Angle, A::Error> {
-                InDegrees::deserialize(MapAccessDeserializer::new(map)).map(|angle| Angle::Degrees(angle.degrees))
-            }
-        }
-        deserializer.deserialize_any(AngleVisitor)
-    }
+forms! {
+    Angle: "a number of radians, or `{\"degrees\": 90}`";
+    number f64 => Angle::Radians;
+    object InDegrees => |angle| Angle::Degrees(angle.degrees);
 }
 
 impl JsonSchema for Angle {

@@ -1,12 +1,12 @@
 //! Matrices of documents: rows of four numbers, or their numbers row by row.
 
 use std::borrow::Cow;
-use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{Deserializer, Error as _, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error as _};
+
+use crate::document::forms::forms;
 
 /// Reads the rows of a field that may be left out: lists of four numbers, or 12 or 16 numbers row by row.
 pub(super) fn matrix_rows<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<[f64; 4]>>, D::Error> {
@@ -47,29 +47,10 @@ impl Entry {
     }
 }
 
-impl<'de> Deserialize<'de> for Entry {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct EntryVisitor;
-        impl<'de> Visitor<'de> for EntryVisitor {
-            type Value = Entry;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a row of four numbers, or a number")
-            }
-            fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Entry, E> {
-                Ok(Entry::Number(value))
-            }
-            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<Entry, E> {
-                Ok(Entry::Number(value as f64))
-            }
-            fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<Entry, E> {
-                Ok(Entry::Number(value as f64))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Entry, A::Error> {
-                <[f64; 4]>::deserialize(SeqAccessDeserializer::new(seq)).map(Entry::Row)
-            }
-        }
-        deserializer.deserialize_any(EntryVisitor)
-    }
+forms! {
+    Entry: "a row of four numbers, or a number";
+    number f64 => Entry::Number;
+    list [f64; 4] => Entry::Row;
 }
 
 /// The schema of the field.

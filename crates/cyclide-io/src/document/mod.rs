@@ -9,6 +9,7 @@
 
 mod angle;
 mod coordinates;
+mod forms;
 pub mod kinds;
 mod limits;
 mod locate;
@@ -34,7 +35,7 @@ pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 pub use kinds::ObjectSpec;
 pub use objects::contours::{ContourFacts, Fitted};
 pub use objects::facts::{
-    BlendFacts, CellFacts, Facts, GridFacts, InterpolationFacts, NetFacts, RoundedPolyhedron, SmoothChoice, TubeFacts,
+    BlendFacts, CellFacts, Facts, InterpolationFacts, NetFacts, RoundedPolyhedron, SmoothChoice, TubeFacts,
     UnrolledPlane,
 };
 pub use objects::idle::NO_EFFECT;

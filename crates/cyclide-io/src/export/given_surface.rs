@@ -94,7 +94,7 @@ fn edge_has_quad(grid: &QuadGrid, at: [usize; 2], direction: usize, k: usize) ->
 ///
 /// ```
 /// let field = cyclide_io::LaidField::default();
-/// assert!(field.along.len() == field.surface.triangles.len() && field.grids.is_empty());
+/// assert!(field.along.len() == field.surface.triangles.len() && field.umbilics.is_empty());
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LaidField {
@@ -104,8 +104,6 @@ pub struct LaidField {
     pub along: Vec<Vec3>,
     /// Where there are no directions, and how many half turns the lines make round there.
     pub umbilics: Vec<(Point3, i32)>,
-    /// The grids that were laid.
-    pub grids: Vec<QuadGrid>,
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ pub struct Provenance {
     pub names: Vec<String>,
     /// The surface that it was made to follow: pictures show its distance from it.
     pub given: Option<GivenSurface>,
-    /// What was found on a surface whose lines of curvature its curves are.
+    /// What was found on the surface along whose lines of curvature its grids were laid.
     pub field: Option<LaidField>,
     /// What it is the solid over, if it is the one between a surface and its offset: pictures number the panels of nets on it.
     pub skin: Vec<SurfaceObject>,
@@ -79,7 +79,7 @@ impl<'a> Provenances<'a> {
         self.given.get(item)?.given.as_ref()
     }
 
-    /// What was found on the surface whose lines of curvature an object is.
+    /// What was found on the surface along whose lines of curvature an object's grids were laid.
     #[cfg(feature = "png")]
     pub(crate) fn field(&self, item: usize) -> Option<&'a LaidField> {
         self.given.get(item)?.field.as_ref()
@@ -118,6 +118,7 @@ impl<'a> Provenances<'a> {
 fn kind_of(item: &Item) -> &'static str {
     match &item.geometry {
         Geometry::Curves(contours) => contours.first().map_or("", kind_of_curve),
+        Geometry::Grids(_) => "principal-grid",
         Geometry::Surfaces(surfaces) => surfaces.first().map_or("", kind_of_surface),
         Geometry::Volumes(_) => "cyclide-volume",
         Geometry::Motion(_) => "motion",

@@ -45,6 +45,7 @@ impl Entry {
     pub(crate) fn loses(&self, geometry: &Geometry) -> Option<&'static str> {
         match geometry {
             Geometry::Curves(contours) if self.lacks == Some(Kind::Curves) && !contours.is_empty() => Some("curves"),
+            Geometry::Grids(_) if self.lacks == Some(Kind::Curves) => Some("curves"),
             Geometry::Surfaces(surfaces) if self.lacks == Some(Kind::Surfaces) && !surfaces.is_empty() => {
                 Some("surfaces")
             }

@@ -140,7 +140,7 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
         Geometry::Curves(contours) => contours.is_empty(),
         Geometry::Surfaces(surfaces) => surfaces.is_empty(),
         Geometry::Volumes(volumes) => volumes.is_empty(),
-        Geometry::Motion(_) => false,
+        Geometry::Grids(_) | Geometry::Motion(_) => false,
     };
     if !model.items.iter().any(|item| what(item).is_none() && !is_empty(item)) {
         let detail = if first_kind == "motions" { ONLY_MOTIONS } else { first_kind };

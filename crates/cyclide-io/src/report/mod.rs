@@ -126,7 +126,7 @@ pub struct ObjectReport {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum GeometryReport {
-    /// Curves.
+    /// Curves, or the lines of grids.
     Curves(Box<CurvesReport>),
     /// Surfaces.
     Surface(SurfaceReport),
@@ -188,7 +188,9 @@ impl ObjectReport {
     #[must_use]
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
         let geometry = match &built.item.geometry {
-            Geometry::Curves(_) => GeometryReport::Curves(Box::new(CurvesReport::new(built, tolerance))),
+            Geometry::Curves(_) | Geometry::Grids(_) => {
+                GeometryReport::Curves(Box::new(CurvesReport::new(built, tolerance)))
+            }
             Geometry::Surfaces(surfaces) => match surfaces.iter().find_map(SurfaceObject::as_triangles) {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),

@@ -111,8 +111,7 @@ const SHOWN: usize = 6;
 impl PrincipalReport {
     /// Of an object that lays grids.
     pub(super) fn new(built: &BuiltObject) -> Option<Box<Self>> {
-        let facts = built.facts.grids()?;
-        let found = &facts.report;
+        let (laid, found) = (built.item.grids()?, built.facts.principal_grid()?);
         let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide_grids::GridPiece)| GridPieceReport {
             columns: grid.size()[0],
             rows: grid.size()[1],
@@ -123,7 +122,7 @@ impl PrincipalReport {
         let umbilic =
             |u: &cyclide_grids::Umbilic| UmbilicReport { point: u.point.to_array(), index: 0.5 * f64::from(u.halves) };
         Some(Box::new(Self {
-            pieces: facts.grids.iter().zip(&found.pieces).map(piece).collect(),
+            pieces: laid.grids().iter().zip(&found.pieces).map(piece).collect(),
             coverage: found.coverage,
             border: border_word(found.border),
             noise: found.noise,
@@ -134,7 +133,7 @@ impl PrincipalReport {
             umbilics: found.umbilics.iter().map(umbilic).collect(),
             return_shift: found.return_shift,
             holes: found.holes,
-            joined_round: facts.joined.as_ref().map(|mesh| mesh.round().len()),
+            joined_round: laid.layout().map(|mesh| mesh.round().len()),
         }))
     }
 

@@ -41,7 +41,7 @@ use crate::text::number::push_plain;
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
     match &built.item.geometry {
-        Geometry::Curves(_) => {
+        Geometry::Curves(_) | Geometry::Grids(_) => {
             let places = SamplePlaces::Count { count, spacing };
             // Without frames nothing is refused.
             CurveSamples::new(built, &SampleOptions { places, frames: None })

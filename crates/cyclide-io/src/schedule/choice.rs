@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::error::ScheduleError;
 use super::skin::Skin;
-use crate::document::{BuiltObject, Document, ObjectSpec, OfPanels};
+use crate::document::{BuiltObject, OfPanels};
 
 /// An object that is not in a schedule.
 ///
@@ -17,7 +17,7 @@ use crate::document::{BuiltObject, Document, ObjectSpec, OfPanels};
 ///     "p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]},
 ///     "c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let document: Document = text.parse()?;
-/// let schedule = WorkshopSchedule::new(&document, &document.build()?, &ScheduleOptions::default())?;
+/// let schedule = WorkshopSchedule::new(document.units, &document.build()?, &ScheduleOptions::default())?;
 /// assert_eq!(schedule.not_scheduled()[0].name, "c");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -83,7 +83,6 @@ fn skins_of(built: &BuiltObject) -> Vec<Skin> {
 
 /// The objects of a model that are scheduled: those of these names, or all with nets that are no construction geometry.
 pub(super) fn choose(
-    document: &Document,
     objects: &[BuiltObject],
     only: &[String],
     thickness: Option<f64>,
@@ -93,8 +92,8 @@ pub(super) fn choose(
     };
     let by_name = |name: &str| objects.iter().find(|built| built.item.name == name);
     let offsets = || {
-        document.objects.iter().filter_map(|(_, spec)| match spec.of_panels() {
-            Some(OfPanels::OtherSide { of, distance, .. }) => Some((of, distance)),
+        objects.iter().filter_map(|built| match &built.of_panels {
+            Some(OfPanels::OtherSide { of, distance, .. }) => Some((of, *distance)),
             _ => None,
         })
     };
@@ -104,10 +103,10 @@ pub(super) fn choose(
         distances.all(|other| other.to_bits() == first.to_bits()).then_some(first)
     };
     let (mut chosen, mut others) = (Vec::new(), Vec::new());
-    for ((name, spec), built) in document.objects.iter().zip(objects) {
-        let mut leave = |why: String| {
-            others.push(NotScheduled { name: name.clone(), r#type: spec.type_word().to_owned(), why });
-        };
+    for built in objects {
+        let (name, kind) = (&built.item.name, built.provenance.kind);
+        let no_net = || format!("`{kind}` makes no net of panels");
+        let mut leave = |why: String| others.push(NotScheduled { name: name.clone(), r#type: kind.to_owned(), why });
         if !wanted(built) {
             leave(if only.is_empty() { "construction geometry" } else { "not asked for by --object" }.to_owned());
             continue;
@@ -115,7 +114,7 @@ pub(super) fn choose(
         let skins = skins_of(built);
         if !skins.is_empty() {
             let thickness_of = |name: &str| thickness.or_else(|| own_thickness(name));
-            if let Some(OfPanels::OtherSide { of, distance, .. }) = spec.of_panels()
+            if let Some(OfPanels::OtherSide { of, distance, .. }) = &built.of_panels
                 && only.is_empty()
                 && own_thickness(name).is_none()
                 && by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty())
@@ -128,7 +127,7 @@ pub(super) fn choose(
             chosen.push(Chosen { name: name.clone(), skins, thickness });
             continue;
         }
-        match spec.of_panels() {
+        match &built.of_panels {
             Some(OfPanels::OtherSide { of, distance, solid: true }) => match by_name(of) {
                 Some(source) if wanted(source) => {
                     leave(format!(
@@ -137,13 +136,13 @@ pub(super) fn choose(
                 }
                 // The skin is construction geometry: the solid is what is built.
                 Some(source) => {
-                    let thickness = Some(thickness.unwrap_or(distance));
+                    let thickness = Some(thickness.unwrap_or(*distance));
                     match skins_of(source) {
-                        skins if skins.is_empty() => leave(no_net(spec)),
+                        skins if skins.is_empty() => leave(no_net()),
                         skins => chosen.push(Chosen { name: name.clone(), skins, thickness }),
                     }
                 }
-                None => leave(no_net(spec)),
+                None => leave(no_net()),
             },
             Some(OfPanels::Edges { of }) => {
                 leave(if by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty()) {
@@ -152,12 +151,8 @@ pub(super) fn choose(
                     format!("its arcs are the edges of `{of}`, which is not scheduled: --object {of} schedules it")
                 });
             }
-            _ => leave(no_net(spec)),
+            _ => leave(no_net()),
         }
     }
     (chosen, others)
-}
-
-fn no_net(spec: &ObjectSpec) -> String {
-    format!("`{}` makes no net of panels", spec.type_word())
 }

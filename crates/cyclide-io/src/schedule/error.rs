@@ -6,7 +6,7 @@
 /// use cyclide_io::{Document, ScheduleError, ScheduleOptions, WorkshopSchedule};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let document: Document = text.parse()?;
-/// let error = WorkshopSchedule::new(&document, &document.build()?, &ScheduleOptions::default()).unwrap_err();
+/// let error = WorkshopSchedule::new(document.units, &document.build()?, &ScheduleOptions::default()).unwrap_err();
 /// assert!(matches!(error, ScheduleError::NoNet { .. }) && error.to_string().ends_with("[no-net]"));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -20,7 +20,7 @@ mod view;
 use cyclide::Units;
 use serde::Serialize;
 
-use crate::document::{BuiltObject, Document};
+use crate::document::BuiltObject;
 use crate::formats::Sheet;
 pub use choice::NotScheduled;
 pub use error::ScheduleError;
@@ -68,7 +68,7 @@ pub struct ScheduleOptions {
 /// let text = r#"{"cyclide": 1, "units": "m", "objects": {"ring": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]}}}"#;
 /// let document: Document = text.parse()?;
 /// let options = ScheduleOptions { thickness: Some(-0.1), ..ScheduleOptions::default() };
-/// let schedule = WorkshopSchedule::new(&document, &document.build()?, &options)?;
+/// let schedule = WorkshopSchedule::new(document.units, &document.build()?, &options)?;
 /// let files = schedule.files()?;
 /// let panels = files.iter().find(|(name, _)| name == "panels.csv").map(|(_, bytes)| bytes.clone()).unwrap_or_default();
 /// assert_eq!(String::from_utf8(panels)?.lines().count(), 1 + 48);
@@ -103,8 +103,8 @@ impl WorkshopSchedule {
     /// # Errors
     /// [`ScheduleError::NoNet`]; [`ScheduleError::NameTaken`]; [`ScheduleError::Geometry`] of a thickness or depth that reaches a centre of curvature, and of
     /// nets that hang together in nodes only.
-    pub fn new(document: &Document, objects: &[BuiltObject], options: &ScheduleOptions) -> Result<Self, ScheduleError> {
-        let (chosen, not_scheduled) = choice::choose(document, objects, &options.objects, options.thickness);
+    pub fn new(units: Units, objects: &[BuiltObject], options: &ScheduleOptions) -> Result<Self, ScheduleError> {
+        let (chosen, not_scheduled) = choice::choose(objects, &options.objects, options.thickness);
         if chosen.is_empty() {
             let each = |other: &NotScheduled| format!("{}: {}", other.name, other.why);
             let why = not_scheduled.first().map_or("the model is empty".to_owned(), each);
@@ -125,7 +125,7 @@ impl WorkshopSchedule {
         let congruent_within = options.congruent_within.unwrap_or(tolerance);
         let groups = PanelGroups::new(&nets, tolerance, congruent_within);
         let groups = groups.map_err(|source| refused("the panels", source))?;
-        Ok(Self { units: document.units, tolerance, congruent_within, nets, groups, not_scheduled })
+        Ok(Self { units, tolerance, congruent_within, nets, groups, not_scheduled })
     }
 
     /// The objects that are not scheduled, with the reason of each.

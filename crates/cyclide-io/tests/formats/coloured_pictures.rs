@@ -1,7 +1,8 @@
 //! Pictures that show a quantity of surfaces as colours: the colours at known places, their scale, labels, and fields of directions.
 
 use cyclide::{
-    CyclidePatch, CyclidicNet, DupinCyclide, Item, Model, NetFrame, Point3, QuadGrid, SurfaceObject, Units, Vec3,
+    CyclidePatch, CyclidicNet, DupinCyclide, GridObject, Item, Model, NetFrame, Point3, QuadGrid, SurfaceObject, Units,
+    Vec3,
 };
 use cyclide_io::{ExportOptions, Exported, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
 use tiny_skia::Pixmap;
@@ -209,10 +210,9 @@ fn fields_show_mesh_directions_umbilics_and_grids() {
     let net = plane(0.0, 0.0);
     let surface = GivenSurface::from_grid(net.grid());
     let along = vec![Vec3::X; surface.triangles.len()];
-    let field =
-        LaidField { surface, along, umbilics: vec![(Point3::new(0.5, 0.5, 0.0), 1)], grids: vec![net.grid().clone()] };
-    let line = cyclide::Arc::segment(Point3::new(-2.0, -2.0, 0.0), Point3::new(2.0, -2.0, 0.0)).unwrap();
-    let mut model = Model::new(Units::Metre).with_curve("lattice", line);
+    let field = LaidField { surface, along, umbilics: vec![(Point3::new(0.5, 0.5, 0.0), 1)] };
+    let mut model = Model::new(Units::Metre);
+    model.items.push(Item::new("lattice", GridObject::apart(vec![net.grid().clone()]).unwrap()));
     model.items.push(Item::new("skin", vec![SurfaceObject::Net(net)]));
     let given = [Provenance { kind: "principal-grid", field: Some(field), ..Provenance::default() }];
     let (picture, file) = drawn(&model, &given, &options(PictureColour::Field, true));

@@ -211,7 +211,7 @@ fn lines_of_joined_grids_are_drawn_once() {
 
 /// The edges of the grids of an object, each once.
 fn count_of_edges(built: &BuiltObject) -> usize {
-    let mesh = built.facts.grids().unwrap().joined.as_ref().unwrap();
+    let mesh = built.item.grids().unwrap().layout().unwrap();
     let sides = |[a, b, c, d]: [usize; 4]| [[a, b], [c, d], [a, c], [b, d]];
     let edges: std::collections::BTreeSet<[usize; 2]> =
         mesh.quads().into_iter().flat_map(sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();

@@ -67,7 +67,7 @@ fn one_surface_from_every_source_carries_the_same_net() {
         let silent = built[0].remarks.iter().all(|remark| remark.reason == "partly-covered");
         assert!(made.moves.max < 0.03 * 0.7 && silent, "{source}: {:?}", built[0].remarks);
         // On the surface, up to what chords of half an edge are off it.
-        let off = built[0].facts.grids().unwrap().grids[0]
+        let off = built[0].item.grids().unwrap().grids()[0]
             .points()
             .iter()
             .map(|p| (p.z - p.x * p.y / 16.0).abs())
@@ -102,7 +102,7 @@ fn a_bicubic_surface_keeps_its_umbilics() {
         assert!(made.moves.max <= 0.3 * 0.8, "{}", made.moves.max);
         let found = report(&built[0]);
         assert!(found.pieces[0].coverage >= 0.3 && found.umbilics.len() == 2, "{found:?}");
-        built[0].facts.grids().unwrap().report.umbilics.iter().map(|u| (u.point, u.halves)).collect::<Vec<_>>()
+        built[0].facts.principal_grid().unwrap().umbilics.iter().map(|u| (u.point, u.halves)).collect::<Vec<_>>()
     });
     // Two meshes of one surface: umbilics are found to about an edge of them.
     for (point, halves) in &found[0] {
@@ -137,9 +137,9 @@ fn a_tube_gets_a_closed_grid_in_either_direction() {
     );
     for fields in [along, across] {
         let built = build(&format!(r#"{fields}, "edge_length": 0.6"#), &[NET]).unwrap();
-        let grid = &built[0].facts.grids().unwrap().grids[0];
+        let grid = &built[0].item.grids().unwrap().grids()[0];
         assert!(
-            built[0].facts.grids().unwrap().grids.len() == 1 && grid.closed()[0] && report(&built[0]).coverage > 0.8
+            built[0].item.grids().unwrap().grids().len() == 1 && grid.closed()[0] && report(&built[0]).coverage > 0.8
         );
         let off = |p: &cyclide::Point3| ((p.x / 3.0).hypot(p.y / 2.0) - 1.0).abs();
         // Chords of 0.3 are off the vertices of the ellipse, of radius 4/3, by 0.0085, of 3.
@@ -159,7 +159,7 @@ fn holes_of_heights_are_holes_of_the_surface() {
         format!(r#""heights": {{"z": [{rows}], "spacing": [0.5, 0.5], "origin": [-4, -4]}}, "edge_length": 0.7"#);
     let built = build(&fields, &[]).unwrap();
     // The four quads about the origin, which the grid of the whole goes through, are left out.
-    let mut places = built[0].facts.grids().unwrap().grids.iter().flat_map(|grid| grid.points());
+    let mut places = built[0].item.grids().unwrap().grids().iter().flat_map(|grid| grid.points());
     assert!(places.all(|p| p.x.abs().max(p.y.abs()) > 0.4));
 }
 

@@ -1,6 +1,7 @@
 //! Named objects with units: what a document builds and what exporters read.
 
 use super::chain::CurveChain;
+use super::grid_object::GridObject;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
@@ -147,7 +148,9 @@ impl Lower for CurveObject {
     }
 }
 
-/// What an object is made of: curves, surfaces, volumes or a motion, never two of them. A construction that makes both makes two objects.
+/// What an object is made of: curves, grids, surfaces, volumes or a motion, never two of them. A construction that makes both makes two objects.
+/// Grids are not the curves that are drawn of them: whoever writes curves takes their lines by [`Item::curves`], whoever makes nets the grids
+/// by [`Item::grids`].
 ///
 /// The list is closed on purpose: objects of another kind are a new variant, and the compiler then names
 /// every writer, check and report that has to think of them.
@@ -163,6 +166,8 @@ impl Lower for CurveObject {
 pub enum Geometry {
     /// Connected curves: contours.
     Curves(Vec<CurveObject>),
+    /// Grids of quads, with their lines.
+    Grids(Box<GridObject>),
     /// Surfaces, each one body, or several where it hangs together in points only.
     Surfaces(Vec<SurfaceObject>),
     /// Volumes: blocks.
@@ -181,6 +186,12 @@ impl Default for Geometry {
 impl From<Vec<CurveObject>> for Geometry {
     fn from(contours: Vec<CurveObject>) -> Self {
         Self::Curves(contours)
+    }
+}
+
+impl From<GridObject> for Geometry {
+    fn from(grids: GridObject) -> Self {
+        Self::Grids(Box::new(grids))
     }
 }
 
@@ -216,24 +227,31 @@ impl From<MovingBody> for Geometry {
 pub struct Item {
     /// Name, unique in the model.
     pub name: String,
-    /// Its curves, its surfaces, its volumes or its motion.
+    /// Its curves, its grids, its surfaces, its volumes or its motion.
     pub geometry: Geometry,
 }
 
 impl Item {
-    /// An object of curves, of surfaces, of volumes or of a motion. Names tell objects apart in files: give each its own.
+    /// An object of curves, of grids, of surfaces, of volumes or of a motion. Names tell objects apart in files: give each its own.
     #[must_use]
     pub fn new(name: impl Into<String>, geometry: impl Into<Geometry>) -> Self {
         Self { name: name.into(), geometry: geometry.into() }
     }
 
-    /// Its connected curves; none of an object of another kind.
+    /// Its connected curves, of grids their lines; none of an object of another kind.
     #[must_use]
     pub fn curves(&self) -> &[CurveObject] {
         match &self.geometry {
             Geometry::Curves(contours) => contours,
+            Geometry::Grids(laid) => laid.lines(),
             Geometry::Surfaces(_) | Geometry::Volumes(_) | Geometry::Motion(_) => &[],
         }
+    }
+
+    /// Its grids, if it is made of these.
+    #[must_use]
+    pub fn grids(&self) -> Option<&GridObject> {
+        if let Geometry::Grids(laid) = &self.geometry { Some(laid) } else { None }
     }
 
     /// Its motion, if it is one.
@@ -249,8 +267,8 @@ impl Item {
     #[must_use]
     pub fn surfaces(&self) -> &[SurfaceObject] {
         match &self.geometry {
-            Geometry::Curves(_) | Geometry::Volumes(_) | Geometry::Motion(_) => &[],
             Geometry::Surfaces(surfaces) => surfaces,
+            Geometry::Curves(_) | Geometry::Grids(_) | Geometry::Volumes(_) | Geometry::Motion(_) => &[],
         }
     }
 
@@ -259,7 +277,7 @@ impl Item {
     pub fn volumes(&self) -> &[CyclideVolume] {
         match &self.geometry {
             Geometry::Volumes(volumes) => volumes,
-            Geometry::Curves(_) | Geometry::Surfaces(_) | Geometry::Motion(_) => &[],
+            Geometry::Curves(_) | Geometry::Grids(_) | Geometry::Surfaces(_) | Geometry::Motion(_) => &[],
         }
     }
 }

@@ -99,26 +99,23 @@ impl Kind for ArcSpec {
 impl Builder<'_> {
     /// The arc.
     pub(in crate::document) fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
-        let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
-        let given = data.into_iter().filter(|d| *d).count();
-        if spec.normal.is_some() && spec.bulge.is_none() {
+        let ArcSpec { through, from, to, tangent, end_tangent, weights, bulge, normal, .. } = *spec;
+        if normal.is_some() && bulge.is_none() {
             return Err(self.unfit("`normal` goes with `bulge` only"));
         }
-        let arc = match (spec.through, spec.from, spec.to) {
-            (Some([a, b, c]), None, None) if given == 0 => Arc::from_three_points(a.point(), b.point(), c.point()),
-            (None, Some(a), Some(b)) if given == 1 => {
-                let (a, b) = (a.point(), b.point());
-                if let Some(t) = spec.tangent {
-                    Arc::from_start_tangent(a, b, t.vector())
-                } else if let Some(t) = spec.end_tangent {
-                    Arc::from_end_tangent(a, b, t.vector())
-                } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
-                    let (start, end) = (Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1));
-                    Arc::from_weights(a, b, start, end)
-                } else {
-                    let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
-                    Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())
-                }
+        let [from, to] = [from, to].map(|end| end.map(Coordinates::point));
+        let arc = match (through, from, to, tangent, end_tangent, weights, bulge) {
+            (Some(three), None, None, None, None, None, None) => {
+                let [a, b, c] = three.map(Coordinates::point);
+                Arc::from_three_points(a, b, c)
+            }
+            (None, Some(a), Some(b), Some(t), None, None, None) => Arc::from_start_tangent(a, b, t.vector()),
+            (None, Some(a), Some(b), None, Some(t), None, None) => Arc::from_end_tangent(a, b, t.vector()),
+            (None, Some(a), Some(b), None, None, Some([start, end]), None) => {
+                Arc::from_weights(a, b, Quat::from(start), Quat::from(end))
+            }
+            (None, Some(a), Some(b), None, None, None, Some(bulge)) => {
+                Arc::from_bulge(a, b, normal.map_or(Vec3::Z, Coordinates::vector), bulge)
             }
             _ => {
                 return Err(self.unfit(

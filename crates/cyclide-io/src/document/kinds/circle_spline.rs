@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
@@ -111,25 +112,10 @@ pub struct ClampedEnds {
     pub end: Option<Coordinates>,
 }
 
-impl<'de> Deserialize<'de> for EndsSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct EndsVisitor;
-        impl<'de> serde::de::Visitor<'de> for EndsVisitor {
-            type Value = EndsSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"natural\" or {\"start\": [x, y], \"end\": [x, y]}")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<EndsSpec, E> {
-                let word = serde::de::value::StrDeserializer::new(word);
-                NaturalWord::deserialize(word).map(|_| EndsSpec::Natural)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<EndsSpec, A::Error> {
-                let map = serde::de::value::MapAccessDeserializer::new(map);
-                ClampedEnds::deserialize(map).map(EndsSpec::Clamped)
-            }
-        }
-        deserializer.deserialize_any(EndsVisitor)
-    }
+forms! {
+    EndsSpec: "\"natural\" or {\"start\": [x, y], \"end\": [x, y]}";
+    word NaturalWord => |_| EndsSpec::Natural;
+    object ClampedEnds => EndsSpec::Clamped;
 }
 
 impl Kind for CircleSplineSpec {

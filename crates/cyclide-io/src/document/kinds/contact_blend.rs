@@ -143,6 +143,14 @@ pub struct BlendRingSpec {
     pub height: f64,
 }
 
+impl ContactBlendSpec {
+    /// What it stands on; `None` of the plane at which a tube ends.
+    fn base(&self) -> Option<BlendBase> {
+        let sphere = self.sphere.map(|radius| BlendBase::Sphere { radius });
+        sphere.or_else(|| self.plate.map(|plate| BlendBase::Plane(plate.shape())))
+    }
+}
+
 impl Kind for ContactBlendSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
         at.contact_blend(self).map(Shape::Surfaces)
@@ -195,10 +203,10 @@ impl Builder<'_> {
     fn ring_blend(&self, spec: &ContactBlendSpec, ring: BlendRingSpec) -> Result<RingBlend> {
         let BlendRingSpec { radius, tube, height } = ring;
         let ring = BlendRing { radius, tube, height };
-        let blend = match (spec.sphere, spec.plate) {
-            (Some(radius), _) => RingBlend::on_sphere(ring, radius, spec.blend),
-            (None, Some(PlateSpec::Disk(disk))) => RingBlend::on_plate(ring, disk.radius, spec.blend),
-            (None, _) => {
+        let blend = match spec.base() {
+            Some(BlendBase::Sphere { radius }) => RingBlend::on_sphere(ring, radius, spec.blend),
+            Some(BlendBase::Plane(PlateShape::Disk(radius))) => RingBlend::on_plate(ring, radius, spec.blend),
+            _ => {
                 return Err(self.unfit("a `ring` stands on a `sphere`, or on a round `plate` such as {\"radius\": 60}"));
             }
         };
@@ -213,13 +221,8 @@ fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<C
     let direction = direction.map_or(Vec3::Z, Coordinates::vector);
     let taper = taper.map_or(0.0, Angle::radians);
     let tube = BlendTube { through: through.point(), direction, radius, taper, length };
-    let base = match (spec.sphere, spec.plate) {
-        (Some(radius), _) => BlendBase::Sphere { radius },
-        (None, Some(PlateSpec::Rectangle(sides))) => BlendBase::Plane(PlateShape::Rectangle(sides)),
-        (None, Some(PlateSpec::Disk(disk))) => BlendBase::Plane(PlateShape::Disk(disk.radius)),
-        // Inside the tube has what it cuts out of the plane.
-        (None, None) => BlendBase::Plane(PlateShape::Disk(radius)),
-    };
+    // Inside the tube has what it cuts out of the plane.
+    let base = spec.base().unwrap_or(BlendBase::Plane(PlateShape::Disk(radius)));
     let blend = ContactBlend::new(tube, base, spec.blend)?.with_side(spec.side).with_ends(spec.ends);
     let blend = spec.tolerance.map_or(Ok(blend), |tolerance| blend.with_tolerance(tolerance))?;
     let blend = spec.thickness.map_or(Ok(blend), |thickness| blend.with_thickness(thickness))?;
@@ -233,15 +236,11 @@ pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclid
         E::Number(NumberError::NotFinite { what: I::Radius, index: 1 })
         | E::Contact(ContactError::BlendFolds { .. })
         | E::Pipe(PipeError::BallDoesNotFit { .. }) => Blame::Field("blend"),
-        E::Number(NumberError::RadiusNotPositive { .. })
-            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 =>
-        {
-            Blame::Field("blend")
+        E::Number(NumberError::RadiusNotPositive { .. }) if spec.tube.is_some_and(|tube| !(tube.radius > 0.0)) => {
+            Blame::Field("tube")
         }
-        E::Number(NumberError::RadiusNotPositive { .. })
-            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0)
-                && spec.sphere.is_some_and(|sphere| sphere <= 0.0) =>
-        {
+        E::Number(NumberError::RadiusNotPositive { .. }) if spec.blend <= 0.0 => Blame::Field("blend"),
+        E::Number(NumberError::RadiusNotPositive { .. }) if spec.sphere.is_some_and(|sphere| sphere <= 0.0) => {
             Blame::Field("sphere")
         }
         E::Pipe(PipeError::PlateTooSmall { .. }) | E::Bridge(BridgeError::RulingsCross { .. }) => Blame::Field("plate"),

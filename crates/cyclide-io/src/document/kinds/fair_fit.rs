@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
@@ -173,29 +174,10 @@ pub enum AutoWord {
     Auto,
 }
 
-impl<'de> Deserialize<'de> for FairTolerance {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ToleranceVisitor;
-        impl serde::de::Visitor<'_> for ToleranceVisitor {
-            type Value = FairTolerance;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a number or \"auto\"")
-            }
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairTolerance, E> {
-                AutoWord::deserialize(serde::de::value::StrDeserializer::new(text)).map(FairTolerance::Auto)
-            }
-            fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<FairTolerance, E> {
-                Ok(FairTolerance::Within(value))
-            }
-            fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<FairTolerance, E> {
-                Ok(FairTolerance::Within(value as f64))
-            }
-            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<FairTolerance, E> {
-                Ok(FairTolerance::Within(value as f64))
-            }
-        }
-        deserializer.deserialize_any(ToleranceVisitor)
-    }
+forms! {
+    FairTolerance: "a number or \"auto\"";
+    word AutoWord => FairTolerance::Auto;
+    number f64 => FairTolerance::Within;
 }
 
 impl Kind for FairFitSpec {

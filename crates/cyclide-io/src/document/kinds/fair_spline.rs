@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointFile, PointSource};
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
@@ -180,45 +181,16 @@ pub enum FairEndWord {
     Free,
 }
 
-impl<'de> Deserialize<'de> for FairEndsSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct EndsVisitor;
-        impl<'de> serde::de::Visitor<'de> for EndsVisitor {
-            type Value = FairEndsSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str(
-                    "\"circle\", \"arc\", \"free\" or {\"start\": …, \"end\": …} with these words or directions",
-                )
-            }
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairEndsSpec, E> {
-                word(text).map(FairEndsSpec::Both)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<FairEndsSpec, A::Error> {
-                FairEndPair::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(FairEndsSpec::Each)
-            }
-        }
-        deserializer.deserialize_any(EndsVisitor)
-    }
+forms! {
+    FairEndsSpec: "\"circle\", \"arc\", \"free\" or {\"start\": …, \"end\": …} with these words or directions";
+    word FairEndWord => FairEndsSpec::Both;
+    object FairEndPair => FairEndsSpec::Each;
 }
 
-impl<'de> Deserialize<'de> for FairEndSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct EndVisitor;
-        impl<'de> serde::de::Visitor<'de> for EndVisitor {
-            type Value = FairEndSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"circle\", \"arc\", \"free\" or a direction `[x, y]` or `[x, y, z]`")
-            }
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairEndSpec, E> {
-                word(text).map(FairEndSpec::Word)
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<FairEndSpec, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                Coordinates::deserialize(seq).map(FairEndSpec::Direction)
-            }
-        }
-        deserializer.deserialize_any(EndVisitor)
-    }
+forms! {
+    FairEndSpec: "\"circle\", \"arc\", \"free\" or a direction `[x, y]` or `[x, y, z]`";
+    word FairEndWord => FairEndSpec::Word;
+    list Coordinates => FairEndSpec::Direction;
 }
 
 impl From<FairEndsSpec> for [FairEnd; 2] {
@@ -291,10 +263,6 @@ pub(in crate::document) fn fair_spline(spec: &FairSplineSpec, at: &Contour<'_>) 
     spline.check_finite()?;
     let warnings = spline.warnings().to_vec();
     Ok((CurveObject::CircleSpline(spline), at.facts(None), warnings))
-}
-
-fn word<E: serde::de::Error>(text: &str) -> Result<FairEndWord, E> {
-    FairEndWord::deserialize(serde::de::value::StrDeserializer::new(text))
 }
 
 pub(in crate::document) fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {

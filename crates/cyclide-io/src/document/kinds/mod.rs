@@ -54,7 +54,7 @@ mod unrolled;
 
 use schemars::JsonSchema;
 
-use crate::document::objects::kind::{Kind, OfPanels};
+use crate::document::objects::kind::Kind;
 
 pub use fields::*;
 
@@ -260,11 +260,6 @@ kinds! {
 }
 
 impl ObjectSpec {
-    /// What it is of the panels of another object.
-    pub(crate) fn of_panels(&self) -> Option<OfPanels<'_>> {
-        self.kind().of_panels()
-    }
-
     /// False for types of surfaces that STEP and JSON do not hold: there are meshes of them only.
     #[must_use]
     pub fn has_exact_form(word: &str) -> bool {

@@ -78,8 +78,8 @@ impl Kind for OffsetSpec {
             .then(|| "a solid between a surface and its offset needs a distance other than 0".to_owned())
     }
 
-    fn of_panels(&self) -> Option<OfPanels<'_>> {
-        Some(OfPanels::OtherSide { of: &self.of, distance: self.distance, solid: self.thick })
+    fn of_panels(&self) -> Option<OfPanels> {
+        Some(OfPanels::OtherSide { of: self.of.clone(), distance: self.distance, solid: self.thick })
     }
 
     fn skin(&self, source: Option<&BuiltObject>) -> Vec<SurfaceObject> {

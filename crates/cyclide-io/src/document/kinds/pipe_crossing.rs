@@ -10,9 +10,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::angle::Angle;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
 use crate::document::kinds::pipe_tee::TeeRadiusSpec;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
@@ -160,14 +160,10 @@ pub struct CrossingLawSpec {
     pub values: Option<Vec<TeeRadiusSpec>>,
 }
 
-impl<'de> Deserialize<'de> for CrossingBlendSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let read = radius_or(deserializer, "a radius, or a law such as `{\"first\": 8, \"second\": 5}`")?;
-        Ok(match read {
-            RadiusOr::Radius(radius) => Self::Radius(radius),
-            RadiusOr::Law(law) => Self::Law(law),
-        })
-    }
+forms! {
+    CrossingBlendSpec: "a radius, or a law such as `{\"first\": 8, \"second\": 5}`";
+    number f64 => CrossingBlendSpec::Radius;
+    object CrossingLawSpec => CrossingBlendSpec::Law;
 }
 
 impl Kind for PipeCrossingSpec {

@@ -9,9 +9,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::angle::Angle;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::radius_laws::{RadiusOr, radius_or};
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
 use crate::document::objects::kind::{Blame, Kind, Shape};
@@ -211,14 +211,10 @@ pub struct TeeRadiusSpec {
     pub radius: f64,
 }
 
-impl<'de> Deserialize<'de> for TeeBlendSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let read = radius_or(deserializer, "a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`")?;
-        Ok(match read {
-            RadiusOr::Radius(radius) => Self::Radius(radius),
-            RadiusOr::Law(law) => Self::Law(law),
-        })
-    }
+forms! {
+    TeeBlendSpec: "a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`";
+    number f64 => TeeBlendSpec::Radius;
+    object TeeLawSpec => TeeBlendSpec::Law;
 }
 
 impl Kind for PipeTeeSpec {

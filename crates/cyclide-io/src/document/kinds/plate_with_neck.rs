@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::angle::Angle;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
@@ -91,6 +92,16 @@ pub enum PlateSpec {
     Disk(DiskSpec),
 }
 
+impl PlateSpec {
+    /// What the kernel calls it.
+    pub(in crate::document) fn shape(self) -> PlateShape {
+        match self {
+            Self::Rectangle(sides) => PlateShape::Rectangle(sides),
+            Self::Disk(disk) => PlateShape::Disk(disk.radius),
+        }
+    }
+}
+
 /// A disk.
 ///
 /// ```
@@ -111,24 +122,10 @@ pub struct DiskSpec {
     pub radius: f64,
 }
 
-impl<'de> Deserialize<'de> for PlateSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct PlateVisitor;
-        impl<'de> serde::de::Visitor<'de> for PlateVisitor {
-            type Value = PlateSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("two sides `[80, 60]` or `{\"radius\": …}`")
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PlateSpec, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                <[f64; 2]>::deserialize(seq).map(PlateSpec::Rectangle)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PlateSpec, A::Error> {
-                DiskSpec::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PlateSpec::Disk)
-            }
-        }
-        deserializer.deserialize_any(PlateVisitor)
-    }
+forms! {
+    PlateSpec: "two sides `[80, 60]` or `{\"radius\": …}`";
+    list [f64; 2] => PlateSpec::Rectangle;
+    object DiskSpec => PlateSpec::Disk;
 }
 
 impl Kind for PlateWithNeckSpec {
@@ -165,12 +162,8 @@ impl Builder<'_> {
         let slope = spec.slope.map_or(0.0, Angle::radians);
         let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, spec.variant);
         let neck = neck.map_err(|e| self.refused(&e, None))?;
-        let plate = spec.plate.map(|plate| match plate {
-            PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),
-            PlateSpec::Disk(disk) => PlateShape::Disk(disk.radius),
-        });
         let mut made = NeckBody::new(spec.height);
-        (made.plate, made.thickness, made.wall) = (plate, spec.thickness, spec.wall);
+        (made.plate, made.thickness, made.wall) = (spec.plate.map(PlateSpec::shape), spec.thickness, spec.wall);
         let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
         for warning in neck.warnings() {
             self.warn_at("ball_radius", None, warning);

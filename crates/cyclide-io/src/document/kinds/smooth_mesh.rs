@@ -9,6 +9,7 @@ use serde::Deserialize;
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
@@ -114,28 +115,14 @@ enum NormalsWord {
     File,
 }
 
-impl<'de> Deserialize<'de> for NormalsSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NormalsVisitor;
-        impl<'de> serde::de::Visitor<'de> for NormalsVisitor {
-            type Value = NormalsSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"angle\", \"sphere\", \"file\" or a list of directions `[[x, y, z], …]`")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<NormalsSpec, E> {
-                let word = NormalsWord::deserialize(serde::de::value::StrDeserializer::new(word))?;
-                Ok(match word {
-                    NormalsWord::Angle => NormalsSpec::Angle,
-                    NormalsWord::Sphere => NormalsSpec::Sphere,
-                    NormalsWord::File => NormalsSpec::File,
-                })
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<NormalsSpec, A::Error> {
-                Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(NormalsSpec::Given)
-            }
-        }
-        deserializer.deserialize_any(NormalsVisitor)
-    }
+forms! {
+    NormalsSpec: "\"angle\", \"sphere\", \"file\" or a list of directions `[[x, y, z], …]`";
+    word NormalsWord => |word| match word {
+        NormalsWord::Angle => NormalsSpec::Angle,
+        NormalsWord::Sphere => NormalsSpec::Sphere,
+        NormalsWord::File => NormalsSpec::File,
+    };
+    list Vec<Coordinates> => NormalsSpec::Given;
 }
 
 /// Polygons as they are given.
@@ -201,37 +188,19 @@ impl Builder<'_> {
     fn polygons(&mut self, spec: &SmoothMeshSpec) -> Result<Given> {
         let mut given = match (&spec.mesh, &spec.vertices, &spec.triangles) {
             (Some(file), None, None) => self.polygon_file(file)?,
-            (None, Some(vertices), Some(triangles)) => {
-                let count = vertices.len();
-                for (index, triangle) in triangles.iter().enumerate() {
-                    if let Some(place) = triangle.iter().position(|v| *v as usize >= count) {
-                        let vertex = triangle[place] as usize;
-                        let error = KernelError::Mesh(MeshError::NoSuchVertex { triangle: index, vertex, count });
-                        return Err(self.refused_at(["triangles".into(), index.into(), place.into()], &error));
-                    }
-                }
-                let points = vertices.iter().map(|p| p.point()).collect();
-                let faces = triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect();
-                Given {
-                    mesh: PolygonMesh { points, faces, ..PolygonMesh::default() },
-                    file: None,
-                    field: "triangles",
-                    shared: true,
-                    lists_normals: false,
-                }
-            }
+            (None, Some(vertices), Some(triangles)) => self.listed_polygons(vertices, triangles, "triangles")?,
             _ => {
                 return Err(
                     self.unfit("a mesh is given by exactly one of `mesh` (a file), or `vertices` with `triangles`")
                 );
             }
         };
-        match &spec.normals {
-            NormalsSpec::Given(normals) => {
+        match (&spec.normals, &spec.mesh) {
+            (NormalsSpec::Given(_), Some(_)) => {
+                return Err(self.unfit("a list of `normals` goes with `vertices`: of a file take \"file\""));
+            }
+            (NormalsSpec::Given(normals), None) => {
                 let (given_count, needed) = (normals.len(), given.mesh.points.len());
-                if spec.mesh.is_some() {
-                    return Err(self.unfit("a list of `normals` goes with `vertices`: of a file take \"file\""));
-                }
                 if given_count != needed {
                     let error = KernelError::Number(NumberError::CountDiffers {
                         what: ErrorItem::Normal,
@@ -244,8 +213,8 @@ impl Builder<'_> {
                 given.mesh.corner_normals.clone_from(&given.mesh.faces);
                 given.lists_normals = true;
             }
-            NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
-                let why = match &spec.mesh {
+            (NormalsSpec::File, file) if given.mesh.corner_normals.is_empty() => {
+                let why = match file {
                     None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
                     Some(file) => file.format.entry().without_normals,
                 };
@@ -260,6 +229,27 @@ impl Builder<'_> {
         let (name, mesh) = self.mesh_of_file(file)?;
         let shared = file.format.entry().shares_vertices;
         Ok(Given { mesh, file: Some(name), field: "mesh", shared, lists_normals: false })
+    }
+
+    /// Polygons by the numbers of their vertices in a field.
+    pub(in crate::document) fn listed_polygons(
+        &self,
+        vertices: &[Coordinates],
+        faces: &[impl AsRef<[u32]>],
+        field: &'static str,
+    ) -> Result<Given> {
+        let count = vertices.len();
+        let numbers = |face: &[u32]| face.iter().map(|v| *v as usize).collect();
+        let faces: Vec<Vec<usize>> = faces.iter().map(|face| numbers(face.as_ref())).collect();
+        for (index, face) in faces.iter().enumerate() {
+            if let Some(place) = face.iter().position(|v| *v >= count) {
+                let error = KernelError::Mesh(MeshError::NoSuchVertex { triangle: index, vertex: face[place], count });
+                return Err(self.refused_at([field.into(), index.into(), place.into()], &error));
+            }
+        }
+        let mesh =
+            PolygonMesh { points: vertices.iter().map(|p| p.point()).collect(), faces, ..PolygonMesh::default() };
+        Ok(Given { mesh, file: None, field, shared: true, lists_normals: false })
     }
 
     /// Says what was changed between the file and the triangles.

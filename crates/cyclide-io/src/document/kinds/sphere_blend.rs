@@ -64,29 +64,31 @@ impl Builder<'_> {
     /// The patch over one triangle.
     pub(in crate::document) fn sphere_blend(&mut self, spec: &SphereBlendSpec) -> Result<Vec<SurfaceObject>> {
         let corners = spec.corners.map(Coordinates::point);
-        let blend = match (spec.control, spec.normals) {
-            (Some(control), None) => SphereBlend::from_control_points(corners, control.map(Coordinates::point)),
-            (None, Some(normals)) => SphereBlend::from_normals(corners, normals.map(Coordinates::vector)),
+        let (blend, shape) = match (spec.control, spec.normals) {
+            (Some(points), None) => {
+                (SphereBlend::from_control_points(corners, points.map(Coordinates::point)), "control")
+            }
+            (None, Some(normals)) => (SphereBlend::from_normals(corners, normals.map(Coordinates::vector)), "normals"),
             _ => {
                 let needed = "a sphere blend has exactly one of `control` (a point of each sphere) and `normals`";
                 return Err(self.unfit(needed));
             }
         };
-        let blend = blend.and_then(SphereBlend::whole).map_err(|e| self.refused_blend(spec, &e))?;
+        let blend = blend.and_then(SphereBlend::whole).map_err(|e| self.refused_blend(shape, &e))?;
         for warning in blend.warnings() {
-            self.warn_at(if spec.control.is_some() { "control" } else { "normals" }, None, warning);
+            self.warn_at(shape, None, warning);
         }
         Ok(vec![TriangleSurface::from(blend).into()])
     }
 
-    fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
-        let shape = if spec.control.is_some() { "control" } else { "normals" };
+    /// What the kernel refused; `shape` is the field that gives the spheres.
+    fn refused_blend(&self, shape: &'static str, error: &KernelError) -> Error {
         let error = if let KernelError::Part(PartError::InTriangle { cause, .. }) = error { cause } else { error };
         let steps: Vec<Step> = match *error {
             KernelError::Triangle(TriangleError::ControlPointOnCircumcircle { corner, .. }) => {
                 vec!["control".into(), corner.into()]
             }
-            KernelError::Mesh(MeshError::UndefinedNormal { vertex, .. }) if spec.normals.is_some() => {
+            KernelError::Mesh(MeshError::UndefinedNormal { vertex, .. }) if shape == "normals" => {
                 vec!["normals".into(), vertex.into()]
             }
             KernelError::Number(NumberError::NotFinite { what: ErrorItem::Normal, index }) => {

@@ -45,8 +45,8 @@ impl Kind for SupportStructureSpec {
         of(&self.of)
     }
 
-    fn of_panels(&self) -> Option<OfPanels<'_>> {
-        Some(OfPanels::Edges { of: &self.of })
+    fn of_panels(&self) -> Option<OfPanels> {
+        Some(OfPanels::Edges { of: self.of.clone() })
     }
 }
 

@@ -269,7 +269,7 @@ impl Builder<'_> {
     /// Tubes along the curves of another object, or one through balls.
     pub(in crate::document) fn tube(&mut self, spec: &TubeSpec) -> Result<Vec<SurfaceObject>> {
         let made = match (&spec.of, &spec.radius, &spec.balls) {
-            (Some(_), Some(_), None) if spec.closed.is_none() => self.tubes_along(spec)?,
+            (Some(_), Some(law), None) if spec.closed.is_none() => self.tubes_along(spec, &law.values)?,
             (None, None, Some(balls)) if spec.tolerance.is_none() && spec.radius_of.is_none() => {
                 let balls: Vec<Ball> = balls.iter().map(|&[x, y, z, r]| Ball::new(Point3::new(x, y, z), r)).collect();
                 let tube = Tube::through(&balls, spec.closed == Some(true)).map_err(|e| self.refused(&e, None))?;
@@ -320,13 +320,12 @@ impl Builder<'_> {
     }
 
     /// The tubes along the curves of the source, with what their distance from the law rests on.
-    fn tubes_along(&self, spec: &TubeSpec) -> Result<Vec<(Made, Exactness)>> {
+    fn tubes_along(&self, spec: &TubeSpec, values: &[[f64; 2]]) -> Result<Vec<(Made, Exactness)>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves have a tube along them"));
         }
         let refused = |e: cyclide::Error| self.refused(&e, None);
-        let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
         let law = RadiusLaw::new(values).map_err(refused)?;
         let least = values.iter().map(|value| value[1]).fold(f64::INFINITY, f64::min);
         // Balls and sections of one radius are the same tube, whose lines of curvature the balls know.
@@ -343,8 +342,8 @@ impl Builder<'_> {
 
 /// What a tube does not look at; `closed` if all are.
 pub(in crate::document) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Idle> {
-    let values = spec.radius.as_ref().map_or(&[][..], |law| &law.values);
-    let constant = values.windows(2).all(|pair| pair[0][1].total_cmp(&pair[1][1]).is_eq());
+    let equal = |pair: &[[f64; 2]]| pair[0][1].total_cmp(&pair[1][1]).is_eq();
+    let constant = spec.radius.as_ref().is_some_and(|law| law.values.windows(2).all(equal));
     found(&[
         ("radius_of", constant && spec.radius_of.is_some(), "sections and balls of one radius are the same tube"),
         ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),

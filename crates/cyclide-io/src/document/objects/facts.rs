@@ -1,8 +1,8 @@
 //! What is known of objects of single kinds besides their geometry.
 
 use cyclide::{
-    BallCenters, ConvexPolyhedron, CurveObject, Exactness, Grading, GridQuality, Mobius, QuadGrid, QuadLayout, Seam,
-    TeeBlendFacts, TorusMap,
+    BallCenters, ConvexPolyhedron, CurveObject, Exactness, Grading, GridQuality, Mobius, QuadGrid, Seam, TeeBlendFacts,
+    TorusMap,
 };
 use cyclide_grids::{CircularMeshReport, PrincipalGridReport};
 use schemars::JsonSchema;
@@ -25,8 +25,8 @@ pub enum Facts {
     None,
     /// Of a net over a grid.
     Net(Box<NetFacts>),
-    /// Of grids along lines of curvature.
-    Grids(Box<GridFacts>),
+    /// Of grids along lines of curvature: what was found where they were laid.
+    PrincipalGrid(Box<PrincipalGridReport>),
     /// Of a tee, a crossing or a contact blend, or of an image of one.
     Blends(BlendFacts),
     /// Of a polyhedron whose edges and corners were rounded.
@@ -59,8 +59,8 @@ macro_rules! of_variant {
 of_variant! {
     /// What is known of a net.
     net: Net => NetFacts;
-    /// What is known of grids.
-    grids: Grids => GridFacts;
+    /// What was found where grids were laid along lines of curvature.
+    principal_grid: PrincipalGrid => PrincipalGridReport;
     /// What is known of blends.
     blends: Blends => BlendFacts;
     /// The polyhedron that was rounded.
@@ -98,24 +98,6 @@ impl NetFacts {
     pub(in crate::document) fn as_given(seams: Vec<Seam>) -> Self {
         Self { seams, circular: None }
     }
-}
-
-/// What is known of grids along lines of curvature.
-///
-/// ```
-/// use cyclide_io::Document;
-/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
-/// assert_eq!(document.build()?[0].facts.grids(), None::<&cyclide_io::GridFacts>);
-/// # Ok::<(), cyclide_io::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct GridFacts {
-    /// The grids, for nets.
-    pub grids: Vec<QuadGrid>,
-    /// The mesh of quads that these are the grids of, if they join round umbilics.
-    pub joined: Option<QuadLayout>,
-    /// What was found where they were laid.
-    pub report: PrincipalGridReport,
 }
 
 /// What is known of the blends of a tee, a crossing or a contact blend.

@@ -1,6 +1,6 @@
 //! What a kind of object says of itself: all that the rest of the program asks about it.
 
-use cyclide::{Body, CurveObject, CyclideVolume, MovingBody, SurfaceObject, Torus, TorusSpline};
+use cyclide::{Body, CurveObject, CyclideVolume, GridObject, MovingBody, SurfaceObject, Torus, TorusSpline};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;
@@ -111,7 +111,7 @@ pub(in crate::document) trait Kind {
     }
 
     /// What it is of the panels of another object.
-    fn of_panels(&self) -> Option<OfPanels<'_>> {
+    fn of_panels(&self) -> Option<OfPanels> {
         None
     }
 
@@ -120,11 +120,12 @@ pub(in crate::document) trait Kind {
 }
 
 /// What an object is of the panels of another, whose name it has.
-pub(crate) enum OfPanels<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum OfPanels {
     /// Their other side at a distance, or the solid between both.
-    OtherSide { of: &'a str, distance: f64, solid: bool },
+    OtherSide { of: String, distance: f64, solid: bool },
     /// Their edges.
-    Edges { of: &'a str },
+    Edges { of: String },
 }
 
 /// The value of an object that an error is about.
@@ -137,9 +138,10 @@ pub(in crate::document) enum Blame {
     Object,
 }
 
-/// What a construction makes: curves, surfaces, blocks or a motion.
+/// What a construction makes: curves, grids, surfaces, blocks or a motion.
 pub(in crate::document) enum Shape {
     Curves(Vec<(CurveObject, ContourFacts)>),
+    Grids(Box<GridObject>),
     Surfaces(Vec<SurfaceObject>),
     /// With the parameters of their cells, if they are divided.
     Blocks(Vec<CyclideVolume>, Option<[Vec<f64>; 3]>),

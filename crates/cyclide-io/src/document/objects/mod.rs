@@ -29,7 +29,7 @@ use crate::export::given_surface::{GivenSurface, LaidField};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
 use contours::ContourFacts;
-use kind::{Kind, Shape};
+use kind::{Kind, OfPanels, Shape};
 use references::{References, State};
 use remark::Remark;
 
@@ -64,6 +64,8 @@ pub struct BuiltObject {
     pub notes: Vec<String>,
     /// Of images of curves under Möbius maps: of what, and by which.
     pub(crate) unmapped: Option<Unmapped>,
+    /// What it is of the panels of another object.
+    pub(crate) of_panels: Option<OfPanels>,
 }
 
 /// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
@@ -253,7 +255,8 @@ impl Builder<'_> {
                 bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect()
             }
             Shape::Blocks(volumes, _) => self.block_bodies(volumes)?,
-            Shape::Motion(_) => Vec::new(),
+            // Straight lines are what they are at any place.
+            Shape::Grids(_) | Shape::Motion(_) => Vec::new(),
         };
         kind.remark_on(&mut self, &shape, &bodies);
         let tolerance = kind.tolerance().or(self.bound);
@@ -264,21 +267,37 @@ impl Builder<'_> {
                 contours = facts;
                 Geometry::Curves(curves)
             }
+            Shape::Grids(laid) => {
+                contours = vec![ContourFacts::default(); laid.lines().len()];
+                Geometry::Grids(laid)
+            }
             Shape::Surfaces(surfaces) => Geometry::Surfaces(surfaces),
             Shape::Blocks(volumes, parameters) => {
                 places = parameters;
                 Geometry::Volumes(volumes)
             }
-            Shape::Motion(body) => (*body).into(),
+            Shape::Motion(body) => Geometry::Motion(body),
         };
         let item = Item::new(self.name, geometry);
         let construction = self.construction;
-        let (skin, panels) = (kind.skin(source), kind.has_panels(source));
+        let (skin, panels, of_panels) = (kind.skin(source), kind.has_panels(source), kind.of_panels());
         let Self { data, given, field, facts, remarks, notes, point_names, names, unmapped, .. } = self;
         let nodes = nodes_within(item.curves(), &contours);
         let provenance =
             Provenance { kind: self.type_word, data, nodes, point_names, places, names, given, field, skin, panels };
-        Ok(BuiltObject { item, provenance, tolerance, bodies, facts, construction, contours, remarks, notes, unmapped })
+        Ok(BuiltObject {
+            item,
+            provenance,
+            tolerance,
+            bodies,
+            facts,
+            construction,
+            contours,
+            remarks,
+            notes,
+            unmapped,
+            of_panels,
+        })
     }
 
     /// Path of this object, or of a value in it.

@@ -95,6 +95,7 @@ fn dimension_of_item(item: &Item) -> usize {
         Geometry::Volumes(volumes) if !volumes.is_empty() => 3,
         Geometry::Surfaces(surfaces) if !surfaces.is_empty() => 2,
         Geometry::Curves(curves) if !curves.is_empty() => 1,
+        Geometry::Grids(_) => 1,
         _ => 0,
     }
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use cyclide::{
-    Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, GridError, NetFrame, NetLayout,
-    NetWarning, NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber,
+    Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, GridError, GridObject, NetFrame,
+    NetLayout, NetWarning, NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber,
     SurfaceObject, Warning,
 };
 
@@ -130,7 +130,7 @@ impl<'a> Builder<'a> {
     /// All grids of another object, if they are joined and none of them is named.
     fn joined_grids(&mut self, spec: &CyclidicNetSpec) -> Result<Option<QuadLayout>> {
         let GridSource::Laid(LaidGrid { of, piece: None }) = &spec.grid else { return Ok(None) };
-        let Some(layout) = self.sources.last().and_then(|source| source.facts.grids()?.joined.clone()) else {
+        let Some(layout) = self.sources.last().and_then(|source| source.item.grids()?.layout().cloned()) else {
             return Ok(None);
         };
         if spec.closed.is_some() {
@@ -144,12 +144,11 @@ impl<'a> Builder<'a> {
     fn laid_grid(&self, laid: &LaidGrid) -> Result<QuadGrid> {
         let Some(source) = self.sources.last() else { return Err(self.unfit("`grid` names no object")) };
         let (of, piece) = (&laid.of, laid.piece.unwrap_or_default());
-        let grids = source.facts.grids().map_or(&[][..], |facts| &facts.grids);
-        if grids.is_empty() {
+        let Some(grids) = source.item.grids().map(GridObject::grids) else {
             let kind = source.provenance.kind;
             let message = format!("`{of}` is of type `{kind}`: a grid is laid by a `principal-grid`");
             return Err(Error::Input(self.diagnostic(["grid".into(), "of".into()], &message)));
-        }
+        };
         grids.get(piece as usize).cloned().ok_or_else(|| {
             let count = grids.len();
             let message = format!("`{of}` has {count} grid(s), counted from 0: there is no grid {piece}");

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::document::forms::forms;
+
 /// Whether the vertices of a net are moved so that the corners of every quad lie on one circle, and what its border may
 /// do.
 ///
@@ -162,42 +164,14 @@ impl MakeCircularSpec {
     }
 }
 
-impl<'de> Deserialize<'de> for MakeCircularSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct SwitchVisitor;
-        impl<'de> serde::de::Visitor<'de> for SwitchVisitor {
-            type Value = MakeCircularSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("true, false or options `{\"border\": …}`")
-            }
-            fn visit_bool<E>(self, on: bool) -> Result<MakeCircularSpec, E> {
-                Ok(MakeCircularSpec::Switch(on))
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<MakeCircularSpec, A::Error> {
-                let map = serde::de::value::MapAccessDeserializer::new(map);
-                MakeCircularOptions::deserialize(map).map(MakeCircularSpec::Options)
-            }
-        }
-        deserializer.deserialize_any(SwitchVisitor)
-    }
+forms! {
+    MakeCircularSpec: "true, false or options `{\"border\": …}`";
+    switch bool => MakeCircularSpec::Switch;
+    object MakeCircularOptions => MakeCircularSpec::Options;
 }
 
-impl<'de> Deserialize<'de> for BorderSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct BorderVisitor;
-        impl<'de> serde::de::Visitor<'de> for BorderVisitor {
-            type Value = BorderSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"free\", \"pinned\" or curves by side `{\"first_row\": NAME, …}`")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<BorderSpec, E> {
-                BorderWord::deserialize(serde::de::value::StrDeserializer::new(word)).map(BorderSpec::Word)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<BorderSpec, A::Error> {
-                let map = serde::de::value::MapAccessDeserializer::new(map);
-                BorderCurves::deserialize(map).map(BorderSpec::Curves)
-            }
-        }
-        deserializer.deserialize_any(BorderVisitor)
-    }
+forms! {
+    BorderSpec: "\"free\", \"pinned\" or curves by side `{\"first_row\": NAME, …}`";
+    word BorderWord => BorderSpec::Word;
+    object BorderCurves => BorderSpec::Curves;
 }

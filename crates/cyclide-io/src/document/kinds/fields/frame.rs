@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::coordinates::Coordinates;
-use crate::error::Result;
+use crate::document::forms::forms;
 
 /// The frame of a net: `auto`, or two directions.
 ///
@@ -38,24 +38,10 @@ enum AutoWord {
     Auto,
 }
 
-impl<'de> Deserialize<'de> for FrameSpec {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct FrameVisitor;
-        impl<'de> serde::de::Visitor<'de> for FrameVisitor {
-            type Value = FrameSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("\"auto\" or two directions `[[x, y, z], [x, y, z]]`")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<FrameSpec, E> {
-                AutoWord::deserialize(serde::de::value::StrDeserializer::new(word)).map(|_| FrameSpec::Auto)
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<FrameSpec, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                <[Coordinates; 2]>::deserialize(seq).map(FrameSpec::First)
-            }
-        }
-        deserializer.deserialize_any(FrameVisitor)
-    }
+forms! {
+    FrameSpec: "\"auto\" or two directions `[[x, y, z], [x, y, z]]`";
+    word AutoWord => |_| FrameSpec::Auto;
+    list [Coordinates; 2] => FrameSpec::First;
 }
 
 /// The frame of a cyclide or a torus; what is left out is at the origin, upright, and from x.

@@ -6,7 +6,6 @@ pub(in crate::document) mod frame;
 pub(in crate::document) mod parameters;
 pub(in crate::document) mod polygon_mesh_file;
 pub(in crate::document) mod radii;
-pub(in crate::document) mod radius_laws;
 pub(in crate::document) mod torus_numbers;
 pub(in crate::document) mod torus_source;
 pub(in crate::document) mod type_word;

@@ -1,13 +1,11 @@
 //! Parameters and vectors of curves through points.
 
-use std::fmt;
-
 use cyclide::{NodeParameters, Vec3};
 use schemars::JsonSchema;
-use serde::de::{Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::objects::contours::Contour;
 
 /// Parameters by a rule, or one by one.
@@ -56,32 +54,10 @@ impl Default for ParametersSpec {
     }
 }
 
-impl<'de> Deserialize<'de> for ParametersSpec {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ParametersVisitor)
-    }
-}
-
-struct ParametersVisitor;
-
-impl<'de> Visitor<'de> for ParametersVisitor {
-    type Value = ParametersSpec;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("`auto`, `chord`, `centripetal`, `uniform`, or a list of numbers")
-    }
-
-    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<ParametersSpec, E> {
-        ParameterRule::deserialize(serde::de::value::StrDeserializer::new(word)).map(ParametersSpec::Rule)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<ParametersSpec, A::Error> {
-        let mut all = Vec::new();
-        while let Some(parameter) = list.next_element()? {
-            all.push(parameter);
-        }
-        Ok(ParametersSpec::Each(all))
-    }
+forms! {
+    ParametersSpec: "`auto`, `chord`, `centripetal`, `uniform`, or a list of numbers";
+    word ParameterRule => ParametersSpec::Rule;
+    list Vec<f64> => ParametersSpec::Each;
 }
 
 /// Those given go with the points as given; `more` follow them.

@@ -1,10 +1,9 @@
 //! One radius for all corners of a polyline, or one for each.
 
-use std::fmt;
-
 use schemars::JsonSchema;
-use serde::de::{Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+
+use crate::document::forms::forms;
 
 /// The radius of all corners, or a list of one per point.
 ///
@@ -32,38 +31,8 @@ impl Default for RadiiSpec {
     }
 }
 
-impl<'de> Deserialize<'de> for RadiiSpec {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(RadiiVisitor)
-    }
-}
-
-struct RadiiVisitor;
-
-impl<'de> Visitor<'de> for RadiiVisitor {
-    type Value = RadiiSpec;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a radius, or a list of radii, one per point")
-    }
-
-    fn visit_f64<E>(self, radius: f64) -> Result<RadiiSpec, E> {
-        Ok(RadiiSpec::All(radius))
-    }
-
-    fn visit_u64<E>(self, radius: u64) -> Result<RadiiSpec, E> {
-        Ok(RadiiSpec::All(radius as f64))
-    }
-
-    fn visit_i64<E>(self, radius: i64) -> Result<RadiiSpec, E> {
-        Ok(RadiiSpec::All(radius as f64))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<RadiiSpec, A::Error> {
-        let mut radii = Vec::new();
-        while let Some(radius) = list.next_element()? {
-            radii.push(radius);
-        }
-        Ok(RadiiSpec::Each(radii))
-    }
+forms! {
+    RadiiSpec: "a radius, or a list of radii, one per point";
+    number f64 => RadiiSpec::All;
+    list Vec<f64> => RadiiSpec::Each;
 }

@@ -1,18 +1,15 @@
 //! The torus that a curve lies on: given in place, or another object.
 
-use std::fmt;
-
 use cyclide::{
     CurveError, CurveObject, Error as E, ErrorItem as I, NumberError, NurbsError, Point2, PointError, ShortNumber,
     Torus, TorusError, TorusSpline,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, MapAccess, Visitor};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::kinds::fields::frame::frame_of_axes;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
@@ -86,25 +83,10 @@ impl TorusSource {
     }
 }
 
-impl<'de> Deserialize<'de> for TorusSource {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct TorusVisitor;
-        impl<'de> Visitor<'de> for TorusVisitor {
-            type Value = TorusSource;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(
-                    "`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide` or of its `transform`",
-                )
-            }
-            fn visit_str<E>(self, name: &str) -> Result<TorusSource, E> {
-                Ok(TorusSource::Named(name.to_owned()))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TorusSource, A::Error> {
-                TorusSpec::deserialize(MapAccessDeserializer::new(map)).map(TorusSource::Here)
-            }
-        }
-        deserializer.deserialize_any(TorusVisitor)
-    }
+forms! {
+    TorusSource: "`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide` or of its `transform`";
+    word String => TorusSource::Named;
+    object TorusSpec => TorusSource::Here;
 }
 
 /// What the values of a curve on a torus are called.

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
+use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
@@ -252,24 +253,18 @@ pub struct StartSpec {
     pub rpy: Option<[Angle; 3]>,
 }
 
-impl<'de> Deserialize<'de> for PoseSource {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct PoseVisitor;
-        impl<'de> serde::de::Visitor<'de> for PoseVisitor {
-            type Value = PoseSource;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a list of poses, or `{\"csv\": FILE}`")
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PoseSource, A::Error> {
-                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
-                Vec::<PoseSpec>::deserialize(seq).map(PoseSource::Inline)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PoseSource, A::Error> {
-                PoseFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PoseSource::File)
-            }
-        }
-        deserializer.deserialize_any(PoseVisitor)
-    }
+forms! {
+    PoseSource: "a list of poses, or `{\"csv\": FILE}`";
+    list Vec<PoseSpec> => PoseSource::Inline;
+    object PoseFile => PoseSource::File;
+}
+
+/// How a body goes from pose to pose: place and turn together, on a curve through the places, or within a tolerance.
+#[derive(Clone, Copy)]
+enum Way {
+    Together(MotionKind),
+    OnCurve(PositionCurve),
+    Near(PoseTolerance),
 }
 
 impl Kind for MotionSpec {
@@ -308,28 +303,28 @@ impl Builder<'_> {
         if spec.times.is_some() && kind == MotionKind::Cubic {
             return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
         }
-        self.check_motion_fields(spec, kind)?;
+        let way = self.way(spec)?;
         let (mut poses, timed) = self.poses(spec, source)?;
         // The first pose again.
         let closing = if spec.closed { poses.pop().map(|pose| pose.time) } else { None };
-        let motion = match (spec.positions, spec.tolerance) {
-            (Some(curve), _) => return self.on_positions(spec, curve, &poses, closing),
-            (None, Some(PoseTolerance { place, angle })) => {
+        let motion = match way {
+            Way::OnCurve(curve) => return self.on_positions(spec, curve, &poses, closing),
+            Way::Near(PoseTolerance { place, angle }) => {
                 let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
                 let drop = spec.outliers == Some(Outliers::Drop);
                 DecoupledMotion::smoothed_with(&poses, closing, tolerance, drop).map(Motion::from)
             }
-            (None, None) => match (kind, closing) {
-                (MotionKind::Spline, Some(closing)) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
-                (MotionKind::Spline, None) => RationalMotion::spline(&poses).map(Motion::from),
-                (MotionKind::Linear, closing) => {
-                    DecoupledMotion::linear(&poses, closing, spec.blend_radius.unwrap_or(0.0)).map(Motion::from)
-                }
-                (MotionKind::Sclerp, _) => ScrewMotion::new(&poses).map(Motion::from),
-                (MotionKind::Conic, _) => RationalMotion::conic(&poses).map(Motion::from),
-                (MotionKind::Quartic, _) => RationalMotion::quartic(&poses).map(Motion::from),
-                (MotionKind::Cubic, _) => return self.cubic(spec, &poses, timed),
+            Way::Together(MotionKind::Spline) => match closing {
+                Some(closing) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
+                None => RationalMotion::spline(&poses).map(Motion::from),
             },
+            Way::Together(MotionKind::Linear) => {
+                DecoupledMotion::linear(&poses, closing, spec.blend_radius.unwrap_or(0.0)).map(Motion::from)
+            }
+            Way::Together(MotionKind::Sclerp) => ScrewMotion::new(&poses).map(Motion::from),
+            Way::Together(MotionKind::Conic) => RationalMotion::conic(&poses).map(Motion::from),
+            Way::Together(MotionKind::Quartic) => RationalMotion::quartic(&poses).map(Motion::from),
+            Way::Together(MotionKind::Cubic) => return self.cubic(spec, &poses, timed),
         };
         let motion = motion.map_err(|e| match e {
             cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Radius, .. }) => {
@@ -350,35 +345,37 @@ impl Builder<'_> {
         self.body(spec, motion, last - first)
     }
 
-    /// Refuses fields that say nothing about a motion of this kind.
-    fn check_motion_fields(&self, spec: &MotionSpec, kind: MotionKind) -> Result<()> {
-        let apart = spec.positions.is_some() || spec.tolerance.is_some();
-        if spec.kind.is_some() && apart {
-            return Err(self.unfit(
-                "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
-            ));
-        }
-        if spec.positions.is_some() && spec.tolerance.is_some() {
-            return Err(
-                self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
-            );
-        }
-        if spec.closed && spec.tolerance.is_none() && !matches!(kind, MotionKind::Spline | MotionKind::Linear) {
-            return Err(
-                self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`")
-            );
-        }
-        if spec.outliers.is_some() && spec.tolerance.is_none() {
-            return Err(self.unfit(
-                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose",
-            ));
-        }
-        if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
-            return Err(
-                self.unfit("a `blend_radius` is of the kind `linear`: other motions do not stop at their poses")
-            );
-        }
-        Ok(())
+    /// How the body goes; fields that say nothing about that are refused.
+    fn way(&self, spec: &MotionSpec) -> Result<Way> {
+        let way = match (spec.kind, spec.positions, spec.tolerance) {
+            (kind, None, None) => Way::Together(kind.unwrap_or_default()),
+            (None, Some(curve), None) => Way::OnCurve(curve),
+            (None, None, Some(tolerance)) => Way::Near(tolerance),
+            (Some(_), ..) => {
+                return Err(self.unfit(
+                    "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
+                ));
+            }
+            (None, Some(_), Some(_)) => {
+                return Err(
+                    self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
+                );
+            }
+        };
+        let refusal = match way {
+            Way::Together(kind) if spec.closed && !matches!(kind, MotionKind::Spline | MotionKind::Linear) => {
+                "a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`"
+            }
+            Way::Together(_) | Way::OnCurve(_) if spec.outliers.is_some() => {
+                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose"
+            }
+            Way::Together(MotionKind::Linear) => return Ok(way),
+            _ if spec.blend_radius.is_some() => {
+                "a `blend_radius` is of the kind `linear`: other motions do not stop at their poses"
+            }
+            _ => return Ok(way),
+        };
+        Err(self.unfit(refusal))
     }
 
     /// The motion on a curve through the positions.

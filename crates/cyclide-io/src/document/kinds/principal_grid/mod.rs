@@ -34,7 +34,7 @@ pub use surface_sources::*;
 /// let net = r#"{"type": "cyclidic-net", "grid": {"of": "g"}, "make_circular": true}"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}, "n": {net}}}}}"#);
 /// let built = text.parse::<cyclide_io::Document>()?.build()?;
-/// assert!(built[0].facts.grids().is_some_and(|facts| facts.grids.len() == 1) && built[1].bodies[0].outer.faces().len() > 20);
+/// assert!(built[0].item.grids().is_some_and(|laid| laid.grids().len() == 1) && built[1].bodies[0].outer.faces().len() > 20);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -99,7 +99,7 @@ impl PrincipalGridSpec {
 
 impl Kind for PrincipalGridSpec {
     fn build(&self, at: &mut Builder<'_>) -> Result<Shape> {
-        at.principal_grid(self).map(Shape::plain)
+        at.principal_grid(self).map(|laid| Shape::Grids(Box::new(laid)))
     }
 
     fn files(&self) -> Vec<&str> {

@@ -45,8 +45,9 @@ pub(in crate::formats::png) fn write(
     names: &Names,
 ) -> Result<Option<Exported>, ExportError> {
     let items = 0..job.model.items.len();
-    let fields: Vec<(usize, &LaidField)> = items.filter_map(|k| Some((k, job.provenances.field(k)?))).collect();
-    let points: Vec<Point3> = fields.iter().flat_map(|(_, field)| field.surface.points.iter().copied()).collect();
+    let laid = |k: usize| Some((k, job.model.items[k].grids()?.grids(), job.provenances.field(k)?));
+    let fields: Vec<(usize, &[QuadGrid], &LaidField)> = items.filter_map(laid).collect();
+    let points: Vec<Point3> = fields.iter().flat_map(|(_, _, field)| field.surface.points.iter().copied()).collect();
     let Some(bounds) = Aabb::of_points(points.iter().copied()) else { return Ok(None) };
     let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
     let axes = match job.options.camera {
@@ -55,7 +56,7 @@ pub(in crate::formats::png) fn write(
         None => eye::from_above(),
     };
     let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
-    let has_umbilics = fields.iter().any(|(_, field)| !field.umbilics.is_empty());
+    let has_umbilics = fields.iter().any(|(_, _, field)| !field.umbilics.is_empty());
     let caption = Caption::new(job, Legend::of_field(LINES.map(Ink::of_screen), has_umbilics));
     sheet.check_room(caption.as_ref())?;
     let rulers = match flat {
@@ -75,12 +76,12 @@ pub(in crate::formats::png) fn write(
     let lights = Lights::new(camera.axes());
     let triangles: Vec<[Point3; 3]> = fields
         .iter()
-        .flat_map(|(_, field)| field.surface.triangles.iter().map(|t| t.map(|v| field.surface.points[v])))
+        .flat_map(|(_, _, field)| field.surface.triangles.iter().map(|t| t.map(|v| field.surface.points[v])))
         .collect();
     let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&triangles, bounds, &lights));
     let mut facets = Facets::default();
-    for (item, field) in &fields {
-        facets.add_field(*item, field, &camera, sheet.scale);
+    for (item, grids, field) in &fields {
+        facets.add_field(*item, (grids, field), &camera, sheet.scale);
     }
     let scene = Scene {
         camera,
@@ -104,7 +105,7 @@ pub(in crate::formats::png) fn write(
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut notes = names.notes.clone();
     let others: Vec<&str> = (0..job.model.items.len())
-        .filter(|k| fields.iter().all(|(item, _)| item != k))
+        .filter(|k| fields.iter().all(|(item, ..)| item != k))
         .map(|k| job.model.items[k].name.as_str())
         .collect();
     if !others.is_empty() {
@@ -115,7 +116,7 @@ pub(in crate::formats::png) fn write(
 }
 
 impl Facets {
-    fn add_field(&mut self, object: usize, field: &LaidField, camera: &Camera, scale: f64) {
+    fn add_field(&mut self, object: usize, (grids, field): (&[QuadGrid], &LaidField), camera: &Camera, scale: f64) {
         let (surface, tint) = (&field.surface, to_linear(SURFACE));
         for triangle in &surface.triangles {
             self.corners.push(triangle.map(|v| camera.project(surface.points[v])));
@@ -123,7 +124,7 @@ impl Facets {
             self.paints.push(Paint::Smooth { object, normals, tint });
         }
         let lights = LINES.map(to_linear);
-        let lines = lines_along_s(&field.grids);
+        let lines = lines_along_s(grids);
         for triangle in crosses(surface, camera, ARM * scale, APART) {
             let middle = middle(surface, triangle);
             let [a, b, c] = surface.triangles[triangle].map(|v| surface.points[v]);
@@ -144,7 +145,7 @@ impl Facets {
                 );
             }
         }
-        for grid in &field.grids {
+        for grid in grids {
             for (vertices, closed) in grid.lines() {
                 // Lines along s go from a vertex to the next one.
                 let light = lights[usize::from(vertices[1] != vertices[0] + 1)];
