@@ -107,6 +107,22 @@ table! {
             noise (standard deviation {noise}), point {point} by {distance}; mark the corners (a corner angle), or use \
             denser points";
 
+        /// Heights step from one point to the next, as at a wall or a kerb: they are smoothed on each side alone.
+        HeightStep {
+            /// The point before the largest step.
+            point: usize,
+            /// How high it is.
+            height: f64,
+            /// How many steps there are.
+            count: usize,
+        }
+        reason "height-step";
+        at *point;
+        when *count == 1, says "the heights step by {height} after point {point}, as at a wall: they are smoothed on each side \
+            separately, and the curve climbs between the two points";
+        says "the heights step in {count} places, by up to {height} after point {point}, as at a wall: they are smoothed between \
+            the steps separately, and the curve climbs between the two points of each step";
+
         /// Points next to each other are farther from the smoothed curve than their noise.
         PointsLeft {
             /// The first of two.

@@ -191,6 +191,10 @@ impl FairFit {
         let distinct = inserted.unwrap_or(distinct);
         let dropped = options.outliers == Outliers::Drop;
         warnings.extend(outliers_named(&found, &distinct.source, dropped));
+        if let Some((point, height)) = found.steps.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)) {
+            let (point, count) = (distinct.source[point], found.steps.len());
+            warnings.push(Warning::Noise(NoiseWarning::HeightStep { point, height, count }));
+        }
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
             warnings.push(Warning::Noise(NoiseWarning::Contradicted { given, found }));
         }
@@ -254,8 +258,9 @@ impl FairFit {
         }
         let (distance, point) = fit.beside;
         let is_outlier = |out: &(usize, f64)| (point..=point + 1).contains(&distinct.source[out.0]);
-        let leaves = distance > OF_TWO * found.deviation.max(NEAREST * size) && !found.outliers.iter().any(is_outlier);
-        let left = leaves.then_some(NoiseWarning::PointsLeft { point, distance, noise: found.deviation });
+        let noise = found.heights.unwrap_or(0.0).max(found.deviation);
+        let leaves = distance > OF_TWO * noise.max(NEAREST * size) && !found.outliers.iter().any(is_outlier);
+        let left = leaves.then_some(NoiseWarning::PointsLeft { point, distance, noise });
         warnings.extend(rounded.or(left.map(Warning::Noise)));
         let apart = noise::usual_length(&distinct.points);
         if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {

@@ -11,6 +11,7 @@ mod predicted;
 mod residuals;
 mod rounded;
 mod smoother;
+mod steps;
 mod stops;
 
 pub(super) use bursts::bursts;
@@ -89,6 +90,8 @@ pub(super) struct Denoised {
     pub uncertainty: f64,
     /// Data that do not belong to the others, and how far each is from the curve of these.
     pub outliers: Vec<(usize, f64)>,
+    /// Data after which heights with noise of their own step, and by how much.
+    pub steps: Vec<(usize, f64)>,
     /// Directions across the curve.
     pub directions: usize,
     /// The deviation that the points say themselves, where another was given that they contradict.
@@ -144,7 +147,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
     let unit = frame.length(1.0);
     let across = if frame.planar() || reading.heights { 1 } else { directions(data, runs) };
     let mut sums = Sums::default();
-    let mut outliers = Vec::new();
+    let (mut outliers, mut steps) = (Vec::new(), Vec::new());
     let mut kept: Vec<(usize, Point3)> = Vec::new();
     let mut heights_of_runs = false;
     for run in runs {
@@ -181,28 +184,39 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         let (mut numbers, mut places) = kept_or_held(&series, found, reading.drop)?;
         if reading.heights {
             let lengths = lengths(&places, run.closed);
-            let heights: Vec<Point3> = numbers.iter().map(|i| Point3::new(0.0, 0.0, points[*i].z)).collect();
-            let heights = Series {
-                points: &heights,
-                directions: 1,
-                chords: Some(&lengths),
-                noise: None,
-                weights: None,
-                ..series
-            };
-            let protected = |i: usize| protected(numbers[i]);
-            if let Some(found) = cleaned(&heights, &protected) {
-                outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[*i]], far / unit)));
+            let z: Vec<f64> = numbers.iter().map(|i| points[*i].z).collect();
+            let found = steps::steps(&z, &lengths, run.closed);
+            steps.extend(found.iter().map(|(k, by)| (run.numbers[numbers[*k]], by / unit)));
+            let mut placed: Vec<(usize, f64)> = Vec::new();
+            for level in steps::between(&found, z.len(), run.closed) {
+                let own: Vec<usize> = level.map(|k| k % z.len()).collect();
+                let closed = run.closed && found.is_empty();
+                let chords: Vec<f64> = own[..own.len() - usize::from(!closed)].iter().map(|k| lengths[*k]).collect();
+                let heights: Vec<Point3> = own.iter().map(|k| Point3::new(0.0, 0.0, z[*k])).collect();
+                let heights = Series {
+                    points: &heights,
+                    closed,
+                    fixed: [run.fixed[0] && own[0] == 0, run.fixed[1] && own[own.len() - 1] == z.len() - 1],
+                    directions: 1,
+                    chords: Some(&chords),
+                    noise: None,
+                    weights: None,
+                };
+                let protected = |i: usize| protected(numbers[own[i]]);
+                let Some(found) = cleaned(&heights, &protected) else {
+                    // Too few to tell.
+                    placed.extend(own.iter().map(|k| (*k, z[*k])));
+                    continue;
+                };
+                outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[own[*i]]], far / unit)));
                 sums.add_heights(&found.smoothed);
                 heights_of_runs = true;
-                let (own, smooth) = kept_or_held(&heights, found, reading.drop)?;
-                let whole = |(i, z): (&usize, &Point3)| places[*i] + Vec3::new(0.0, 0.0, z.z);
-                places = own.iter().zip(&smooth).map(whole).collect();
-                numbers = own.iter().map(|i| numbers[*i]).collect();
-            } else {
-                // Too few to tell.
-                places.iter_mut().zip(&numbers).for_each(|(place, i)| place.z = points[*i].z);
+                let (kept, smooth) = kept_or_held(&heights, found, reading.drop)?;
+                placed.extend(kept.iter().zip(&smooth).map(|(i, height)| (own[*i], height.z)));
             }
+            placed.sort_by_key(|p| p.0);
+            places = placed.iter().map(|(k, z)| places[*k] + Vec3::new(0.0, 0.0, *z)).collect();
+            numbers = placed.iter().map(|(k, _)| numbers[*k]).collect();
         }
         let ends = [numbers.first().copied(), numbers.last().copied()];
         for (i, place) in numbers.into_iter().zip(places) {
@@ -227,6 +241,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         heights: heights_of_runs.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
         uncertainty: (sums.uncertain / sums.count).sqrt() / unit,
         outliers,
+        steps,
         directions: across,
         contradicted: None,
     })
