@@ -28,7 +28,7 @@ pub struct NotScheduled {
     pub name: String,
     /// The document's word for its construction.
     pub r#type: String,
-    /// Why it is not, or where its figures stand.
+    /// Why it is not scheduled, or where its figures are listed.
     pub why: String,
 }
 
@@ -109,7 +109,7 @@ pub(super) fn choose(
             others.push(NotScheduled { name: name.clone(), r#type: spec.type_word().to_owned(), why });
         };
         if !wanted(built) {
-            leave(if only.is_empty() { "construction geometry" } else { "not asked for by --object" }.to_owned());
+            leave(if only.is_empty() { "construction geometry" } else { "not selected by --object" }.to_owned());
             continue;
         }
         let skins = skins_of(built);
@@ -132,7 +132,7 @@ pub(super) fn choose(
             Some(OfPanels::OtherSide { of, distance, solid: true }) => match by_name(of) {
                 Some(source) if wanted(source) => {
                     leave(format!(
-                        "the solid between `{of}` and its offset: its figures stand with the panels of `{of}`"
+                        "the solid between `{of}` and its offset: its figures are listed with the panels of `{of}`"
                     ));
                 }
                 // The skin is construction geometry: the solid is what is built.
@@ -149,7 +149,7 @@ pub(super) fn choose(
                 leave(if by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty()) {
                     format!("its arcs are the edges of `{of}`")
                 } else {
-                    format!("its arcs are the edges of `{of}`, which is not scheduled: --object {of} schedules it")
+                    format!("its arcs are the edges of `{of}`, which is not scheduled: add --object {of}")
                 });
             }
             _ => leave(no_net(spec)),
@@ -159,5 +159,5 @@ pub(super) fn choose(
 }
 
 fn no_net(spec: &ObjectSpec) -> String {
-    format!("`{}` makes no net of panels", spec.type_word())
+    format!("`{}` is not a net of panels", spec.type_word())
 }

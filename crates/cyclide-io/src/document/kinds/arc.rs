@@ -102,7 +102,7 @@ impl Builder<'_> {
         let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
         let given = data.into_iter().filter(|d| *d).count();
         if spec.normal.is_some() && spec.bulge.is_none() {
-            return Err(self.unfit("`normal` goes with `bulge` only"));
+            return Err(self.unfit("`normal` requires `bulge`"));
         }
         let arc = match (spec.through, spec.from, spec.to) {
             (Some([a, b, c]), None, None) if given == 0 => Arc::from_three_points(a.point(), b.point(), c.point()),
@@ -122,7 +122,7 @@ impl Builder<'_> {
             }
             _ => {
                 return Err(self.unfit(
-                    "an arc is given by `through` (three points), or by `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
+                    "an arc requires `through` (three points), or `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
                 ));
             }
         };

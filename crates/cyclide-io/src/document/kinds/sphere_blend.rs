@@ -68,7 +68,7 @@ impl Builder<'_> {
             (Some(control), None) => SphereBlend::from_control_points(corners, control.map(Coordinates::point)),
             (None, Some(normals)) => SphereBlend::from_normals(corners, normals.map(Coordinates::vector)),
             _ => {
-                let needed = "a sphere blend has exactly one of `control` (a point of each sphere) and `normals`";
+                let needed = "a sphere blend requires exactly one of `control` (a point of each sphere) and `normals`";
                 return Err(self.unfit(needed));
             }
         };

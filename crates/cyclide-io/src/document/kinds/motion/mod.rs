@@ -295,18 +295,18 @@ impl Builder<'_> {
     pub(in crate::document) fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
         let kind = spec.kind.unwrap_or_default();
         if spec.choice.is_some() && kind != MotionKind::Cubic {
-            return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
+            return Err(self.unfit("`choice` requires the kind `cubic`: other motions are unique"));
         }
         let source = match (&spec.poses, &spec.along) {
             (Some(source), None) => source,
             (None, Some(curve)) => return self.along(spec, curve),
-            _ => return Err(self.unfit("a motion has `poses`, or a curve that it runs `along`: one of both")),
+            _ => return Err(self.unfit("a motion requires either `poses` or `along` (a curve)")),
         };
         if spec.start.is_some() {
-            return Err(self.unfit("`start` goes with `along`: poses say how the body is turned"));
+            return Err(self.unfit("`start` requires `along`: poses contain the rotation of the body"));
         }
         if spec.times.is_some() && kind == MotionKind::Cubic {
-            return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
+            return Err(self.unfit("a `cubic` determines the times of its poses itself: remove `times`"));
         }
         self.check_motion_fields(spec, kind)?;
         let (mut poses, timed) = self.poses(spec, source)?;
@@ -355,27 +355,23 @@ impl Builder<'_> {
         let apart = spec.positions.is_some() || spec.tolerance.is_some();
         if spec.kind.is_some() && apart {
             return Err(self.unfit(
-                "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
+                "`kind` couples position and rotation, while `positions` and `tolerance` separate them: remove one of the two",
             ));
         }
         if spec.positions.is_some() && spec.tolerance.is_some() {
             return Err(
-                self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
+                self.unfit("`positions` pass through the poses, a `tolerance` near them: remove one of the two")
             );
         }
         if spec.closed && spec.tolerance.is_none() && !matches!(kind, MotionKind::Spline | MotionKind::Linear) {
-            return Err(
-                self.unfit("a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`")
-            );
+            return Err(self.unfit("`closed` requires the kind `spline` or `linear`, `positions`, or a `tolerance`"));
         }
         if spec.outliers.is_some() && spec.tolerance.is_none() {
-            return Err(self.unfit(
-                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose",
-            ));
+            return Err(self.unfit("`outliers` requires a `tolerance`: other motions pass through every pose"));
         }
         if spec.blend_radius.is_some() && (apart || kind != MotionKind::Linear) {
             return Err(
-                self.unfit("a `blend_radius` is of the kind `linear`: other motions do not stop at their poses")
+                self.unfit("`blend_radius` requires the kind `linear`: other motions do not stop at their poses")
             );
         }
         Ok(())
@@ -418,27 +414,25 @@ impl Builder<'_> {
     /// The motion that a curve carries.
     fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
         if spec.kind.is_some() {
-            return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+            return Err(self.unfit("`kind` is the path from pose to pose: `along` a curve there is only one"));
         }
         let through = spec.closed || spec.blend_radius.is_some() || spec.positions.is_some();
         if through || spec.tolerance.is_some() || spec.outliers.is_some() {
             return Err(self.unfit(
-                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` are of motions through poses: `along` a curve there are none",
+                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` require motions through poses: `along` a curve there are none",
             ));
         }
         if spec.times.is_some() {
-            return Err(
-                self.unfit("`times` go from pose to pose: `along` a curve there are none; a `law` goes by its way")
-            );
+            return Err(self.unfit("`times` require poses: `along` a curve there are none; use a `law` by path length"));
         }
         let contours = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let [contour] = contours else {
-            let message = format!("`{curve}` has {} contours: a motion runs along a curve of one", contours.len());
+            let message = format!("`{curve}` has {} contours: a motion along a curve requires one", contours.len());
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
         let Some(chain) = contour.to_qb_spline() else {
             let message = format!(
-                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
+                "`{curve}` does not define a rotation: a motion can follow arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
             );
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
@@ -450,7 +444,7 @@ impl Builder<'_> {
                 turned.map_err(|e| self.refused_at(["start".into()], &e))?.rotation()
             }
             Some(_) => {
-                let message = "`start` is a `quaternion` or `rpy`: one of both";
+                let message = "`start` requires either `quaternion` or `rpy`";
                 return Err(Error::Input(self.diagnostic(["start".into()], message)));
             }
         };
@@ -470,17 +464,18 @@ impl Builder<'_> {
         // A cross-ratio that is none is refused with those that there are.
         let cross_ratio = admissible.get(choice).copied().unwrap_or(f64::NAN);
         if spec.choice.is_some() && choice >= admissible.len() && !admissible.is_empty() {
-            let message = format!("there is no motion {choice}: the poses have {}, from 0", admissible.len());
+            let message = format!("there is no motion {choice}: the poses have {}, numbered from 0", admissible.len());
             return Err(Error::Input(self.diagnostic(["choice".into()], &message)));
         }
         let ends = [poses[0].time, poses[3].time];
         let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(spec, &e))?;
         if spec.choice.is_none() && admissible.len() > 1 {
-            let message = "two motions of degree 3 take these poses: the one of the smaller cross-ratio is taken; `choice` says which";
+            let message = "two motions of degree 3 pass through these poses: the one with the smaller cross-ratio is used; select one with `choice`";
             self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
         }
         if timed {
-            let message = "a cubic sets the times of the two poses in the middle, which the report has: those given for them are left aside";
+            let message =
+                "a cubic determines the times of the two middle poses (see the report): the given times are ignored";
             self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
         }
         self.body(spec, motion.into(), ends[1] - ends[0])
@@ -510,7 +505,7 @@ impl Builder<'_> {
         let Some(file) = &spec.mesh else { return Ok(made) };
         let (name, mesh) = self.mesh_of_file(file)?;
         if mesh.faces.iter().any(|face| face.len() > 4) {
-            let message = "faces of more than four corners are cut into triangles from their first corner";
+            let message = "faces with more than four corners are divided into triangles from their first corner";
             self.remark("polygons-cut", None, None, Some(name), message.to_owned());
         }
         let fan = |face: &Vec<usize>| -> Vec<[usize; 3]> {
@@ -530,10 +525,10 @@ impl Builder<'_> {
         };
         let words = match error {
             cyclide::Error::Pose(PoseError::ParametersNotIncreasing { index, value, before }) => {
-                format!("the times do not increase: that of pose {index} is {value}, after {before}")
+                format!("the times do not increase: pose {index} has the time {value}, after {before}")
             }
             cyclide::Error::Interpolation(InterpolationError::RepeatedParameter { first, second, value }) => {
-                format!("the poses {first} and {second} have one time, {value}")
+                format!("poses {first} and {second} have the same time {value}")
             }
             _ => return self.refused_at(steps, error),
         };
@@ -550,7 +545,7 @@ impl Builder<'_> {
     pub(in crate::document) fn remark_bound(&mut self, bound: f64) {
         if bound > 0.0 {
             let message = format!(
-                "points of this motion run on no rational curves, as it turns by slerp or runs on a curve by time: the form made is within {} {} of it",
+                "points of this motion do not follow rational curves, since it rotates by slerp or follows a curve by time: the approximation is within {} {}",
                 ShortNumber(bound),
                 self.document.units.symbol()
             );

@@ -26,7 +26,7 @@ use crate::input::triangle_mesh::TriangleMesh;
 
 /// What is said where a surface is given twice, or not at all.
 const ONE_SURFACE: &str =
-    "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`";
+    "a surface requires exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`";
 
 impl Builder<'_> {
     /// Lays the grids; their lines are the curves of the object.
@@ -125,9 +125,9 @@ pub(in crate::document) fn idle_in_principal_grid(spec: &PrincipalGridSpec, clos
     let several = spec.most_pieces.is_some_and(|most| most > 1);
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
-        ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
+        ("closed", !closed && spec.closed == Some(true), "the surface is not a tube whose lines of curvature close"),
         ("most_pieces", several && spec.border == Some(GridBorder::Cover), "one grid covers the surface"),
-        ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all laid"),
+        ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all computed"),
     ])
 }
 
