@@ -207,9 +207,11 @@ fn the_only_object_needs_no_name() {
     let folder = Folder::with(&[("one.json", one), ("all.json", ALL), ("logo.csv", LOGO)]);
     assert_eq!(folder.ok("sample one.json --count 2").lines().count(), 3);
     assert!(
-        folder.fails(2, "sample all.json --count 2").contains("--object is needed: the model has 'three points', ")
+        folder
+            .fails(2, "sample all.json --count 2")
+            .contains("--object is required: the objects of the model are 'three points', ")
     );
-    assert!(folder.fails(2, "sample one.json --count 2 --object c").contains("no object 'c'; it has 'a b'"));
+    assert!(folder.fails(2, "sample one.json --count 2 --object c").contains("no object 'c'; its objects are 'a b'"));
 }
 
 #[test]

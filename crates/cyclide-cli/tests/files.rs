@@ -72,8 +72,8 @@ fn standard_output_takes_one_file_and_the_report_goes_aside() {
     for (command, message) in [
         ("build c.json -o -", "-o - needs --format: one of step, dxf"),
         ("build c.json -o - --format iges", "possible values: step, dxf"),
-        ("build c.json -o - -o b.step --format step", "`-o -` stands alone"),
-        ("build c.json -o a.step --format dxf", "a.step: the suffix says step, --format says dxf"),
+        ("build c.json -o - -o b.step --format step", "`-o -` must be the only output"),
+        ("build c.json -o a.step --format dxf", "a.step: the suffix means step, but --format is dxf"),
     ] {
         let error = folder.fails(2, command);
         assert!(error.contains(message), "{command}\n{error}");
@@ -93,7 +93,7 @@ fn one_file_by_two_names_is_one_output() {
     fs::create_dir(folder.path("sub")).unwrap();
     for name in second {
         let error = folder.fails(2, &format!("build c.json -o new.step -o {name}"));
-        assert!(error.contains("is given twice as output: it is the same file as new.step"), "{error}");
+        assert!(error.contains("is given twice: it is the same file as new.step"), "{error}");
     }
     #[cfg(unix)]
     {
@@ -173,7 +173,7 @@ mod unix {
             let before = folder.read(input);
             let stdin = fs::File::open(folder.path(input)).unwrap();
             let run = Run::new(folder.command().args(command.split_whitespace()).stdin(stdin).output().unwrap());
-            let message = format!("{output} is an input: it will not be written over");
+            let message = format!("{output} is an input and will not be overwritten");
             assert!(run.code == 2 && run.stderr.contains(&message), "{command}: {}", run.stderr);
             assert_eq!(folder.read(input), before, "{command}");
         }
@@ -296,7 +296,12 @@ fn input_of_any_size_is_refused() {
         ("n.json", long_number, "build n.json -o o.step", "the number or word is longer than 2048 bytes"),
         ("s.json", long_string, "build s.json -o o.step", "the string is longer than 65536 bytes"),
         ("c.csv", format!("x,y\n{}", "1,".repeat(50_000_000)), "curve c.csv -o o.step", "the line has 100000000 bytes"),
-        ("l.json", format!("{{\"cyclide\": {}", "[".repeat(100_000_000)), "build l.json -o o.step", "deeper than 64"),
+        (
+            "l.json",
+            format!("{{\"cyclide\": {}", "[".repeat(100_000_000)),
+            "build l.json -o o.step",
+            "more than 64 levels deep",
+        ),
         ("b.csv", "\n".repeat(100_000_000), "curve b.csv -o o.step", "the file has no points"),
     ] {
         folder.write(name, &text);
@@ -330,7 +335,7 @@ fn each_object_has_a_file_of_its_own() {
     let block = r#"{"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "cells": 2}"#;
     folder.write("b.json", &format!(r#"{{"cyclide": 1, "objects": {{"block": {block}, "round": {}}}}}"#, circle(0)));
     let run = folder.run("build b.json -o q.vtu -o q.step --per-object --vtu-cells linear");
-    assert!(run.code == 0 && run.stderr.contains("no such file of round [no-effect]"), "{}", run.stderr);
+    assert!(run.code == 0 && run.stderr.contains("no such file is written for round [no-effect]"), "{}", run.stderr);
     assert!(folder.path("q-block.vtu").exists() && folder.path("q-round.step").exists());
     assert!(!folder.path("q-round.vtu").exists());
     assert!(!String::from_utf8(folder.read("q.vtm")).unwrap().contains("round"));
@@ -347,5 +352,5 @@ fn each_object_has_a_file_of_its_own() {
     // A file that is read is not written over, whatever its name comes from.
     folder.write("o-right.json", &document("left", "right"));
     let run = folder.run("build o-right.json -o o.json --per-object");
-    assert!(run.code == 2 && run.stderr.contains("will not be written over"), "{}", run.stderr);
+    assert!(run.code == 2 && run.stderr.contains("will not be overwritten"), "{}", run.stderr);
 }

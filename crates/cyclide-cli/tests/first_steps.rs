@@ -91,14 +91,14 @@ fn new_lists_the_kinds_and_keeps_what_exists() {
     let listed = folder.ok("new");
     assert!(ObjectSpec::TYPES.iter().all(|kind| listed.contains(&format!("\n  {kind} "))), "{listed}");
     let made = folder.ok("new circle -o ring.json");
-    assert_eq!(made, "ring.json: made. Build it with: cyclide build ring.json -o ring.step -o ring.png\n");
+    assert_eq!(made, "ring.json written. Build it with: cyclide build ring.json -o ring.step -o ring.png\n");
     assert_eq!(String::from_utf8(folder.read("ring.json")).unwrap(), folder.ok("new circle"));
     folder.ok("build ring.json -o ring.step -o ring.png");
     assert!(folder.ok("new sphere-blend -o sail.json").ends_with("cyclide build sail.json -o sail.glb -o sail.png\n"));
-    assert!(folder.fails(2, "new circle -o old.json").contains("old.json exists: it will not be written over"));
+    assert!(folder.fails(2, "new circle -o old.json").contains("old.json exists and will not be overwritten"));
     assert_eq!(folder.read("old.json"), CIRCLE.as_bytes());
     assert!(
-        folder.fails(2, "new circle -o a.step").contains("a document is JSON; for this format see 'cyclide build'")
+        folder.fails(2, "new circle -o a.step").contains("documents are JSON; for this format see 'cyclide build'")
     );
     assert!(folder.fails(2, "new arcfit").contains("a similar value exists: 'arc-fit'"));
 }
@@ -188,7 +188,7 @@ fn near_words_are_suggested() {
     ]);
     for (code, command, hint) in [
         (1, "report type.json", "; did you mean `arc-fit`?\n"),
-        (1, "report part.json", "; a smooth curve through points is a `fair-spline`\n"),
+        (1, "report part.json", "; use a `fair-spline` for a smooth curve through points\n"),
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
@@ -197,13 +197,13 @@ fn near_words_are_suggested() {
         (1, "report word.json", "; did you mean `fast`?\n"),
         (1, "report step.json", "; did you mean `rotation`?\n"),
         // What other programs call it, and where it belongs.
-        (1, "report torus.json", "; a torus is a `cyclide` with the radii `a` and `mu`\n"),
-        (1, "report line.json", "; an `arc` with the bulge 0 is a straight segment\n"),
-        (1, "report inner.json", "; `units` stands in the document, before its objects\n"),
+        (1, "report torus.json", "; use a `cyclide` with the radii `a` and `mu` for a torus\n"),
+        (1, "report line.json", "; use an `arc` with bulge 0 for a straight segment\n"),
+        (1, "report inner.json", "; `units` belongs to the document, before its objects\n"),
         (1, "report other.json", "; `effort` is a field of `arc-fit`\n"),
         (1, "report name.json", "there is no object `outer_skin`; did you mean `outer skin`?\n"),
         (1, "curve p.csv --columns est_m,north_m -o a.step", "; did you mean `east_m`?\n"),
-        (2, "sample good.json --count 2 --object A", "it has 'a'; did you mean `a`?\n"),
+        (2, "sample good.json --count 2 --object A", "its objects are 'a'; did you mean `a`?\n"),
         (2, "build good.json -o a.setp", "; did you mean `step` or `stp`?\n"),
         // The argument parser's own.
         (2, "biuld good.json -o a.step", "'build'"),
@@ -234,34 +234,34 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         // Inputs of other commands, by their suffix or by what is in them.
         ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document: see 'cyclide curve'"),
         ("report p.txt", "p.txt seems to be a list of points, not a model document: see 'cyclide curve'"),
-        ("sample list.txt --count 2", "'cyclide new fair-spline' prints a document with room for it"),
+        ("sample list.txt --count 2", "'cyclide new fair-spline' prints a document that can contain it"),
         ("curve d.txt -o a.step", "d.txt seems to be a model document, not a list of points: see 'cyclide build'"),
         ("build m.txt -o a.step", "'cyclide new cyclidic-net' prints a document for it"),
         ("curve m.txt -o a.step", "m.txt seems to be a mesh, not a list of points: 'cyclide new cyclidic-net'"),
-        ("curve i.csv -o a.step", "its columns speak of rows or patches"),
-        ("build c.step -o a.dxf", "c.step is STEP, which cyclide writes and does not read: it reads model documents"),
+        ("curve i.csv -o a.step", "its columns name rows or patches"),
+        ("build c.step -o a.dxf", "c.step is STEP, which cyclide writes but does not read: it reads model documents"),
         ("curve step.txt -o a.dxf", "step.txt is STEP, which cyclide writes"),
-        ("curve none.dxf -o a.step", "none.dxf is DXF, which cyclide writes and does not read"),
+        ("curve none.dxf -o a.step", "none.dxf is DXF, which cyclide writes but does not read"),
         (
             "build none.ply -o a.step",
             "none.ply seems to be a mesh, not a model document: 'cyclide new smooth-mesh' prints",
         ),
-        ("build none.stl -o a.step", "'cyclide new smooth-polyhedron' one that rounds a convex one"),
+        ("build none.stl -o a.step", "'cyclide new smooth-polyhedron' one that rounds a convex mesh"),
         ("curve none.glb -o a.step", "none.glb seems to be a mesh, not a list of points"),
         ("none.ply", "'cyclide new smooth-mesh'"),
         ("report none.iges", "export points of its curves as CSV"),
         ("build nurbs.json -o a.step", "nurbs.json is a file of exact B-splines, which cyclide writes"),
         ("curve none.xlsx -o a.step", "save it as CSV"),
         // Files in the place of a command.
-        ("p.csv -o a.step", "make a curve of points with 'cyclide curve p.csv -o FILE'"),
+        ("p.csv -o a.step", "make a curve from points with 'cyclide curve p.csv -o FILE'"),
         ("c.json", "build a model document with 'cyclide build c.json -o FILE'"),
         ("none.obj", "'cyclide new cyclidic-net'"),
         // Outputs of other commands.
         ("build c.json -o a.pdf", ".svg is a drawing at true size"),
-        ("build c.json -o a.iges", ".step carries curves and surfaces to CAD"),
+        ("build c.json -o a.iges", ".step transfers curves and surfaces to CAD"),
         ("sample c.json --count 3 -o a.step", "samples are CSV or JSON; for this format see 'cyclide build'"),
-        ("gallery -o page.html", "the name of a folder is needed"),
-        ("man -o cyclide.json", "the name of a folder is needed"),
+        ("gallery -o page.html", "a folder name is required"),
+        ("man -o cyclide.json", "a folder name is required"),
         // Options of other commands.
         ("build c.json -o a.step --closed", "'--closed' is an option of 'cyclide curve'"),
         ("report c.json --tolerance 1", "'--tolerance' is an option of 'cyclide build', 'cyclide curve'"),
@@ -275,7 +275,7 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         (
             "a.json",
             r#""type": "arc-spline", "points": {"csv": "m.txt"}"#,
-            "m.txt is a mesh, not a list of points: the field `grid`",
+            "m.txt is a mesh, not a list of points: use it in the field `grid`",
         ),
         ("b.json", r#""type": "arc-spline", "points": {"csv": "step.txt"}"#, "step.txt is STEP, not a list of points"),
         (

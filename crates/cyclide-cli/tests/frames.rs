@@ -67,7 +67,7 @@ fn frames_are_columns_and_json() {
     assert!((14..=18).contains(&straight), "{straight}");
     // The frame of a knot comes back turned, which is said; spread, it closes.
     let run = folder.run("sample m.json --object knot --count 100 --frames rotation-minimizing -o k.json");
-    assert!(run.code == 0 && run.stderr.contains("comes back turned by"), "{}", run.stderr);
+    assert!(run.code == 0 && run.stderr.contains("the frame is rotated by"), "{}", run.stderr);
     let found: Value = serde_json::from_slice(&folder.read("k.json")).unwrap();
     let contour = &found["contours"][0];
     assert_eq!((&found["frames"], contour["samples"].as_array().unwrap().len()), (&"rotation-minimizing".into(), 100));
@@ -102,10 +102,10 @@ fn what_makes_no_sense_is_refused() {
     refused("stadium --count 3 --up 0,0,1", "--up would have no effect");
     refused("stadium --count 3 --frames frenet --spread-twist", "--spread-twist would have no effect");
     refused("stadium --count 3 --frames toward", "--toward");
-    refused("stadium --count 3 --frames up --up 0,1", "three numbers");
+    refused("stadium --count 3 --frames up --up 0,1", "three comma-separated numbers");
     refused("ball --step 1", "--step is for curves");
     refused("ball --count 3 --frames up", "--frames is for curves");
-    refused("stadium --count 3 --json -o s.csv", "JSON was asked for");
+    refused("stadium --count 3 --json -o s.csv", "--json requests JSON");
     let error = folder.fails(1, "sample m.json --object stadium --count 3 --frames up --up 0,0,0");
     assert!(error.contains("[zero-axis]"), "{error}");
     let error = folder.fails(1, "sample m.json --object line --count 3 --frames rotation-minimizing --up 0,0,1");
@@ -235,9 +235,9 @@ fn knots_and_parameters_are_options() {
     let (chord, given, g1) = (length("--knots chord"), length("--knots 0,1,4,5,6"), length("--continuity g1"));
     assert!((chord - given).abs() > 1e-4 && (chord - g1).abs() > 1e-4, "{chord} {given} {g1}");
     for (options, words) in [
-        ("--kind fair-spline --knots chord", "--knots goes with --kind moebius-spline"),
-        ("--kind moebius-spline --parameters chord", "--parameters goes with --kind qb-interpolation"),
-        ("--kind moebius-spline --knots chords", "numbers with commas"),
+        ("--kind fair-spline --knots chord", "--knots requires --kind moebius-spline"),
+        ("--kind moebius-spline --parameters chord", "--parameters requires --kind qb-interpolation"),
+        ("--kind moebius-spline --knots chords", "comma-separated list of numbers"),
         ("--kind moebius-spline --continuity g1 --knots chord", "--knots would have no effect"),
     ] {
         let error = folder.fails(2, &format!("curve p.csv {options} -o p.step"));
@@ -318,7 +318,7 @@ fn kinds_are_compared_on_one_page() {
     assert!(of("arc-spline", "jumps") > 0.0 && of("fair-spline", "jumps") == 0.0);
     assert!(of("fair-spline", "off_points") < 1e-12);
     // The table that is printed has what the page has to choose by; curves in space have no sides to change.
-    let columns = ["length", "bending", "variation", "changes of side", "largest curvature", "overshoot"];
+    let columns = ["length", "bending", "variation", "sign changes", "largest curvature", "overshoot"];
     assert!(columns.iter().all(|column| text.lines().next().unwrap().contains(column)), "{text}");
     folder.write("space.csv", "0,0,0\n4,1,2\n5,4,1\n2,6,3\n");
     assert!(folder.ok("compare space.csv").lines().nth(1).unwrap().contains(" – "));
@@ -341,8 +341,8 @@ fn kinds_are_compared_on_one_page() {
             .is_some_and(|why| kind["kind"] == "qb-interpolation" && why.contains("[even-point-count]"))
     }));
     let run = folder.run("compare zigzag.csv -o zigzag.html");
-    assert!(run.code == 0 && run.stderr.contains("could not be made"), "{} {}", run.code, run.stderr);
-    assert!(String::from_utf8(folder.read("zigzag.html")).unwrap().contains("It could not be made"));
-    assert!(folder.fails(2, "compare track.csv -o t.pdf").contains("a comparison is .html, .csv or .json"));
+    assert!(run.code == 0 && run.stderr.contains("not available"), "{} {}", run.code, run.stderr);
+    assert!(String::from_utf8(folder.read("zigzag.html")).unwrap().contains("Not available"));
+    assert!(folder.fails(2, "compare track.csv -o t.pdf").contains("a comparison is written as .html, .csv or .json"));
     assert!(folder.fails(2, "compare track.csv -o track.csv").contains("is an input"));
 }

@@ -50,17 +50,17 @@ fn what_the_command_line_tells_is_an_error() {
         for command in ["build c.json", "curve bend.csv"] {
             let error = folder.fails(2, &format!("{command} -o {output} {option}"));
             let name = option.split(' ').next().unwrap();
-            assert!(error.starts_with(&format!("error: {name} is for {format}, and no such file")), "{error}");
+            assert!(error.starts_with(&format!("error: {name} applies only to {format} output")), "{error}");
         }
     }
     for (options, message) in [
-        ("--ends free --closed", "--ends would have no effect: a curve that is --closed has no ends"),
-        ("--smooth 1 --fix-ends --closed", "--fix-ends would have no effect: a curve that is --closed has no ends"),
-        ("--smooth 1 --max-fits 0 --nodes 4", "--nodes would have no effect: --max-fits 0 takes no nodes out"),
+        ("--ends free --closed", "--ends would have no effect: a --closed curve has no ends"),
+        ("--smooth 1 --fix-ends --closed", "--fix-ends would have no effect: a --closed curve has no ends"),
+        ("--smooth 1 --max-fits 0 --nodes 4", "--nodes would have no effect: --max-fits 0 removes no nodes"),
         ("--smooth 1 --max-fits 0 --budget 1", "--budget would have no effect"),
         ("-o a.png --axes --png-plain", "cannot be used with"),
         ("-o a.png --labels --png-plain", "cannot be used with"),
-        ("--corner-angle-deg 181", "it must be at most 180 degrees"),
+        ("--corner-angle-deg 181", "must be at most 180 degrees"),
     ] {
         let error = folder.fails(2, &format!("curve bend.csv -o a.step {options}"));
         assert!(error.contains(message), "{options}: {error}");
@@ -80,12 +80,15 @@ fn what_the_model_tells_is_a_warning() {
     for (command, warnings) in [
         (
             "curve bend.csv -o a.step --tight 0.2",
-            &["`tight` has no effect: no corner stands beside a straight run"][..],
+            &["`tight` has no effect: there is no corner beside a straight run"][..],
         ),
         ("curve line.csv -o a.step --tension 0.5", &["`tension` has no effect"]),
         ("curve line.csv -o a.step --ends free", &["`ends` has no effect: with `circle` the curve is the same"]),
         ("curve line.csv -o a.step --straight off", &["`straight` has no effect"]),
-        ("curve bend.csv -o a.step --corner-angle-deg 100", &["`corner_angle` has no effect: no point turns by more"]),
+        (
+            "curve bend.csv -o a.step --corner-angle-deg 100",
+            &["`corner_angle` has no effect: the curve turns by no more at any point"],
+        ),
         ("curve line.csv -o a.step --kind arc-spline --rule equal-chord", &["`rule` has no effect"]),
         ("curve bend.csv -o a.step --tolerance 0.1", &["--tolerance has no effect: no file needs an approximation"]),
         ("curve bend.csv -o a.step -o a.png --tolerance 0.1", &["--tolerance has no effect"]),
@@ -94,18 +97,24 @@ fn what_the_model_tells_is_a_warning() {
             &["--dxf-splines has no effect: all curves are arcs", "--glb-edges has no effect: there are no surfaces"],
         ),
         ("build c.json -o a.step --step-edges rational", &["--step-edges has no effect: there are no surfaces"]),
-        ("build t.json -o a.step --step-products one", &["--step-products has no effect: one object is one product"]),
-        ("curve line.csv -o a.svg --svg-comb", &["--svg-comb has no effect: no curve is bent"]),
+        (
+            "build t.json -o a.step --step-products one",
+            &["--step-products has no effect: a single object is always one product"],
+        ),
+        ("curve line.csv -o a.svg --svg-comb", &["--svg-comb has no effect: all curves are straight"]),
         ("build c.json -o a.svg --svg-points", &["--svg-points has no effect: no curve has joints or ends"]),
         (
             "build c.json -o a.png --colour mean --labels",
-            &["--colour has no effect: there are no surfaces with curvatures", "--labels has no effect: one object"],
+            &[
+                "--colour has no effect: there are no surfaces with curvature",
+                "--labels has no effect: a single object",
+            ],
         ),
-        ("build t.json -o a.png --colour deviation", &["--colour has no effect: no object follows a given surface"]),
         (
-            "build t.json -o a.png --colour field",
-            &["--colour has no effect: no object that is drawn is a `principal-grid`"],
+            "build t.json -o a.png --colour deviation",
+            &["--colour has no effect: no object approximates a given surface"],
         ),
+        ("build t.json -o a.png --colour field", &["--colour has no effect: no drawn object is a `principal-grid`"]),
         ("report t.json --min-radius 2", &["--min-radius has no effect: there are no curves"]),
         (
             "report t.json --max-speed 2 --max-angular-speed 3",
@@ -118,7 +127,7 @@ fn what_the_model_tells_is_a_warning() {
         ),
         (
             "sample c.json --count 3 --frames rotation-minimizing --spread-twist",
-            &["--spread-twist has no effect: carried once round, the frame comes back as it was"],
+            &["--spread-twist has no effect: the frame returns to itself after one turn along the closed curve"],
         ),
     ] {
         let run = folder.run(command);

@@ -40,13 +40,13 @@ fn limits_say_whether_they_are_excluded_and_what_to_do_instead() {
             format!(
                 r#"{circle}, "t": {{"type": "transform", "of": "c", "steps": [{{"cut": {{"parameters": [0, 1]}}}}]}}"#
             ),
-            "the cut keeps the whole circle, and an arc is less than one: leave the cut out",
+            "the cut would keep the full circle, but an arc must be shorter: remove the cut",
         ),
         (
             format!(
                 r#"{fair}, "t": {{"type": "transform", "of": "c", "steps": [{{"inversion": {{"center": [0, -9], "radius": 6}}}}]}}"#
             ),
-            "steps[0]: the map is not a similarity: fair and circle splines are moved, turned, scaled and mirrored only; a `moebius-spline`",
+            "steps[0]: the map is not a similarity: fair and circle splines can only be moved, rotated, scaled and mirrored; a `moebius-spline`",
         ),
         (
             r#""q": {"type": "qb-interpolation", "points": [[1, 2]]}"#.to_owned(),
@@ -88,14 +88,14 @@ fn refused_input_shows_file_line_and_column() {
     let before = folder.count();
     for (command, message) in [
         ("build json.json", "error: json.json:3:1: the file ends inside an object: a `}` is missing\n  3 | }\n    | ^"),
-        ("build version.json", "error: version.json:1:13: cyclide: document version 3 is not known"),
+        ("build version.json", "error: version.json:1:13: cyclide: unknown document version 3"),
         ("report field.json", "error: field.json:2:27: objects.c: unknown field `size`, expected one of"),
         (
             "build kernel.json",
             "error: kernel.json:2:54: objects.c.radius: the radius 0 is not positive [radius-not-positive]",
         ),
         ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
-        ("build empty.json", "error: o.step: there is nothing to write [empty-model]"),
+        ("build empty.json", "error: o.step: the model has nothing to write [empty-model]"),
         ("curve bad.csv", "error: bad.csv:3:3: `nan` is not a finite number"),
         (
             "curve few.csv",
@@ -123,14 +123,14 @@ fn usage_that_makes_no_sense_is_refused() {
         ("", "Usage:"),
         ("paint", "unrecognized subcommand"),
         ("build c.json", "--output <FILE>"),
-        ("build c.json -o a.iges", "a.iges: no format for this suffix; known are .step"),
-        ("build c.json -o a", "no format for this suffix"),
+        ("build c.json -o a.iges", "a.iges: no format with this suffix; known suffixes are .step"),
+        ("build c.json -o a", "no format with this suffix"),
         ("build c.json -o a.step -o a.step", "a.step is given twice"),
         ("build c.json -o a.step b.step", "unexpected argument 'b.step'"),
-        ("build c.json -o a.step --tolerance 0", "it must be positive and finite"),
-        ("build c.json -o a.step --tolerance -1", "it must be positive and finite"),
-        ("build c.json -o a.step --tolerance x", "it is not a number"),
-        ("build c.json -o ./c.json", "./c.json is an input: it will not be written over"),
+        ("build c.json -o a.step --tolerance 0", "must be positive and finite"),
+        ("build c.json -o a.step --tolerance -1", "must be positive and finite"),
+        ("build c.json -o a.step --tolerance x", "not a number"),
+        ("build c.json -o ./c.json", "./c.json is an input and will not be overwritten"),
         ("curve p.csv -o p.csv", "p.csv is an input"),
         ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document"),
         ("report p.csv", "see 'cyclide curve'"),
@@ -140,33 +140,30 @@ fn usage_that_makes_no_sense_is_refused() {
         ("sample c.json --count 5 -o c.json", "c.json is an input"),
         ("curve p.csv -o a.step --order 5", "5 is not in 1..=4"),
         ("curve p.csv -o a.step --kind arc-fit", "--kind arc-fit needs --tolerance"),
-        (
-            "curve p.csv -o a.step --kind arc-spline --order 3",
-            "--order goes with --kind circle-spline, not with arc-spline",
-        ),
+        ("curve p.csv -o a.step --kind arc-spline --order 3", "--order requires --kind circle-spline, not arc-spline"),
         (
             "curve p.csv -o a.step --kind arc-spline --corner-angle-deg 3",
-            "fair-spline or circle-spline or moebius-spline or arc-fit or fair-fit, not with arc-spline",
+            "fair-spline or circle-spline or moebius-spline or arc-fit or fair-fit, not arc-spline",
         ),
-        ("curve p.csv -o a.step --order 3", "--order goes with --kind circle-spline, not with fair-spline"),
+        ("curve p.csv -o a.step --order 3", "--order requires --kind circle-spline, not fair-spline"),
         (
             "curve p.csv -o a.step --kind circle-spline --tension 0.5",
-            "--tension goes with --kind fair-spline, not with circle-spline",
+            "--tension requires --kind fair-spline, not circle-spline",
         ),
-        ("curve p.csv -o a.step --kind arc-fit --tolerance 1 --ends free", "--ends goes with --kind fair-spline"),
-        ("curve p.csv -o a.step --kind arc-spline --straight off", "--straight goes with --kind fair-spline"),
-        ("curve p.csv -o a.step --tension 1.5", "it must be from 0 to 1"),
-        ("curve p.csv -o a.step --tension -0.5", "it must be from 0 to 1"),
-        ("curve p.csv -o a.step --tight 0.5", "it must be below 0.5"),
-        ("curve p.csv -o a.step --tight 0", "it must be positive and finite"),
+        ("curve p.csv -o a.step --kind arc-fit --tolerance 1 --ends free", "--ends requires --kind fair-spline"),
+        ("curve p.csv -o a.step --kind arc-spline --straight off", "--straight requires --kind fair-spline"),
+        ("curve p.csv -o a.step --tension 1.5", "must be from 0 to 1"),
+        ("curve p.csv -o a.step --tension -0.5", "must be from 0 to 1"),
+        ("curve p.csv -o a.step --tight 0.5", "must be below 0.5"),
+        ("curve p.csv -o a.step --tight 0", "must be positive and finite"),
         ("curve p.csv -o a.step --ends natural", "possible values: circle, arc, free"),
-        ("curve p.csv -o a.step --effort best", "--effort goes with --kind arc-fit"),
+        ("curve p.csv -o a.step --effort best", "--effort requires --kind arc-fit"),
         ("curve p.csv -o a.step --kind fair-fit", "--kind fair-fit needs --smooth"),
-        ("curve p.csv -o a.step --kind arc-fit --tolerance 1 --smooth 1", "--smooth goes with --kind fair-fit"),
-        ("curve p.csv -o a.step --centre 1", "--centre goes with --kind fair-fit, not with fair-spline"),
-        ("curve p.csv -o a.step --smooth 1 --order 2", "--order goes with --kind circle-spline, not with fair-fit"),
-        ("curve p.csv -o a.step --smooth 0", "it must be positive and finite"),
-        ("curve p.csv -o a.step --smooth 1 --centre -1", "it must not be negative"),
+        ("curve p.csv -o a.step --kind arc-fit --tolerance 1 --smooth 1", "--smooth requires --kind fair-fit"),
+        ("curve p.csv -o a.step --centre 1", "--centre requires --kind fair-fit, not fair-spline"),
+        ("curve p.csv -o a.step --smooth 1 --order 2", "--order requires --kind circle-spline, not fair-fit"),
+        ("curve p.csv -o a.step --smooth 0", "must be positive and finite"),
+        ("curve p.csv -o a.step --smooth 1 --centre -1", "must be finite and non-negative"),
         ("curve p.csv -o a.step --smooth 1 --fast --nodes 9", "cannot be used with"),
         ("curve p.csv -o a.step --smooth 1 --nodes 1", "1 is not in 2..="),
         ("curve p.csv -o a.step --smooth 1 --polyline 101", "101 is not in 0..=100"),
@@ -174,8 +171,8 @@ fn usage_that_makes_no_sense_is_refused() {
         ("sample c.json --count 1", "1 is not in 2..="),
         // Negative numbers are numbers, however they are written.
         ("sample c.json --count -1", "-1 is not in 2..="),
-        ("sample c.json --step -.5", "it must be positive and finite"),
-        ("curve p.csv -o a.step --smooth 1 --centre -.5e1", "it must not be negative"),
+        ("sample c.json --step -.5", "must be positive and finite"),
+        ("curve p.csv -o a.step --smooth 1 --centre -.5e1", "must be finite and non-negative"),
     ] {
         let error = folder.fails(2, command);
         assert!(error.contains(message), "{command}\n{error}");
@@ -204,9 +201,12 @@ fn files_that_cannot_be_read_or_written() {
         ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("build . -o a.step", "error: cannot read .: "),
-        ("build c.json -o no/such/folder/a.step", "error: cannot write no/such/folder/a.step: there is no folder no\n"),
-        ("sample c.json --count 3 -o no/a.csv", "error: cannot write no/a.csv: there is no folder no\n"),
-        ("build c.json -o c.json/a.step", "error: cannot write c.json/a.step: c.json is no folder\n"),
+        (
+            "build c.json -o no/such/folder/a.step",
+            "error: cannot write no/such/folder/a.step: the folder no does not exist\n",
+        ),
+        ("sample c.json --count 3 -o no/a.csv", "error: cannot write no/a.csv: the folder no does not exist\n"),
+        ("build c.json -o c.json/a.step", "error: cannot write c.json/a.step: c.json is not a folder\n"),
     ] {
         let error = folder.fails(3, command);
         assert!(error.starts_with(message), "{command}\n{error}");
@@ -247,7 +247,7 @@ fn warnings_are_on_standard_error_with_their_place() {
     let run = folder.run("curve track.csv --kind fair-spline --closed --units mm -o a.step");
     assert_eq!(run.code, 0);
     let expected = [
-        "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
+        "warning: track.csv: track: the unit in the columns x_m, y_m is m, but that of the model is mm; coordinates are not converted [units-differ]",
         "warning: track.csv:4: track: point 2 repeats the previous one (closer than ",
         "warning: track.csv:7: track: point 5 repeats the first point of the closed curve: merged with it [closing-point-merged]",
     ];
@@ -262,12 +262,14 @@ fn warnings_are_on_standard_error_with_their_place() {
     assert_eq!(folder.run("curve mm.csv -o b.step").stderr, "");
     let note = folder.run("curve track.csv --closed -o a.step").stderr;
     assert!(
-        note.starts_with("note: track.csv: the unit is m, as the columns x_m, y_m say (--units)\nwarning: "),
+        note.starts_with(
+            "note: track.csv: the unit is m, taken from the columns x_m, y_m (change it with --units)\nwarning: "
+        ),
         "{note}"
     );
     assert!(!note.contains("units-differ"), "{note}");
     let open = folder.run("curve track.csv --units m -o c.step");
-    assert!(open.stderr.contains("set `closed` if it is meant to be [ends-meet]"), "{}", open.stderr);
+    assert!(open.stderr.contains("set `closed` if it should be [ends-meet]"), "{}", open.stderr);
     assert!(!open.stderr.contains("units-differ"));
 }
 
@@ -277,7 +279,7 @@ fn many_warnings_of_a_kind_are_counted() {
     let folder = Folder::with(&[("z.csv", &zigzag)]);
     let stderr = folder.run("curve z.csv -o z.step").stderr;
     assert_eq!(stderr.matches("[points-merged]").count(), 4, "{stderr}");
-    assert!(stderr.contains("37 more of these (--json reports all) [points-merged]"), "{stderr}");
+    assert!(stderr.contains("37 more of these warnings (--json lists all) [points-merged]"), "{stderr}");
     let report = folder.json("curve z.csv -o z.step --json");
     assert_eq!(report["objects"]["z"]["warnings"].as_array().unwrap().len(), 40);
 }
@@ -344,7 +346,7 @@ fn refinements_stop_at_their_cap() {
     folder.write("m.json", &document(&bent));
     for file in ["m.svg", "m.obj", "m.glb"] {
         let error = folder.fails(1, &format!("build m.json --tolerance 1e-13 -o {file}"));
-        assert!(error.contains("or allow more with --max-pieces [too-many-pieces]"), "{error}");
+        assert!(error.contains("or raise the limit with --max-pieces [too-many-pieces]"), "{error}");
         let error = folder.fails(1, &format!("build m.json --tolerance 1e-5 --max-pieces 100 -o {file}"));
         assert!(error.contains(", the limit is 100: "), "{error}");
         folder.ok(&format!("build m.json --tolerance 1e-5 --max-pieces 100000 -o {file}"));

@@ -51,14 +51,14 @@ fn a_folder_of_lists_and_drawings() {
 fn what_is_refused_writes_nothing() {
     let circle = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
     let folder = Folder::with(&[("canopy.json", &canopy()), ("circle.json", circle), ("plain", "")]);
-    assert!(folder.fails(1, "schedule circle.json -o out").contains("`circle` makes no net of panels"));
+    assert!(folder.fails(1, "schedule circle.json -o out").contains("`circle` is not a net of panels"));
     assert!(folder.fails(1, "schedule canopy.json -o out --thickness -40").contains("[offset-not-regular]"));
     let unknown = folder.fails(2, "schedule canopy.json -o out --object skim");
     assert!(unknown.contains("no object 'skim'") && unknown.contains("skin"), "{unknown}");
-    assert!(folder.fails(2, "schedule canopy.json -o out.csv").contains("the name of a folder is needed"));
-    assert!(folder.fails(2, "schedule canopy.json -o -").contains("the name of a folder is needed"));
+    assert!(folder.fails(2, "schedule canopy.json -o out.csv").contains("a folder name is required"));
+    assert!(folder.fails(2, "schedule canopy.json -o -").contains("a folder name is required"));
     assert!(folder.fails(2, "schedule canopy.json -o out --thickness 0").contains("not 0"));
-    assert!(folder.fails(2, "schedule canopy.json -o out --thickness -.1x").contains("it is not a number"));
+    assert!(folder.fails(2, "schedule canopy.json -o out --thickness -.1x").contains("not a number"));
     assert!(folder.fails(3, "schedule canopy.json -o plain").contains("plain"));
     assert!(!folder.has("out"), "no folder either");
     assert!(!folder.has("-"), "standard output is no folder");

@@ -55,7 +55,7 @@ fn construction_geometry_is_in_no_file() {
     let only =
         r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0,0], "radius": 1, "construction": true}}}"#;
     let folder = Folder::with(&[("m.json", only)]);
-    assert!(folder.fails(1, "build m.json -o a.step").contains("there is nothing to write [empty-model]"));
+    assert!(folder.fails(1, "build m.json -o a.step").contains("the model has nothing to write [empty-model]"));
     assert_eq!(folder.count(), 1);
 }
 
@@ -75,7 +75,7 @@ fn names_that_lead_nowhere_are_refused_at_their_place() {
     assert!(error.starts_with("error: a.json:2:31: objects.a.of: there is no object `b`\n"), "{error}");
     // Also where only another object is asked for.
     let error = folder.fails(1, "sample b.json --object a --count 3");
-    assert!(error.contains("is made from itself"), "{error}");
+    assert!(error.contains("refers to itself"), "{error}");
 }
 
 /// A saddle of 9 by 9 points as OBJ; its quads have no circles.
@@ -113,7 +113,7 @@ fn meshes_become_smooth_surfaces() {
         error.contains("as_given.json:1:") && error.contains("objects.n.grid: quad 0: the corners do not"),
         "{error}"
     );
-    assert!(error.contains("`make_circular` moves the vertices"), "{error}");
+    assert!(error.contains("`make_circular`, which moves the vertices"), "{error}");
     assert!(error.contains("(points 1, 2, 10, 11 of s.obj) [not-concircular]"), "{error}");
     for file in ["moved", "side"] {
         let report = folder.json(&format!("report {file}.json --json"));
@@ -126,12 +126,12 @@ fn meshes_become_smooth_surfaces() {
         assert!(net["joints"]["gap"].as_f64().unwrap() < 1e-13);
     }
     assert!(folder.ok("report moved.json").contains("\n  circular "));
-    assert!(folder.fails(1, "report closed.json").contains("`closed` goes with a grid inline"));
+    assert!(folder.fails(1, "report closed.json").contains("`closed` requires an inline grid"));
     // So coarse a grid has no solution near a border that stays.
     for file in ["pinned", "steps"] {
         let error = folder.fails(1, &format!("report {file}.json"));
         assert!(error.contains("objects.n.make_circular: the grid is not circular after"), "{error}");
-        assert_eq!(error.contains("a border that may move leaves more room"), file == "pinned", "{error}");
+        assert_eq!(error.contains("a border that may move gives more freedom"), file == "pinned", "{error}");
     }
     // The mesh is an input, and is not written over.
     assert!(folder.fails(2, "sample moved.json --count 2 -o s.obj").contains("samples are CSV"));

@@ -1,27 +1,27 @@
 //! Readers and writers of cyclide: model documents and point lists in, exchange files and reports out.
 //!
-//! Everything works on text and bytes; the only functions that touch the file system are the few that say so.
-//! Writers are pure functions from a [`Model`](cyclide::Model) to bytes ([`export()`]); each format has a reader of
-//! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
+//! Everything works on text and bytes; only the few functions documented to do so access the file system. Writers are pure functions from a
+//! [`Model`](cyclide::Model) to bytes ([`export()`]). Each format has a reader for the files of this crate ([`read_back`]), so every export
+//! is checked from the bytes written ([`file_deviation`]).
 //!
 //! # By topic
 //!
-//! | topic | where it is |
+//! | topic | items |
 //! |---|---|
-//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], where the fields of each stand; [`KindPage`], the manual of each |
+//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`]; [`ObjectSpec`], one of the [`kinds`], with the fields of each; [`KindPage`], the manual of each |
 //! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]) |
-//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`Facts`]: [`NetFacts`], [`BlendFacts`], [`CellFacts`]; [`ContourFacts`], [`Fitted`], [`InterpolationFacts`], [`RoundedPolyhedron`], [`SmoothChoice`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
+//! | built objects | [`ModelBuilder`], [`BuiltObject`] ([`Facts`]: [`NetFacts`], [`BlendFacts`], [`CellFacts`]; [`ContourFacts`], [`Fitted`], [`InterpolationFacts`], [`RoundedPolyhedron`], [`SmoothChoice`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`read_quads`] ([`ObjQuads`], [`ObjLayout`], [`MendedQuads`]), [`MeshFormat`] |
 //! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepFaces`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`PictureColour`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] ([`GivenSurface`], [`LaidField`]), [`vtk_multi_block`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileCurve`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
-//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]), of curves through points [`QbReport`], of volumes [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`], of motions [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
+//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`] ([`GridPieceReport`], [`UmbilicReport`]), [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`] ([`ClosingReport`], [`RoundReport`]), [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of smooth meshes [`SmoothReport`] ([`ComparisonReport`]), of curves through points [`QbReport`], of volumes [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`]), [`sample_cells`], of motions [`MotionReport`] ([`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`]), [`MotionSamples`] ([`MotionSample`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`], [`FrameTurn`]) |
-//! | kinds of curve side by side | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
+//! | comparison of kinds of curve | [`Comparison`] ([`ComparedKind`], [`CurveMeasures`]) |
 //! | lists for a workshop | [`WorkshopSchedule`] ([`ScheduleOptions`], [`NotScheduled`], [`ScheduleError`]) |
 //! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `ReadFolder`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `WriteError`, `NotDurable`, `Abandoned`, `is_folder_name`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
-//! | what is refused | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
-//! | what terminals act on, made visible | [`escaped`], [`escaped_lines`], [`escaped_json`] |
+//! | errors | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
+//! | control characters made visible | [`escaped`], [`escaped_lines`], [`escaped_json`] |
 
 mod check;
 mod compare;

@@ -63,10 +63,10 @@ fn an_arc_needs_one_complete_form() {
         "\"from\": [1,0], \"to\": [0,1], \"tangent\": [0,1], \"bulge\": 1",
     ] {
         let message = build(&format!("\"type\": \"arc\", {form}")).unwrap_err();
-        assert!(message.starts_with("m.json:2:6: objects.a: an arc is given by `through`"), "{message}");
+        assert!(message.starts_with("m.json:2:6: objects.a: an arc requires `through`"), "{message}");
     }
     let message = build("\"type\": \"arc\", \"from\": [1,0], \"to\": [0,1], \"tangent\": [0,1], \"normal\": [0,0,1]");
-    assert!(message.unwrap_err().contains("`normal` goes with `bulge` only"));
+    assert!(message.unwrap_err().contains("`normal` requires `bulge`"));
 }
 
 #[test]
@@ -99,10 +99,13 @@ fn a_circle_through_three_points() {
         ("\"through\": [[0,0],[1,1],[1,1]]", "objects.a.through[2]: points 1 and 2 coincide"),
         ("\"through\": [[0,0],[1,1],[0,0]]", "objects.a.through[2]: points 0 and 2 coincide"),
         ("\"through\": [[0,0],[1,1]]", "objects.a.through: 2 values are given, 3 are needed"),
-        ("\"through\": [[0,0],[1,1],[2,0]], \"radius\": 1", "objects.a: a circle is given by `center` and `radius`"),
-        ("\"through\": [[0,0],[1,1],[2,0]], \"normal\": [0,0,1]", "objects.a: a circle is given by"),
-        ("\"center\": [0,0]", "objects.a: a circle is given by `center` and `radius`"),
-        ("\"radius\": 1", "objects.a: a circle is given by `center` and `radius`"),
+        (
+            "\"through\": [[0,0],[1,1],[2,0]], \"radius\": 1",
+            "objects.a: a circle requires either `center` and `radius`",
+        ),
+        ("\"through\": [[0,0],[1,1],[2,0]], \"normal\": [0,0,1]", "objects.a: a circle requires"),
+        ("\"center\": [0,0]", "objects.a: a circle requires either `center` and `radius`"),
+        ("\"radius\": 1", "objects.a: a circle requires either `center` and `radius`"),
     ] {
         let message = build(&format!("\"type\": \"circle\", {fields}")).map(|b| b.item).unwrap_err();
         assert!(message.contains(&format!(": {start}")), "{fields}: {message}");
@@ -178,9 +181,9 @@ fn arcs_are_fitted_to_curves() {
     assert_eq!(kept.remarks.iter().map(|r| r.reason).collect::<Vec<_>>(), ["corner-kept"]);
     assert!(kept.remarks[0].message.starts_with("4 corners"), "{}", kept.remarks[0].message);
     for (fields, words) in [
-        (r#", "tolerance": 1"#, "one of both"),
-        (r#", "of": "c", "points": [[0, 0], [1, 1]], "tolerance": 1"#, "one of both"),
-        (r#", "of": "c", "closed": true, "tolerance": 1"#, "go with `points`"),
+        (r#", "tolerance": 1"#, "requires either `points` or `of`"),
+        (r#", "of": "c", "points": [[0, 0], [1, 1]], "tolerance": 1"#, "requires either `points` or `of`"),
+        (r#", "of": "c", "closed": true, "tolerance": 1"#, "require `points`"),
         (r#", "of": "c", "tolerance": 0"#, "tolerance"),
     ] {
         let refused = of(nurbs, fields).unwrap_err();
@@ -301,7 +304,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
         (
             "\"type\": \"arc-fit\", \"points\": [[0,0],[1,0],[1,1]], \"tolerance\": 1, \"corner_angle\": 40",
             "40",
-            "objects.a.corner_angle: a corner angle of 40 radians is more than half a turn (3.1416): if degrees are meant, write `{\"degrees\": 40}` or 0.69813",
+            "objects.a.corner_angle: a corner angle of 40 radians exceeds half a turn (3.1416): for degrees, write `{\"degrees\": 40}` or 0.69813",
         ),
         (
             "\"type\": \"fair-spline\", \"points\": [[0,0],[1,0],[1,1]], \"corner_angle\": {\"degrees\": 200}",
@@ -561,22 +564,22 @@ fn what_cannot_be_cut_is_refused_at_its_step() {
         (
             "two",
             r#"{"cut": {"stations": [0, 2]}}"#,
-            "objects.a.steps[0]: contour 0: there is no part between the stations 0 and 2: they are from 0 to 1,",
+            "objects.a.steps[0]: contour 0: there is no part between the stations 0 and 2: both must be from 0 to 1,",
         ),
         (
             "square",
             r#""reverse", {"cut": {"stations": [1, 4.5]}}"#,
-            "objects.a.steps[1]: there is no part between the stations 1 and 4.5: they are from 0 to 4,",
+            "objects.a.steps[1]: there is no part between the stations 1 and 4.5: both must be from 0 to 4,",
         ),
         ("square", r#"{"cut": {"parameters": [0.5, 0.5]}}"#, "[parameter-out-of-range]"),
         ("ring", r#"{"cut": {"parameters": [0, 1]}}"#, "[sweep-out-of-range]"),
         (
             "torus",
             "\"reverse\"",
-            "objects.a.steps[0]: `torus` is of type `cyclide`: only curves are run backwards or cut",
+            "objects.a.steps[0]: `torus` is of type `cyclide`: only curves can be reversed or cut",
         ),
         ("square", r#"{"cut": {"parameters": [0, 0.5], "stations": [0, 1]}}"#, "objects.a.steps[0].cut"),
-        ("square", r#"{"cut": [0, 1]}"#, "objects.a.steps[0]: a word, or a name in braces"),
+        ("square", r#"{"cut": [0, 1]}"#, "objects.a.steps[0]: a string, or an object with one name"),
         ("square", r#"{"cut": {"parameter": [0, 1]}}"#, "did you mean `parameters`"),
         ("square", "\"revers\"", "did you mean `reverse`"),
         ("square", r#"{"reverse": true}"#, "objects.a.steps[0]"),
@@ -636,7 +639,11 @@ fn arcs_of_arcs_are_themselves() {
     assert!(refused.contains("objects.a.tolerance") && refused.contains("-1"), "{refused}");
     assert!(refused.contains("[tolerance-not-positive]") && !refused.contains("0.1"), "{refused}");
     let refused = of(&wave, r#""tolerance": 1e-12"#).unwrap_err();
-    assert!(refused.contains("objects.a.tolerance: a polyline a tenth of 1e-12 from the curve"), "{refused}");
+    assert!(
+        refused
+            .contains("objects.a.tolerance: the search for arcs needs a polyline within a tenth of 1e-12 of the curve"),
+        "{refused}"
+    );
     assert!(refused.contains("[too-many-pieces]"), "{refused}");
 }
 

@@ -102,7 +102,7 @@ fn schedules_list_once_what_pieces_share() {
         };
         same(report.total_area, json["totals"]["area"].as_f64().unwrap());
         assert_eq!(json["totals"]["border"]["count"].as_u64(), Some(report.free_edges as u64));
-        assert_eq!(schedule.text().lines().next(), Some(format!("dome: {} nets that join", net.nets().len()).as_str()));
+        assert_eq!(schedule.text().lines().next(), Some(format!("dome: {} connected nets", net.nets().len()).as_str()));
         // Where they join: both panels, one strip, no crease.
         let piece = |id: &str| id.split('-').next().unwrap_or_default().to_owned();
         let shared: Vec<&Row> = edges.iter().filter(|e| !e["panel_2"].is_empty()).collect();
@@ -162,8 +162,7 @@ fn pictures_number_the_panels_of_all_pieces() {
             let file = exporter.export(Format::Png, &options).unwrap();
             let said = file.notes.join("\n");
             let count = said.strip_prefix("1-r03-c07 is piece 1, row 3, column 7; ").unwrap();
-            let count =
-                count.strip_suffix(&format!(" of {panels} panels are numbered, {panels} are in sight")).unwrap();
+            let count = count.strip_suffix(&format!(" of {panels} panels are numbered, {panels} are visible")).unwrap();
             // Most have room at this size.
             assert!(count.parse::<usize>().unwrap() * 10 >= panels * 8, "{said}");
         }

@@ -84,7 +84,11 @@ fn a_tube_cut_open_says_how_far_its_seam_gaps() {
     assert!(seam.gap > 0.1 && seam.gap < 2.0 * report.circular.unwrap().move_max, "{seam:?}");
     assert!(seam.angle > 0.0 && seam.angle < 0.5, "{seam:?}");
     let remark = built.remarks.iter().find(|remark| remark.reason == "open-seam").unwrap();
-    assert!(remark.message.contains("the first and the last column of the grid are at most an edge apart"));
+    assert!(
+        remark
+            .message
+            .contains("the distance between the first and the last column of the grid is at most an edge length")
+    );
     assert!(remark.message.contains("`closed`") && remark.message.contains(" m and an angle of"), "{}", remark.message);
     let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
     assert!(text.contains("\n  open seam  first and last column: gap "), "{text}");
@@ -114,8 +118,8 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     };
     // Six decimals of a right surface: quads are off by 4e-7, the frame by 1.5e-5.
     let message = net(&revolved(24, 6), true, false).unwrap_err();
-    assert!(message.contains("have about 7 digits") && message.contains("give 12 or more"), "{message}");
-    assert!(message.contains("[not-concircular]") && message.contains("`make_circular` moves"), "{message}");
+    assert!(message.contains("have only about 7 digits") && message.contains("use 12 or more"), "{message}");
+    assert!(message.contains("[not-concircular]") && message.contains("`make_circular`, which moves"), "{message}");
     // The advices: more digits, with and without `make_circular`; `make_circular` alone; or cut open.
     for circular in [false, true] {
         assert_eq!(reasons(&net(&revolved(24, 12), true, circular).unwrap()), [""; 0]);
@@ -127,9 +131,12 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     let [closing] = circular.closing[..] else { panic!("{:?}", circular.closing) };
     assert!(closing.direction == "s" && closing.angle_before > 1e-8 && closing.angle_after < 1e-12, "{closing:?}");
     let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
-    assert!(text.contains("\n  closing    along s: after a turn the frame is off by "), "{text}");
+    assert!(text.contains("\n  closing    along s: after one turn the frame is rotated by "), "{text}");
     let message = net(&revolved(25, 6), false, false).unwrap_err();
-    assert!(message.contains("7 digits") && message.contains("; or `make_circular` moves the vertices by as little"));
+    assert!(
+        message.contains("7 digits")
+            && message.contains("; or use `make_circular`, which moves the vertices by as little")
+    );
     let built = net(&revolved(25, 6), false, true).unwrap();
     let report = surface(&built);
     assert!(report.circular.unwrap().move_max < 1e-5 && report.seams[0].gap < 1e-5);
@@ -140,7 +147,9 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     assert!(!message.contains("digits") || message.contains("7 digits"), "{message}");
     let square = [[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]];
     let message = build(&json!({"type": "cyclidic-net", "grid": square})).unwrap_err();
-    assert!(!message.contains("digits") && message.contains("`make_circular` moves the vertices until they do"));
+    assert!(
+        !message.contains("digits") && message.contains("use `make_circular`, which moves the vertices until they do")
+    );
 }
 
 /// An elliptic tube whose quads are rectangles: the frame is turned round an even number of them.
@@ -156,14 +165,14 @@ fn closed_grids_are_told_how_to_close() {
     };
     let message = net(json!(false)).unwrap_err();
     assert!(message.contains("[net-does-not-close]") && message.contains("the frame is off by 0."), "{message}");
-    assert!(message.contains("`make_circular` moves the vertices until it closes; or cut it open"), "{message}");
+    assert!(
+        message.contains("use `make_circular`, which moves the vertices until it closes; or cut it open"),
+        "{message}"
+    );
     assert_eq!(surface(&net(json!(true)).unwrap()).joints.creases, 0);
     // Of an even number of edges of unequal lengths: nothing can close what is held.
     let message = net(json!({"border": "pinned"})).unwrap_err();
-    assert!(
-        message.contains("[net-does-not-close]") && message.contains("can never close: make it `free`"),
-        "{message}"
-    );
+    assert!(message.contains("[net-does-not-close]") && message.contains("cannot close: make it `free`"), "{message}");
     assert!(message.contains("or cut it open: repeat the first column") && !message.contains("moves the"), "{message}");
 }
 
@@ -191,7 +200,7 @@ fn seams_that_lie_on_each_other_are_no_warning_unless_they_bend() {
         let words = "they are coincident, and the surface has an angle of up to ";
         assert!(remark.message.contains(words) && !remark.message.contains("e-1"), "{}", remark.message);
         // Nobody is sent to where they are refused.
-        assert_eq!(remark.message.contains("let the grid close"), closes, "{}", remark.message);
+        assert_eq!(remark.message.contains("close the grid"), closes, "{}", remark.message);
     }
 }
 
@@ -272,15 +281,15 @@ fn messages_say_what_may_be_meant() {
     let square = "[[0,0],[1,0],[0,1],[1,1]]";
     let skew = patch(square, "[[3,0,0],[1,1,0]]");
     assert!(
-        skew.contains("p.frame: the directions of the frame must be perpendicular: they are 45 degrees off"),
+        skew.contains("p.frame: the directions of the frame must be perpendicular; the deviation is 45 degrees"),
         "{skew}"
     );
     let crossed = patch("[[0,0],[1,0],[1,1],[0,1]]", "[[1,0,0],[0,1,0]]");
-    assert!(crossed.contains("corners are given row by row") && crossed.contains("[crossing-quad]"), "{crossed}");
+    assert!(crossed.contains("corners are listed row by row") && crossed.contains("[crossing-quad]"), "{crossed}");
     let net =
         last_of(r#""n": {"type": "cyclidic-net", "grid": [[[0,0],[1,0]],[[1,1],[0,1]]], "frame": [[1,0,0],[0,1,0]]}"#);
     let message = net.unwrap_err();
-    assert!(message.contains("points are given row by row, all rows in the same direction"), "{message}");
+    assert!(message.contains("points must be listed row by row, with all rows in the same direction"), "{message}");
     let turned = last_of(
         r#""a": {"type": "arc", "from": [0,0], "to": [1,0], "bulge": 0.5},
         "t": {"type": "transform", "of": "a", "steps": [{"rotation": {"angle": 90}}]}"#,

@@ -123,7 +123,7 @@ fn edges_that_readers_take_for_points_are_refused_in_step() {
     let (mm, inch) = (cyclide::Units::Millimetre, cyclide::Units::Inch);
     let error = made(5e-8, mm).unwrap_err();
     assert_eq!(error.reason(), "edge-too-short");
-    assert!(error.to_string().contains("nearer than 1e-7 mm for one"), "{error}");
+    assert!(error.to_string().contains("closer than 1e-7 mm"), "{error}");
     // At once: faces beside such an edge would be cut for a minute.
     assert_eq!(made(1e-9, mm).unwrap_err().reason(), "edge-too-short");
     // Half of a quarter of a turn of this radius is longer.
@@ -187,7 +187,7 @@ fn what_is_no_polyhedron_is_refused_at_its_place() {
     let hull = build_with(r#""mesh": {"obj": "pit.obj"}, "hull": true, "radius": 0.5"#, &files).unwrap();
     assert!((hull.bodies[0].outer.known_volume().unwrap() / volume() - 1.0).abs() < 1e-11);
     let error = build_with(r#""mesh": {"stl": "cut.stl"}, "radius": 1"#, &files).unwrap_err();
-    assert!(error.contains("cut.stl:3:1: a vertex has three coordinates"), "{error}");
+    assert!(error.contains("cut.stl:3:1: a vertex needs three coordinates"), "{error}");
 }
 
 #[test]

@@ -204,7 +204,7 @@ fn what_is_scheduled_and_what_not() {
     let why: Vec<(&str, &str)> =
         made.schedule.not_scheduled().iter().map(|left| (left.name.as_str(), left.why.as_str())).collect();
     assert_eq!(why.len(), 2);
-    assert!(why[0].0 == "glass" && why[0].1.contains("stand with the panels of `skin`"), "{why:?}");
+    assert!(why[0].0 == "glass" && why[0].1.contains("are listed with the panels of `skin`"), "{why:?}");
     assert!(why[1].0 == "ribs" && why[1].1.contains("edges of `skin`"), "{why:?}");
     assert!(made.table("edges.csv").iter().all(|row| number(row, "offset_length_m") > number(row, "length_m")));
     // A skin that is construction geometry is scheduled as the solid that is made of it.

@@ -244,14 +244,14 @@ fn damage_to_a_mesh_is_found() {
     };
     // A vertex inside, moved by more than the bound; less than rounding is no damage.
     let message = |bytes: Vec<u8>| checked(bytes).unwrap_err().to_string();
-    assert!(message(changed(&whole.bytes, "v", 40, moved(2.0 * whole.bound))).contains("off its place"));
+    assert!(message(changed(&whole.bytes, "v", 40, moved(2.0 * whole.bound))).contains("is displaced"));
     assert!(checked(changed(&whole.bytes, "v", 40, moved(1e-14))).is_ok());
     // A triangle turned over, one in the place of another, one less, and a normal turned by a thousandth.
     let turned = |line: &str| {
         let words = corners(line);
         format!("f {} {} {}", words[2], words[1], words[3])
     };
-    assert!(message(changed(&whole.bytes, "f", 17, turned)).contains("looks to the wrong side"));
+    assert!(message(changed(&whole.bytes, "f", 17, turned)).contains("has the wrong orientation"));
     let text = String::from_utf8(whole.bytes.clone()).unwrap();
     let faces: Vec<&str> = text.lines().filter(|line| line.starts_with("f ")).collect();
     let other = |_: &str| faces[30].to_owned();
@@ -440,8 +440,8 @@ fn what_cannot_be_made_smooth_is_refused_with_its_place() {
     for (fields, text) in [
         (format!("{}, \"normals\": \"file\"", inline(&TRIANGLES)), "there is no file"),
         (format!("{}, \"normals\": \"mean\"", inline(&TRIANGLES)), "mean"),
-        (format!("{}, \"crease_angle\": 1, \"normals\": {POINTS:?}", inline(&TRIANGLES)), "goes with the normals"),
-        (r#""vertices": [[0,0,0],[1,0,0],[0,1,0]]"#.to_owned(), "exactly one of `mesh`"),
+        (format!("{}, \"crease_angle\": 1, \"normals\": {POINTS:?}", inline(&TRIANGLES)), "requires the normals"),
+        (r#""vertices": [[0,0,0],[1,0,0],[0,1,0]]"#.to_owned(), "either `mesh`"),
     ] {
         let message = message(&fields);
         assert!(message.contains(text), "{message}");

@@ -15,21 +15,21 @@ use super::schedule::{self, ScheduleArgs};
 
 const EXIT_CODES: &str = "\
 Exit codes:
-  0  success (also when nobody reads standard output to its end)
-  1  the input was refused: the message shows the file, line and column
-  2  the command line makes no sense
+  0  success (also if standard output is closed early)
+  1  the input was rejected: the message gives file, line and column
+  2  invalid usage
   3  a file or standard output could not be read or written
-  4  a file failed its check when read back and was not written (a fault of cyclide)
+  4  a file failed its check when read back and was not written (a bug in cyclide)
 
-All files of a run are made and checked before the first is written, and each is written whole or not at all: where the exit
-code is not 0 old files are as they were, unless a disk fails for good in the last step (the message then names what was
-written). A signal ends the program without leaving a temporary file. Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
-standard output (docs/files.md).";
+All files of a run are generated and checked before the first one is written, and each is written completely or not at all. If
+the exit code is not 0, existing files are unchanged, unless the disk fails in the last step; the message then names the files
+that were written. A signal ends the program without leaving temporary files. Warnings and progress go to standard error, reports
+to standard output; the name - means standard input or, after -o, standard output (docs/files.md).";
 
 const EXAMPLES: &str = "\
 First steps:
   cyclide gallery -o gallery            every example, with a page of pictures
-  cyclide new fair-spline -o my.json    a commented document to change ('cyclide new' lists all kinds)
+  cyclide new fair-spline -o my.json    a commented document to edit ('cyclide new' lists all kinds)
   cyclide build my.json -o my.step -o my.png
 
 Examples:
@@ -39,16 +39,16 @@ Examples:
   cyclide new pipe -o pipe.json && cyclide build pipe.json -o pipe.step
   cyclide report roof.json --json
 
-'cyclide help KIND' is the manual of a kind of object ('cyclide help kinds' lists them). The documentation of the project explains
-the rest: docs/document.md (what documents share), docs/report.md (every word of the report), docs/formats.md (what each format
-carries).";
+'cyclide help KIND' prints the manual of a kind of object ('cyclide help kinds' lists them). The documentation of the project covers
+the rest: docs/document.md (the document format), docs/report.md (the terms of the report), docs/formats.md (what each format
+contains).";
 
 const NEW_EXAMPLES: &str = "\
 Examples:
   cyclide new arc-fit -o part.json
   cyclide build part.json -o part.dxf -o part.png
 
-Each document builds as printed. Its comments say what the fields mean; 'cyclide help TYPE' explains all of them.";
+Each document builds as printed. Its comments explain the main fields; 'cyclide help TYPE' explains all of them.";
 
 const COMPLETIONS_EXAMPLES: &str = "\
 Examples:
@@ -68,10 +68,10 @@ Examples:
   Curves, exact for CAD, within 0.01 for a cutter:
       cyclide build logo.json -o logo.step
       cyclide build logo.json -o logo.dxf --tolerance 0.01 --json > report.json
-  Surfaces, one sewn shell or solid each for CAD, meshes within 0.5 of them, a picture:
+  Surfaces: sewn shells or solids for CAD, meshes within 0.5 of them, a picture:
       cyclide build roof.json -o roof.step -o roof.png
       cyclide build roof.json -o roof.glb -o roof.obj -o roof.stl --tolerance 0.5
-  A document with the two skins of a roof over a mesh of quads:
+  A document with the two skins of a roof over a quad mesh:
       {\"cyclide\": 1, \"units\": \"m\", \"objects\": {
         \"outer\": {\"type\": \"cyclidic-net\", \"grid\": {\"obj\": \"roof.obj\"}, \"make_circular\": true},
         \"inner\": {\"type\": \"offset\", \"of\": \"outer\", \"distance\": -0.3}}}";
@@ -84,14 +84,14 @@ Examples:
   cyclide report gripper.json --max-speed 500 --max-angular-speed 3
   cyclide report roof.json --json | jq '.objects[].circular.move_max'
 
-docs/report.md explains every word of the report, with what is good and what to do about the rest; the fields of --json are in
+docs/report.md explains every term of the report, which values are good and how to improve the others; the fields of --json are in
 docs/formats.md.";
 
 const GALLERY_EXAMPLES: &str = "\
 Example:
   cyclide gallery -o gallery
 
-Each model comes with its document, so that it can be changed and built again: cyclide build gallery/patch.json -o new.step";
+Each model comes with its document, which you can edit and build again: cyclide build gallery/patch.json -o new.step";
 
 const SCHEMA_EXAMPLES: &str = "\
 Example:
@@ -100,7 +100,7 @@ Example:
 const HELP_EXAMPLES: &str = "\
 Examples:
   cyclide help build       the options of a command
-  cyclide help pipe-tee    the fields of a kind of object, and a document to start from
+  cyclide help pipe-tee    the fields of a kind of object, and a starter document
   cyclide help kinds       all kinds of object";
 
 /// Curves and surfaces made of circles: points or meshes in, exact and smooth geometry out, for CAD, cutting, drawing and
@@ -120,7 +120,7 @@ pub enum Command {
     /// Turn a list of points into a curve and write it to files.
     #[command(after_help = curve::EXAMPLES)]
     Curve(Box<CurveArgs>),
-    /// Set all kinds of curve through or near the same points side by side.
+    /// Compare all kinds of curve through or near the same points.
     #[command(after_help = compare::EXAMPLES)]
     Compare(CompareArgs),
     /// Sample an object of a model: points, stations, tangents, frames or normals, curvatures as CSV or JSON.
@@ -132,7 +132,7 @@ pub enum Command {
     /// Build a model document and report on its objects without writing files.
     #[command(after_help = REPORT_EXAMPLES)]
     Report(ReportArgs),
-    /// Print a commented model document to start from, for any type of object.
+    /// Print a commented starter document for any type of object.
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArgs),
     /// Build every example model to files, with a page that shows them.
@@ -154,17 +154,17 @@ pub enum Command {
 
 #[derive(Debug, ClapArgs)]
 pub struct NewArgs {
-    /// The type of object; without it the types are listed.
+    /// The type of object; if omitted, the types are listed.
     #[arg(value_parser = crate::arguments::starters::kinds())]
     pub kind: Option<String>,
-    /// Write to a new file instead of standard output; an old one is never written over.
+    /// Write to a new file instead of standard output; an existing file is never overwritten.
     #[arg(short, long, value_name = "FILE", requires = "kind")]
     pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, ClapArgs)]
 pub struct HelpArgs {
-    /// A command, a kind of object, or 'kinds' for a list of these; without it the help of the program.
+    /// A command, a kind of object, or 'kinds' for a list of kinds; if omitted, the help of the program.
     #[arg(value_name = "COMMAND|KIND")]
     pub word: Option<String>,
 }
@@ -178,7 +178,7 @@ pub struct CompletionsArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct ManArgs {
-    /// The folder for the pages, made if it does not exist.
+    /// The folder for the pages, created if it does not exist.
     #[arg(short, long = "output", value_name = "DIR")]
     pub output: PathBuf,
     #[command(flatten)]
@@ -187,41 +187,41 @@ pub struct ManArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct BuildArgs {
-    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    /// The model document (JSON), or - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
     pub read: ReadArgs,
     #[command(flatten)]
     pub output: OutputArgs,
-    /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
-    /// 1e-5 of the model's size for curves, 1e-4 for meshes].
+    /// Largest distance between the object and its curve or mesh in a file, if the format requires an approximation
+    /// [default: 1e-5 of the model's size for curves, 1e-4 for meshes].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
 }
 
 #[derive(Debug, ClapArgs)]
 pub struct ReportArgs {
-    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    /// The model document (JSON), or - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
     pub read: ReadArgs,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,
-    /// Name the places of curves whose radius is below R.
+    /// Report where the radius of a curve is below R.
     #[arg(long, value_name = "R", value_parser = positive, allow_hyphen_values = true)]
     pub min_radius: Option<f64>,
-    /// Name the places of motions where the tool is faster than V, in units of length per second.
+    /// Report when the tool of a motion is faster than V, in units of length per second.
     #[arg(long, value_name = "V", value_parser = positive, allow_hyphen_values = true)]
     pub max_speed: Option<f64>,
-    /// Name the places of motions where the body turns faster than W, in radians per second.
+    /// Report when the body of a motion rotates faster than W, in radians per second.
     #[arg(long, value_name = "W", value_parser = positive, allow_hyphen_values = true)]
     pub max_angular_speed: Option<f64>,
 }
 
 #[derive(Debug, ClapArgs)]
 pub struct GalleryArgs {
-    /// The folder for the files, made if it does not exist. The page is index.html.
+    /// The folder for the files, created if it does not exist. The page is index.html.
     #[arg(short, long = "output", value_name = "DIR")]
     pub output: PathBuf,
     #[command(flatten)]

@@ -22,35 +22,35 @@ Examples:
   cyclide compare track.csv --closed -o track.html
   cyclide compare survey.csv --tolerance 0.2 --corner-angle-deg 40 -o survey.html -o survey.csv
 
-The page is one file without links to others: a table of measures, and for each kind of curve a drawing with its curvature comb and a plot
+The page is a single self-contained file: a table of measures, and for each kind of curve a drawing with its curvature comb and a plot
 of its curvature. Without -o the table is printed.";
 
 #[derive(Debug, ClapArgs)]
 pub struct CompareArgs {
-    /// The points (CSV, one per line: see 'cyclide curve --help'), - for standard input.
+    /// The points (CSV, one per line: see 'cyclide curve --help'), or - for standard input.
     pub points: PathBuf,
-    /// File to write: .html a page, .csv or .json a table. Give it once per file.
+    /// File to write: a page (.html) or a table (.csv or .json). Repeat it for several files.
     #[arg(short, long = "output", value_name = "FILE", action = ArgAction::Append)]
     pub output: Vec<PathBuf>,
-    /// The last point joins the first.
+    /// Close the curve from the last point to the first.
     #[arg(long)]
     pub closed: bool,
-    /// Largest distance of fits from the points, and of arcs in place of curves [default: a thousandth of the diagonal of
-    /// the points].
+    /// Largest distance of fits from the points, and of arcs from the curves that they replace [default: a thousandth of
+    /// the diagonal of the points].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
-    /// say, as x_m, else mm].
+    /// Unit of the coordinates, which are labeled and never rescaled [default: the unit in the column names, as in
+    /// x_m, otherwise mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
-    /// easting, northing and height; numbers and names of points are none].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: columns named x, y and z, or
+    /// easting, northing and height; never those with numbers or names of points].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
-    /// The column that tells contours apart [default: 'contour', else blank lines].
+    /// The column that separates contours [default: 'contour', otherwise blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners, of the kinds that can have some [default: as of 'cyclide curve'].
+    /// Turns above this angle, in degrees, are corners, for kinds that support corners [default: as in 'cyclide curve'].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
     #[command(flatten)]
@@ -85,7 +85,7 @@ impl CompareArgs {
             refuse_folder_name(path)?;
             refuse_overwriting(Some(path), &self.points)?;
             if outputs.iter().any(|(other, _)| same_file(other, path)) {
-                return Err(Failure::Usage(format!("{} is given twice as output", path.display())));
+                return Err(Failure::Usage(format!("output {} is given twice", path.display())));
             }
             outputs.push((path.clone(), file_of(path)?));
         }
@@ -121,7 +121,8 @@ impl CompareArgs {
 }
 
 impl ComparePlan {
-    /// Every kind of `cyclide curve --kind`, fits within the tolerance; of those that cannot be closed, where the others are, none.
+    /// Every kind of `cyclide curve --kind`, with fits within the tolerance; `None` for kinds that cannot be closed if the others
+    /// are.
     pub fn kinds(&self, tolerance: f64) -> Result<Vec<(String, Option<ObjectSpec>)>, Failure> {
         let args = CurveArgs {
             closed: self.closed,
@@ -143,6 +144,6 @@ fn file_of(path: &Path) -> Result<ComparisonFile, Failure> {
         Some("html" | "htm") => Ok(ComparisonFile::Page),
         Some("csv") => Ok(ComparisonFile::Table),
         Some("json") => Ok(ComparisonFile::Json),
-        _ => Err(Failure::Usage(format!("{}: a comparison is .html, .csv or .json", path.display()))),
+        _ => Err(Failure::Usage(format!("{}: a comparison is written as .html, .csv or .json", path.display()))),
     }
 }

@@ -20,69 +20,72 @@ use crate::output::failure::Failure;
 
 pub const EXAMPLES: &str = "\
 Examples:
-  A race track, closed, in metres, as an exact curve for CAD and a picture:
+  A race track, closed, in meters, as an exact curve for CAD and a picture:
       cyclide curve track.csv --closed --units m -o track.step -o track.png
-  The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
+  The fewest arcs within 0.05 of the points, for a machine that supports only arcs:
       cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
-  Measured points, a fair curve with continuous curvature without their noise:
+  Measured points, as a fair curve with continuous curvature and without noise:
       cyclide curve survey.csv --closed --units m --smooth auto -o survey.step -o survey.png
-  A logo with contours, its corners marked in a column, columns chosen by name:
+  A logo with contours, its corners marked in a column, columns selected by name:
       cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
 
-The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. Coordinates are
-the columns named x, y and z, or in the words of surveys (easting, Rechtswert, Abscisse, Nord, Cota, ...); numbers and names
-of points are kept as what the points are called. A blank line starts a new contour, as does a new value in a column named
-'contour'; a column 'corner' (0 or 1) marks corners. docs/document.md has the rest.";
+The file has one point per line, with values separated by commas, semicolons, tabs or blanks; a header line is optional. Coordinates
+are the columns named x, y and z, or their surveying names (easting, Rechtswert, Abscisse, Nord, Cota, ...); columns with numbers or
+names of points label the points. A blank line starts a new contour, as does a new value in a column named 'contour'; a column
+'corner' (0 or 1) marks corners. See docs/document.md for the rest.";
 
 #[derive(Debug, Default, ClapArgs)]
 pub struct CurveArgs {
-    /// The points (CSV, one per line: see below), - for standard input.
+    /// The points (CSV, one per line: see below), or - for standard input.
     pub points: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
-    /// The last point joins the first.
+    /// Close the curve from the last point to the first.
     #[arg(long)]
     pub closed: bool,
     /// The construction [default: fair-spline; fair-fit with --smooth].
     #[arg(long, value_enum)]
     pub kind: Option<Kind>,
-    /// Measured points: a curve with continuous curvature near to them, with few nodes (--kind fair-fit). With auto it leaves
-    /// out their noise and no more; the noise is estimated and reported. With a number T it is the fairest curve within T of
-    /// every point, which leaves out more than noise.
+    /// Measured points: fit a curve with continuous curvature and few nodes (--kind fair-fit). With auto the fit removes
+    /// their noise and no more; the noise is estimated and reported. With a number T it is the fairest curve within T of
+    /// every point, which removes more than noise.
     #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
     pub smooth: Option<FairTolerance>,
-    /// With --smooth auto: the standard deviation of the noise across the curve [default: estimated from the points].
+    /// With --smooth auto: the standard deviation of the noise normal to the curve [default: estimated from the
+    /// points].
     #[arg(long, value_name = "SIGMA", value_parser = positive, allow_hyphen_values = true)]
     pub noise: Option<f64>,
-    /// Fair fit: what becomes of points that do not belong to the others [default: keep].
+    /// Fair fit: what to do with outliers [default: keep].
     #[arg(long, value_parser = word::<Outliers>())]
     pub outliers: Option<Outliers>,
-    /// Fair fit: a tolerance for the heights (z) alone, larger than T; auto with --smooth auto, by their own noise.
+    /// Fair fit: a separate, larger tolerance for the heights (z); with --smooth auto it must be auto and follows
+    /// their own noise.
     #[arg(long, value_name = "auto|T", value_parser = fair_tolerance, allow_hyphen_values = true)]
     pub smooth_z: Option<FairTolerance>,
-    /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
-    /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
+    /// Arc fit: largest distance from the points (or the polyline). Other kinds: largest distance between the curve
+    /// and its approximation in a file, if the format requires one [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
-    /// say, as x_m, else mm].
+    /// Unit of the coordinates, which are labeled and never rescaled [default: the unit in the column names, as in
+    /// x_m, otherwise mm].
     #[arg(long, value_parser = word::<Units>())]
     pub units: Option<Units>,
-    /// The two or three coordinate columns, x first, by name or by number from 1 [default: x, y and z by their names, or
-    /// easting, northing and height; numbers and names of points are none].
+    /// The two or three coordinate columns, x first, by name or by number from 1 [default: columns named x, y and z, or
+    /// easting, northing and height; never those with numbers or names of points].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
-    /// The column that tells contours apart [default: 'contour', else blank lines].
+    /// The column that separates contours [default: 'contour', otherwise blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners, and others are not [default: none for splines and a fair fit; for an
-    /// arc fit those above 30 that no samples of a smooth curve explain].
+    /// Turns above this angle, in degrees, are corners, and others are not [default: no corners for splines and a fair fit;
+    /// for an arc fit, turns above 30 that samples of a smooth curve cannot explain].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
-    /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
+    /// Fair spline: 0 is the fairest curve; with 1 the curve at each point depends only on its neighbors [default:
+    /// 0].
     #[arg(long, value_name = "E", value_parser = up_to_one, allow_hyphen_values = true)]
     pub tension: Option<f64>,
-    /// Fair spline: corners beside straight runs are rounded within this part of their shorter leg, below 0.5.
+    /// Fair spline: round corners beside straight runs within this fraction of their shorter leg, below 0.5.
     #[arg(long, value_name = "PART", value_parser = below_half, allow_hyphen_values = true)]
     pub tight: Option<f64>,
     /// Fair spline: the ends of an open curve [default: circle].
@@ -97,57 +100,57 @@ pub struct CurveArgs {
     /// Circle spline: how circles are blended [default: rational].
     #[arg(long, value_parser = word::<BlendVariant>())]
     pub variant: Option<BlendVariant>,
-    /// Möbius spline: what is continuous at the points besides the curve [default: c1].
+    /// Möbius spline: continuity at the points [default: c1].
     #[arg(long, value_parser = word::<MoebiusContinuity>())]
     pub continuity: Option<MoebiusContinuity>,
-    /// Möbius spline of c1: the parameters at which it passes its points: auto, chord, centripetal, uniform, or a list A,B,… that increases, with one number
-    /// more for a closed curve [default: auto].
+    /// Möbius spline with c1: the parameters of the points: auto, chord, centripetal, uniform, or an increasing list A,B,…, with one extra
+    /// number for a closed curve [default: auto].
     #[arg(long, value_name = "KNOTS", value_parser = parameters, allow_hyphen_values = true)]
     pub knots: Option<ParametersSpec>,
-    /// QB interpolation: the parameters at which it meets its points: auto, chord, centripetal, uniform, or a list A,B,… of numbers from 0 to 1
-    /// [default: auto].
+    /// QB interpolation: the parameters of the points: auto, chord, centripetal, uniform, or a list A,B,… of numbers from 0 to 1 [default:
+    /// auto].
     #[arg(long, value_name = "PARAMETERS", value_parser = parameters, allow_hyphen_values = true)]
     pub parameters: Option<ParametersSpec>,
     /// Arc spline: how the joint between two points is chosen [default: equal-d].
     #[arg(long, value_parser = word::<BiarcRule>())]
     pub rule: Option<BiarcRule>,
-    /// Arc fit: what the points are: samples of a smooth curve, with corners and straight sides where they cannot be
-    /// samples, or a polyline all of whose edges are kept to [default: points].
+    /// Arc fit: whether the points are samples of a smooth curve, with corners and straight sides where they cannot
+    /// be samples, or a polyline whose edges are all within the tolerance [default: points].
     #[arg(long, value_parser = word::<FitTarget>())]
     pub target: Option<FitTarget>,
     /// Arc fit: how hard to search [default: default].
     #[arg(long, value_parser = word::<Effort>())]
     pub effort: Option<Effort>,
-    /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be.
+    /// Arc fit: no arc is shorter than L, for machines that reject short arcs; lines may be shorter.
     #[arg(long, value_name = "L", value_parser = positive, allow_hyphen_values = true)]
     pub min_arc_length: Option<f64>,
-    /// Fair fit within a number T: how much the curve keeps to the middle of the points: 0 for the fairest curve, 1 as close to
-    /// noisy points as their noise allows, 10 and more approach least squares; see also --smooth auto [default: 0].
+    /// Fair fit with a number T: how closely the curve follows the middle of the points. 0 is the fairest curve, 1 is as close
+    /// to noisy points as their noise allows, 10 and more approach least squares; see also --smooth auto [default: 0].
     #[arg(long, value_name = "B", value_parser = not_negative, allow_hyphen_values = true)]
     pub centre: Option<f64>,
     /// Fair fit: an open curve starts and ends exactly at the first and last point.
     #[arg(long)]
     pub fix_ends: bool,
-    /// Fair fit: fits spent on taking nodes out [default: 16].
+    /// Fair fit: largest number of fits used to remove nodes [default: 16].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub max_fits: Option<u32>,
-    /// Fair fit: take no nodes out; about five times as fast. The same as --max-fits 0.
+    /// Fair fit: remove no nodes; about five times as fast. Same as --max-fits 0.
     #[arg(long, conflicts_with_all = ["max_fits", "nodes", "budget"])]
     pub fast: bool,
-    /// Fair fit: nodes of each smooth piece at which taking out stops.
+    /// Fair fit: stop removing nodes at this number of nodes per smooth piece.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..), allow_hyphen_values = true)]
     pub nodes: Option<u32>,
-    /// Fair fit: the part of its fairness that the curve may lose for fewer nodes [default: 0.1].
+    /// Fair fit: the fraction of its fairness that the curve may lose to save nodes [default: 0.1].
     #[arg(long, value_name = "Q", value_parser = not_negative, allow_hyphen_values = true)]
     pub budget: Option<f64>,
-    /// Fair fit: places on each edge between two points that T binds too; for polylines that are meant themselves
-    /// [default: 0, the points are samples of a smooth curve].
+    /// Fair fit: number of points on each edge of the polyline to which T also applies, if the polyline itself is the
+    /// target [default: 0, the points are samples of a smooth curve].
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(0..=100), allow_hyphen_values = true)]
     pub polyline: Option<u32>,
 }
 
-/// Constructions that start from a list of points. What stands here `curve` makes and `compare` compares, by the objects of
-/// `CurveArgs::spec`: there is no second list.
+/// Constructions from a list of points. The kinds listed here are those that `curve` makes and `compare` compares, with the
+/// objects of `CurveArgs::spec`: there is no second list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Kind {
     /// The fairest smooth curve through the points.
@@ -155,7 +158,7 @@ pub enum Kind {
     FairSpline,
     /// A smooth curve through the points, blended from circles.
     CircleSpline,
-    /// A local smooth curve through the points that inversions keep.
+    /// A local smooth curve through the points; inversions take it to a curve of the same kind.
     MoebiusSpline,
     /// The rational curve of lowest degree through an odd number of points.
     QbInterpolation,
@@ -289,8 +292,8 @@ impl CurveArgs {
 fn not_negative(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
-        Ok(_) => Err("it must not be negative, and finite".to_owned()),
-        Err(_) => Err("it is not a number".to_owned()),
+        Ok(_) => Err("must be finite and non-negative".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
     }
 }
 
@@ -300,7 +303,7 @@ fn fair_tolerance(text: &str) -> Result<FairTolerance, String> {
         _ if text == "auto" => Ok(FairTolerance::AUTO),
         Ok(tolerance) => Ok(FairTolerance::Within(tolerance)),
         Err(why) if text.parse::<f64>().is_ok() => Err(why),
-        Err(_) => Err("it is auto or a positive number".to_owned()),
+        Err(_) => Err("must be auto or a positive number".to_owned()),
     }
 }
 
@@ -308,8 +311,8 @@ fn fair_tolerance(text: &str) -> Result<FairTolerance, String> {
 fn up_to_one(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
-        Ok(_) => Err("it must be from 0 to 1".to_owned()),
-        Err(_) => Err("it is not a number".to_owned()),
+        Ok(_) => Err("must be from 0 to 1".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
     }
 }
 
@@ -319,14 +322,14 @@ fn parameters(text: &str) -> Result<ParametersSpec, String> {
     match list {
         Ok(list) => Ok(ParametersSpec::Each(list)),
         Err(_) => serde_json::from_value(serde_json::Value::String(text.to_owned()))
-            .map_err(|_| "it is auto, chord, centripetal, uniform, or numbers with commas between them".to_owned()),
+            .map_err(|_| "must be auto, chord, centripetal, uniform, or a comma-separated list of numbers".to_owned()),
     }
 }
 
 /// A positive number below one half.
 fn below_half(text: &str) -> Result<f64, String> {
     match positive(text) {
-        Ok(value) if value >= 0.5 => Err("it must be below 0.5".to_owned()),
+        Ok(value) if value >= 0.5 => Err("must be below 0.5".to_owned()),
         other => other,
     }
 }

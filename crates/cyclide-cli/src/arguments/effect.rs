@@ -47,16 +47,15 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
     };
     if args.title.is_some() && !outputs.iter().any(|(_, format)| titled(format)) {
         let names = TITLED.map(|format| format.name().to_uppercase()).join(", ");
-        let message = format!(
-            "--title would have no effect: of the files only {names}, and PNG without --png-plain have a place for it"
-        );
+        let message =
+            format!("--title would have no effect: only {names}, and PNG without --png-plain, contain a title");
         return Err(Failure::Usage(message));
     }
     match given.iter().find(|(_, given, format)| *given && !written(*format)) {
         None => Ok(()),
         Some((option, _, format)) => {
             let (title, suffix) = (format.name().to_uppercase(), format.name());
-            let message = format!("{option} is for {title}, and no such file is asked for: add -o FILE.{suffix}");
+            let message = format!("{option} applies only to {title} output: add -o FILE.{suffix}");
             Err(Failure::Usage(message))
         }
     }
@@ -98,7 +97,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
     ];
     if let Some((option, _, kinds)) = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&kind)) {
         let words: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
-        let message = format!("{option} goes with --kind {}, not with {}", words.join(" or "), kind.word());
+        let message = format!("{option} requires --kind {}, not {}", words.join(" or "), kind.word());
         return Err(Failure::Usage(message));
     }
     let no_fits = args.max_fits == Some(0);
@@ -106,16 +105,16 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
     let auto = args.smooth.is_some_and(|smooth| smooth.within().is_none());
     let auto_z = args.smooth_z.is_some_and(|smooth| smooth.within().is_none());
     if args.smooth_z.is_some() && auto_z != auto {
-        return Err(Failure::Usage("--smooth and --smooth-z take two numbers, or both auto".to_owned()));
+        return Err(Failure::Usage("--smooth and --smooth-z must both be numbers or both be auto".to_owned()));
     }
     let idle = [
-        ("--noise", args.noise.is_some() && !auto, "it goes with --smooth auto"),
-        ("--centre", args.centre.is_some() && auto, "--smooth auto keeps to the middle of the points"),
+        ("--noise", args.noise.is_some() && !auto, "it requires --smooth auto"),
+        ("--centre", args.centre.is_some() && auto, "--smooth auto already follows the middle of the points"),
         ("--knots", args.knots.is_some() && by_directions, "with --continuity g1 the curve has no knots"),
-        ("--ends", args.ends.is_some() && args.closed, "a curve that is --closed has no ends"),
-        ("--fix-ends", args.fix_ends && args.closed, "a curve that is --closed has no ends"),
-        ("--nodes", args.nodes.is_some() && no_fits, "--max-fits 0 takes no nodes out"),
-        ("--budget", args.budget.is_some() && no_fits, "--max-fits 0 takes no nodes out"),
+        ("--ends", args.ends.is_some() && args.closed, "a --closed curve has no ends"),
+        ("--fix-ends", args.fix_ends && args.closed, "a --closed curve has no ends"),
+        ("--nodes", args.nodes.is_some() && no_fits, "--max-fits 0 removes no nodes"),
+        ("--budget", args.budget.is_some() && no_fits, "--max-fits 0 removes no nodes"),
     ];
     match idle.iter().find(|(_, idle, _)| *idle) {
         None => Ok(()),
@@ -142,16 +141,16 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
     let colour = options.png_colour;
     let curvature = !matches!(colour, PictureColour::Object | PictureColour::Deviation | PictureColour::Field);
     let idle = [
-        ("--colour", curvature && !faces, "there are no surfaces with curvatures"),
+        ("--colour", curvature && !faces, "there are no surfaces with curvature"),
         (
             "--colour",
             colour == PictureColour::Deviation && provenance.iter().all(|own| own.given.is_none()),
-            "no object follows a given surface, as a `cyclidic-net` with `make_circular` or over a `principal-grid` does",
+            "no object approximates a given surface, as a `cyclidic-net` does with `make_circular` or over a `principal-grid`",
         ),
         (
             "--colour",
             colour == PictureColour::Field && provenance.iter().all(|own| own.field.is_none()),
-            "no object that is drawn is a `principal-grid` (take its `construction` off)",
+            "no drawn object is a `principal-grid` (remove its `construction`)",
         ),
         (
             "--labels",
@@ -161,7 +160,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         (
             "--labels",
             options.png_labels && colour != PictureColour::Field && !names && !panels && !called,
-            "one object has its name as title, no panels, and no points that a table names",
+            "a single object has its name as title, and there are no panels and no named points",
         ),
         (
             "--tolerance",
@@ -174,12 +173,12 @@ pub fn without_effect(plan: &MakePlan, model: &Model, provenance: &[Provenance],
         (
             "--step-products",
             options.step_products != StepProducts::Auto && model.items.len() == 1,
-            "one object is one product",
+            "a single object is always one product",
         ),
         (
             "--svg-comb",
             options.svg_comb && !report.objects.values().any(|object| !object.construction && bent(&object.geometry)),
-            "no curve is bent",
+            "all curves are straight",
         ),
         ("--svg-points", options.svg_points && !curves().any(has_joints), "no curve has joints or ends"),
         ("--glb-edges", options.glb_edges && no_surface, "there are no surfaces"),

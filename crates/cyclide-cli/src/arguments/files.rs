@@ -11,7 +11,7 @@ use crate::output::standard::{is_standard, is_standard_output};
 /// What a document may read.
 #[derive(Debug, Clone, Default, ClapArgs)]
 pub struct ReadArgs {
-    /// The document may name files below DIR only, for documents of people who are not trusted: `..` and links do not lead out of it.
+    /// The document may read only files below DIR, for documents from untrusted sources: `..` and links cannot lead out of it.
     #[arg(long, value_name = "DIR")]
     pub read_below: Option<PathBuf>,
 }
@@ -25,7 +25,7 @@ pub enum Input {
         document: Box<Document>,
         /// The columns of its file: unless they were named, the file is looked at for what it is.
         columns: PointColumns,
-        /// Whether the columns' names may say the unit: not if it was told.
+        /// Whether the names of the columns may determine the unit: not if it was given.
         unit_of_columns: bool,
     },
 }
@@ -33,10 +33,10 @@ pub enum Input {
 /// How files are written.
 #[derive(Debug, Clone, Copy, Default, ClapArgs)]
 pub struct WriteArgs {
-    /// Replace files that are read-only too.
+    /// Also replace read-only files.
     #[arg(long)]
     pub force: bool,
-    /// Wait until the files are on the disk, so that they survive a loss of power.
+    /// Wait until the files are on disk, so that they survive a power failure.
     #[arg(long)]
     pub durable: bool,
 }
@@ -57,11 +57,11 @@ pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), 
     }
 }
 
-/// Refuses the name of a folder (`out/`) where a file is meant: the separator would be dropped without a word.
+/// Refuses the name of a folder (`out/`) where a file is expected: the separator would be dropped silently.
 pub fn refuse_folder_name(path: &Path) -> Result<(), Failure> {
     if is_folder_name(path) {
         let path = path.display();
-        return Err(Failure::Usage(format!("{path} is the name of a folder: the name of a file is needed")));
+        return Err(Failure::Usage(format!("{path} is a folder: a file name is required")));
     }
     Ok(())
 }
@@ -70,18 +70,18 @@ pub fn refuse_folder_name(path: &Path) -> Result<(), Failure> {
 pub fn refuse_file_name(path: &Path) -> Result<(), Failure> {
     let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
     if is_standard_output(path) || !path.is_dir() && (page || Format::from_path(path).is_ok()) {
-        return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));
+        return Err(Failure::Usage(format!("{}: a folder name is required, for several files", path.display())));
     }
     Ok(())
 }
 
-/// Refuses to write over a file that is read.
+/// Refuses to overwrite an input file.
 pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
     let is_input = |output: &&Path| {
         if is_standard(input) { leads_to_standard_input(output) } else { same_file(output, input) }
     };
     match output.filter(|output| !is_standard(output)).filter(is_input) {
         None => Ok(()),
-        Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
+        Some(path) => Err(Failure::Usage(format!("{} is an input and will not be overwritten", path.display()))),
     }
 }

@@ -20,7 +20,7 @@ pub enum Wanted {
 }
 
 /// What the program reads, said where a file is none of it.
-const READS: &str = "it reads model documents ('cyclide new' starts one), lists of points as CSV ('cyclide curve') and, for documents, meshes of quads as OBJ ('cyclide new cyclidic-net') and of any polygons as OBJ, STL, PLY and GLB ('cyclide new smooth-mesh', 'cyclide new principal-grid', 'cyclide new smooth-polyhedron')";
+const READS: &str = "it reads model documents ('cyclide new' prints one), lists of points as CSV ('cyclide curve') and, from within documents, quad meshes as OBJ ('cyclide new cyclidic-net') and polygon meshes as OBJ, STL, PLY and GLB ('cyclide new smooth-mesh', 'cyclide new principal-grid', 'cyclide new smooth-polyhedron')";
 
 /// Refuses an input that its suffix says to be of another kind, before its first line is called a mistake.
 pub fn refuse_suffix(path: &Path, wanted: Wanted) -> Result<(), Failure> {
@@ -34,12 +34,12 @@ pub fn refuse_content(path: &Path, bytes: &[u8], wanted: Wanted) -> Result<(), F
 
 fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> {
     let net = "'cyclide new cyclidic-net' prints a document for it";
-    let polygons = "'cyclide new smooth-mesh' prints a document that makes it smooth, 'cyclide new principal-grid' one that lays a net on it, 'cyclide new smooth-polyhedron' one that rounds a convex one";
+    let polygons = "'cyclide new smooth-mesh' prints a document that makes it smooth, 'cyclide new principal-grid' one that computes a net on it, 'cyclide new smooth-polyhedron' one that rounds a convex mesh";
     let path = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
     let answer = match (found, wanted) {
         (InputKind::Document, Wanted::Document) | (InputKind::Points, Wanted::Points) => return Ok(()),
         (InputKind::Written(format), _) => {
-            return Err(Failure::Usage(format!("{path} is {format}, which cyclide writes and does not read: {READS}")));
+            return Err(Failure::Usage(format!("{path} is {format}, which cyclide writes but does not read: {READS}")));
         }
         (InputKind::Foreign(format, instead), _) => {
             let message = format!("{path} is {format}, which cyclide does not read: {instead}; {READS}");
@@ -49,9 +49,9 @@ fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> 
         (InputKind::Points, Wanted::Document) => {
             "see 'cyclide curve', or 'cyclide new fair-spline' for a document that reads it".to_owned()
         }
-        (InputKind::PointsJson, _) => "'cyclide new fair-spline' prints a document with room for it".to_owned(),
+        (InputKind::PointsJson, _) => "'cyclide new fair-spline' prints a document that can contain it".to_owned(),
         (InputKind::PointGrid, Wanted::Points) => {
-            format!("{net}; if it is a curve all the same, choose its columns: --columns x,y,z")
+            format!("{net}; if it is a curve after all, select its columns: --columns x,y,z")
         }
         (InputKind::PointGrid, Wanted::Document) => net.to_owned(),
         (InputKind::Mesh, _) => format!("{net} if its faces are quads, {polygons}"),
@@ -99,7 +99,7 @@ fn option_tip(option: &str) -> Option<String> {
 fn file_tip(word: &str) -> Option<String> {
     match InputKind::of_path(Path::new(word))? {
         InputKind::Document => Some(format!("build a model document with 'cyclide build {word} -o FILE'")),
-        InputKind::Points => Some(format!("make a curve of points with 'cyclide curve {word} -o FILE'")),
+        InputKind::Points => Some(format!("make a curve from points with 'cyclide curve {word} -o FILE'")),
         InputKind::Mesh => {
             Some("start a document for a mesh with 'cyclide new cyclidic-net' or 'cyclide new smooth-mesh'".to_owned())
         }

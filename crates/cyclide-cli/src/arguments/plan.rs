@@ -51,9 +51,9 @@ pub struct ReportPlan {
     pub input: Input,
     pub read_below: Option<PathBuf>,
     pub json: bool,
-    /// Places of curves tighter than this are named.
+    /// Parts of curves tighter than this are reported.
     pub min_radius: Option<f64>,
-    /// Places of motions faster than this are named.
+    /// Intervals in which motions are faster than this are reported.
     pub limits: SpeedLimits,
 }
 
@@ -99,7 +99,7 @@ impl Args {
             Command::New(NewArgs { kind, output }) => {
                 let output = output.filter(|path| !is_standard_output(path));
                 output.as_deref().map_or(Ok(()), refuse_folder_name)?;
-                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "documents are JSON"))?;
                 Ok(Plan::New(NewPlan { kind, output }))
             }
             Command::Gallery(GalleryArgs { output, write }) => {
@@ -121,17 +121,19 @@ impl OutputArgs {
     fn plan(self, input: Input, tolerance: Option<f64>) -> Result<MakePlan, Failure> {
         let mut outputs: Vec<(PathBuf, Format)> = Vec::new();
         if self.output.len() > 1 && self.output.iter().any(|path| is_standard_output(path)) {
-            return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
+            return Err(Failure::Usage("standard output takes one file: `-o -` must be the only output".to_owned()));
         }
         if self.per_object && self.output.iter().any(|path| is_standard_output(path)) {
-            return Err(Failure::Usage("--per-object writes several files: standard output takes one".to_owned()));
+            return Err(Failure::Usage(
+                "--per-object writes several files, but standard output takes only one".to_owned(),
+            ));
         }
         for path in &self.output {
             refuse_folder_name(path)?;
             let format = format_of(path, self.format)?;
             if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, path)) {
                 let (path, other) = (path.display(), other.display());
-                return Err(Failure::Usage(format!("{path} is given twice as output: it is the same file as {other}")));
+                return Err(Failure::Usage(format!("output {path} is given twice: it is the same file as {other}")));
             }
             if let Input::File(model) = &input {
                 refuse_overwriting(Some(path), model)?;
@@ -177,12 +179,12 @@ impl OutputArgs {
     }
 }
 
-/// The format of an output: that of its suffix, else the one that was told.
+/// The format of an output: that of its suffix, otherwise the given one.
 fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
     match (Format::from_path(path), told) {
         (Ok(format), Some(told)) if format != told => {
             let (name, told) = (format.name(), told.name());
-            Err(Failure::Usage(format!("{}: the suffix says {name}, --format says {told}", path.display())))
+            Err(Failure::Usage(format!("{}: the suffix means {name}, but --format is {told}", path.display())))
         }
         (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
         (Err(_), None) if is_standard_output(path) => {

@@ -23,13 +23,13 @@ Examples:
   cyclide sample gripper.json --object gripper --step 0.008 -o controller.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion, with --frames also normal_x to
-normal_z and binormal_x to binormal_z, before them of look-at look_x to look_z, with a column 'contour' in front if the object has several. The station is the arc length
-from the start; signed curvature is positive to the left, of plane curves only. Each contour gets its own samples, both ends included.
-Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
-patch, edges included, with a column 'body' in front if the object has several.
-Volumes: columns s,t,u,x,y,z,jacobian on a grid of N by N by N places of every block, with a column 'block' in front if the object has several.
+normal_z and binormal_x to binormal_z (for look-at preceded by look_x to look_z), with a leading column 'contour' if the object has several. The station is the arc length
+from the start; signed curvature is for plane curves only and positive to the left. Each contour gets its own samples, including both ends.
+Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N points of every
+patch, including its edges, with a leading column 'body' if the object has several.
+Volumes: columns s,t,u,x,y,z,jacobian on a grid of N by N by N points of every block, with a leading column 'block' if the object has several.
 Motions: columns time,x,y,z,qw,qx,qy,qz,m11 to m34 (a quaternion, and the rows of the matrix),speed,angular_speed,acceleration at equal
-steps of time, or every so many seconds (--step) and at the end; JSON has poses as a document takes them. Both are read back as poses.";
+time steps, or at a given interval in seconds (--step) and at the end; JSON has poses in the form of documents. Both can be read back as poses.";
 
 #[derive(Debug, ClapArgs)]
 pub struct SampleArgs {
@@ -37,31 +37,32 @@ pub struct SampleArgs {
     pub model: PathBuf,
     #[command(flatten)]
     pub read: ReadArgs,
-    /// Name of the object; may be left out if there is only one.
+    /// Name of the object; optional if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Samples per contour of a curve, N by N per patch of a surface, N by N by N per block of a volume, or of a motion; at least 2.
+    /// Samples per contour of a curve or per motion, N by N per patch of a surface, N by N by N per block of a volume; at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), allow_hyphen_values = true, required_unless_present_any = ["step", "cells"])]
     pub count: Option<u32>,
-    /// Curves: a sample every D of arc length, motions: every D seconds; and the end.
+    /// Curves: a sample at every arc length D and at the end; motions: every D seconds and at the end.
     #[arg(long, value_name = "D", value_parser = positive, allow_hyphen_values = true, conflicts_with = "count")]
     pub step: Option<f64>,
-    /// Volumes: the nodes of the cells that the document divides blocks into.
+    /// Volumes: sample the nodes of the cells into which the document divides the blocks.
     #[arg(long, conflicts_with_all = ["count", "step"])]
     pub cells: bool,
-    /// Curves: equal steps of arc length instead of the parameter.
+    /// Curves: equal steps in arc length instead of the parameter.
     #[arg(long, conflicts_with = "step")]
     pub equal_length: bool,
-    /// Curves: a frame at each place, normal and binormal (tangent x normal) beside the tangent.
+    /// Curves: add a frame to each sample: normal and binormal (tangent x normal) besides the tangent.
     #[arg(long, value_name = "KIND", value_enum)]
     pub frames: Option<FrameKind>,
-    /// Frames: the direction that is up, of up and look-at, or of rotation-minimizing frames the direction of the first normal [default: 0,0,1].
+    /// Frames: the up direction for up and look-at, or the direction of the first normal for rotation-minimizing [default: 0,0,1].
     #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
     pub up: Option<[f64; 3]>,
-    /// Frames: the point, of toward and look-at.
+    /// Frames: the target point for toward and look-at.
     #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true, required_if_eq_any([("frames", "toward"), ("frames", "look-at")]))]
     pub toward: Option<[f64; 3]>,
-    /// Frames, rotation-minimizing: spread over a closed curve what its frame comes back turned by, so that it closes.
+    /// Frames, rotation-minimizing: distribute the closing rotation of the frame over a closed curve, so that the
+    /// frames close.
     #[arg(long)]
     pub spread_twist: bool,
     /// Curves and motions: print JSON instead of CSV; so does an output FILE.json.
@@ -74,18 +75,19 @@ pub struct SampleArgs {
     pub write: WriteArgs,
 }
 
-/// How normals are chosen.
+/// The rule for normals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum FrameKind {
-    /// As far up (--up) as they can be.
+    /// As close to the up direction (--up) as possible.
     Up,
-    /// As near to a point (--toward) as they can be.
+    /// As close to the direction of a point (--toward) as possible.
     Toward,
-    /// A first axis exactly at a point (--toward) in place of the tangent, normals as far up (--up) as they can be: cameras, tools.
+    /// A first axis that points exactly at a point (--toward) instead of the tangent, with normals as close to up (--up) as
+    /// possible: for cameras and tools.
     LookAt,
-    /// To the centre of curvature; none where the curve is straight.
+    /// Toward the center of curvature; undefined where the curve is straight.
     Frenet,
-    /// Carried along without turning about the tangent.
+    /// Without rotation about the tangent.
     RotationMinimizing,
 }
 
@@ -112,7 +114,7 @@ impl SampleArgs {
         let output = self.output.filter(|path| !is_standard_output(path));
         let has_suffix = |path: &PathBuf| path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
         let json = self.json || output.as_ref().is_some_and(has_suffix);
-        let (suffix, what) = if json { ("json", "JSON was asked for") } else { ("csv", "samples are CSV or JSON") };
+        let (suffix, what) = if json { ("json", "--json requests JSON") } else { ("csv", "samples are CSV or JSON") };
         output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, suffix, what))?;
         let spacing = if self.equal_length { Spacing::Length } else { Spacing::Parameter };
         let places = match (self.step, self.count) {
@@ -135,7 +137,7 @@ impl SampleArgs {
 
     fn frame_rule(&self) -> Result<Option<FrameRule>, Failure> {
         let idle = |given: bool, option: &str, with: &str| {
-            let message = format!("{option} would have no effect: it goes with --frames {with}");
+            let message = format!("{option} would have no effect: it requires --frames {with}");
             if given { Err(Failure::Usage(message)) } else { Ok(()) }
         };
         let minimal = self.frames == Some(FrameKind::RotationMinimizing);
@@ -166,6 +168,6 @@ fn triple(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text.split(',').filter_map(|part| part.trim().parse().ok()).collect();
     match <[f64; 3]>::try_from(numbers) {
         Ok(numbers) if text.split(',').count() == 3 && numbers.iter().all(|v| v.is_finite()) => Ok(numbers),
-        _ => Err("three numbers are needed, with commas between: 0,0,1".to_owned()),
+        _ => Err("must be three comma-separated numbers, as in 0,0,1".to_owned()),
     }
 }

@@ -15,33 +15,36 @@ Examples:
   cyclide schedule roof.json -o workshop --thickness 0.04 --beam-depth -0.25
   cyclide schedule roof.json -o workshop --object skin --tolerance 0.002 --congruent-within 0.001
 
-The folder holds panels.csv, edges.csv, nodes.csv and beams.csv, all of it with totals in schedule.json, plan.dxf with the numbers of the
-panels, beams.dxf with the beams laid flat, and patterns.dxf with the flat patterns of panels that are bent one way only: docs/schedule.md
-explains every column.";
+The folder contains panels.csv, edges.csv, nodes.csv and beams.csv, the same data with totals in schedule.json, plan.dxf with the panel
+numbers, beams.dxf with the beams unrolled, and patterns.dxf with the flat patterns of singly curved panels. docs/schedule.md explains
+every column.";
 
 #[derive(Debug, ClapArgs)]
 pub struct ScheduleArgs {
-    /// The model document (JSON), - for standard input.
+    /// The model document (JSON), or - for standard input.
     pub model: PathBuf,
     #[command(flatten)]
     pub read: ReadArgs,
-    /// The folder for the files, made if it does not exist.
+    /// The folder for the files, created if it does not exist.
     #[arg(short, long = "output", value_name = "FOLDER")]
     pub output: PathBuf,
-    /// Where the other side of the panels is: this distance along the normals, negative against them [default: that of the document's
-    /// 'offset' of the net, if it has one].
+    /// Thickness of the panels: the distance to their other side along the normals, negative for the opposite direction [default:
+    /// that of the document's 'offset' of the net, if it has one].
     #[arg(long, value_name = "T", value_parser = not_zero, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
-    /// How far beams reach from the edges along the normals, negative against them [default: the thickness].
+    /// Depth of the beams from the edges along the normals, negative for the opposite direction [default: the
+    /// thickness].
     #[arg(long, value_name = "D", value_parser = not_zero, allow_hyphen_values = true)]
     pub beam_depth: Option<f64>,
-    /// How far a panel may be from the plane, sphere, cylinder or torus that is its mould [default: a thousandth of the mean edge].
+    /// Largest distance between a panel and its mould, which is a plane, sphere, cylinder or torus [default: a thousandth of the
+    /// mean edge].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// How far panels may be from each other, laid on one another, that count as one kind [default: the tolerance].
+    /// Largest distance between superimposed panels that count as congruent [default: the tolerance].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub congruent_within: Option<f64>,
-    /// An object to schedule, construction geometry too; once for each [default: all nets that are no construction geometry].
+    /// An object to schedule, which may be construction geometry; repeat it for several [default: all nets except
+    /// construction geometry].
     #[arg(long = "object", value_name = "NAME", action = ArgAction::Append)]
     pub objects: Vec<String>,
     #[command(flatten)]
@@ -71,7 +74,7 @@ impl ScheduleArgs {
 fn not_zero(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.abs() > 0.0 && value.is_finite() => Ok(value),
-        Ok(_) => Err("it must be finite and not 0".to_owned()),
-        Err(_) => Err("it is not a number".to_owned()),
+        Ok(_) => Err("must be finite and not 0".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
     }
 }

@@ -41,7 +41,7 @@ pub fn run(plan: &ComparePlan) -> Result<(), Failure> {
     drop(progress);
     for kind in &comparison.kinds {
         if let Some(why) = &kind.refused {
-            terminal::warning(&format!("{}: it could not be made: {why}", kind.kind));
+            terminal::warning(&format!("{}: not available: {why}", kind.kind));
         }
     }
     let content = |file: &ComparisonFile| match file {

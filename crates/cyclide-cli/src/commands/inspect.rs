@@ -37,8 +37,8 @@ fn with_fast_places(report: Report, loaded: &Loaded, limits: SpeedLimits) -> Rep
     for (name, object) in &report.objects {
         let count = object.warnings.iter().filter(|warning| warning.reason == FASTER_THAN_LIMIT).count();
         if count > 0 {
-            let places = if count == 1 { "1 place is".to_owned() } else { format!("{count} places are") };
-            let message = format!("{name}: {places} faster than asked for; the report names them");
+            let places = if count == 1 { "1 interval is".to_owned() } else { format!("{count} intervals are") };
+            let message = format!("{name}: {places} faster than the given limits; see the report");
             terminal::warning(&format!("{message} [{FASTER_THAN_LIMIT}]"));
         }
     }

@@ -107,7 +107,7 @@ pub fn document(input: &Input, inputs: &Inputs) -> Result<(Document, PathBuf), F
             let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
             let document = Document::parse(&name, &bytes).map_err(|message| Failure::Refused(message.to_string()))?;
             if standard && document.input_files().any(|file| is_standard(Path::new(file))) {
-                let message = "standard input is the document: it cannot be one of its files too";
+                let message = "standard input is the document and cannot also be one of its files";
                 return Err(Failure::Usage(message.to_owned()));
             }
             Ok((document, path.parent().map(Path::to_path_buf).unwrap_or_default()))
@@ -120,7 +120,10 @@ fn take_unit(document: &mut Document, path: &Path, head: &[u8], columns: &PointC
     if let Some(found) = unit_of_columns(head, columns).filter(|found| found.unit != document.units) {
         document.units = found.unit;
         let (names, unit) = (found.columns.join(", "), found.unit.symbol());
-        terminal::note(&format!("{}: the unit is {unit}, as the columns {names} say (--units)", path.display()));
+        terminal::note(&format!(
+            "{}: the unit is {unit}, taken from the columns {names} (change it with --units)",
+            path.display()
+        ));
     }
 }
 
@@ -212,6 +215,6 @@ fn show_warnings(built: &BuiltObject) {
     }
     for reason in rest {
         let more = counts[reason] - most_shown(reason);
-        terminal::warning(&format!("{}: {more} more of these (--json reports all) [{reason}]", built.item.name));
+        terminal::warning(&format!("{}: {more} more of these warnings (--json lists all) [{reason}]", built.item.name));
     }
 }

@@ -50,7 +50,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         if !names.is_empty() {
             let names = names.join(", ");
             terminal::warning(&format!(
-                "plain cells in VTU are those of blocks: there is no such file of {names} [{NO_EFFECT}]"
+                "linear cells in VTU require blocks: no such file is written for {names} [{NO_EFFECT}]"
             ));
         }
     }
@@ -145,7 +145,7 @@ pub fn with_tight_places(report: Report, loaded: &Loaded, radius: Option<f64>) -
         let count = object.warnings.iter().filter(|warning| warning.reason == TIGHTER_THAN_RADIUS).count();
         if count > 0 {
             let places = if count == 1 { "1 place is".to_owned() } else { format!("{count} places are") };
-            let message = format!("{name}: {places} tighter than {radius} {}; the report names them", report.units);
+            let message = format!("{name}: {places} tighter than radius {radius} {}; see the report", report.units);
             terminal::warning(&format!("{message} [{TIGHTER_THAN_RADIUS}]"));
         }
     }

@@ -42,8 +42,9 @@ pub fn warnings(model: &Model) -> Vec<String> {
         };
         (distance > FAR * edge).then(|| {
             format!(
-                "{name}: the points read as {what}, and the smooth curve through them leaves their edges by up to {} {}; \
-                 `--kind arc-fit --tolerance T` keeps to outlines, `--kind fair-spline` says that this curve is meant [read-as-curve]",
+                "{name}: the points look like {what}, but the smooth curve through them deviates from their edges by \
+                 up to {} {}; use `--kind arc-fit --tolerance T` for an outline, or `--kind fair-spline` if a smooth \
+                 curve is intended [read-as-curve]",
                 ShortNumber(distance),
                 model.units.symbol()
             )

@@ -24,17 +24,17 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
     let index = match &plan.object {
         Some(name) => document.objects.iter().position(|(n, _)| n == name).ok_or_else(|| {
             let hint = did_you_mean(name, document.objects.iter().map(|(n, _)| n.as_str()));
-            Failure::Usage(format!("the model has no object '{name}'; it has {}{hint}", names()))
+            Failure::Usage(format!("the model has no object '{name}'; its objects are {}{hint}", names()))
         })?,
         None if document.objects.len() == 1 => 0,
-        None => return Err(Failure::Usage(format!("--object is needed: the model has {}", names()))),
+        None => return Err(Failure::Usage(format!("--object is required: the objects of the model are {}", names()))),
     };
     for input in load::input_files(&document, &folder) {
         refuse_overwriting(plan.output.as_deref(), &input)?;
     }
     let object = load::build_one(&document, &folder, index, &inputs, &Progress::new(1))?;
     if plan.cells && object.item.volumes().is_empty() {
-        return Err(Failure::Usage("--cells is for volumes, which the object is not".to_owned()));
+        return Err(Failure::Usage("--cells requires a volume".to_owned()));
     }
     let text = match &object.item.geometry {
         Geometry::Curves(_) | Geometry::Grids(_) => curves(plan, &object)?,
@@ -51,7 +51,7 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
 fn motion(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
     let (option, rows) = match plan.places {
         SamplePlaces::Step(step) => {
-            let for_curves = "--frames is for curves, the object is a motion".to_owned();
+            let for_curves = "--frames is for curves; the object is a motion".to_owned();
             plan.frames.is_none().then_some(()).ok_or(Failure::Usage(for_curves))?;
             let duration = object.item.motion().map_or(0.0, MovingBody::duration);
             (format!("--step {step}"), plan.places.count_on(duration))
@@ -69,7 +69,7 @@ fn motion(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
 fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
     let count = count_alone(plan, "a surface")?;
     if plan.json {
-        return Err(Failure::Usage("JSON is for curves and motions, the object is a surface: take CSV".to_owned()));
+        return Err(Failure::Usage("JSON is for curves and motions; the object is a surface: use CSV".to_owned()));
     }
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
@@ -79,12 +79,13 @@ fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
 fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<String, Failure> {
     let count = count_alone(plan, "a volume")?;
     if plan.json {
-        return Err(Failure::Usage("JSON is for curves and motions, the object is a volume: take CSV".to_owned()));
+        return Err(Failure::Usage("JSON is for curves and motions; the object is a volume: use CSV".to_owned()));
     }
     if plan.cells {
         let places = object.provenance.places.iter().flatten().map(|places| places.len() as f64);
         refuse_many("--cells", blocks as f64 * places.product::<f64>(), blocks, "blocks")?;
-        let none = "--cells: the document does not divide the object into cells (`cells`); --count takes even places";
+        let none =
+            "--cells: the document does not divide the object into cells (`cells`); use --count for an even grid";
         return cyclide_io::sample_cells(object).ok_or_else(|| Failure::Usage(none.to_owned()));
     }
     refuse_many(&format!("--count {count}"), blocks as f64 * (count as f64).powi(3), blocks, "blocks")?;
@@ -93,10 +94,10 @@ fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<Stri
 
 /// The number of samples, where no option may be given that only curves have.
 fn count_alone(plan: &SamplePlan, what: &str) -> Result<usize, Failure> {
-    let for_curves = |option: &str| Failure::Usage(format!("{option} is for curves, the object is {what}"));
+    let for_curves = |option: &str| Failure::Usage(format!("{option} is for curves; the object is {what}"));
     match plan.places {
         SamplePlaces::Step(_) => {
-            Err(Failure::Usage(format!("--step is for curves and motions, the object is {what}: give --count")))
+            Err(Failure::Usage(format!("--step is for curves and motions; the object is {what}: use --count")))
         }
         SamplePlaces::Count { spacing: Spacing::Length, .. } => Err(for_curves("--equal-length")),
         SamplePlaces::Count { .. } if plan.frames.is_some() => Err(for_curves("--frames")),
@@ -131,5 +132,5 @@ fn refuse_many(option: &str, rows: f64, parts: usize, what: &str) -> Result<(), 
     if rows <= MOST_ROWS {
         return Ok(());
     }
-    Err(Failure::Usage(format!("{option} gives {rows} rows on {parts} {what}, more than {MOST_ROWS}")))
+    Err(Failure::Usage(format!("{option} gives {rows} rows on {parts} {what}; the limit is {MOST_ROWS}")))
 }

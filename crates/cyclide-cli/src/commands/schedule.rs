@@ -34,7 +34,7 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
     progress.doing("measuring".to_owned());
     let schedule = WorkshopSchedule::new(loaded.units, &loaded.objects, &plan.options).map_err(failure)?;
     progress.done();
-    progress.doing("lists and drawings, read back".to_owned());
+    progress.doing("writing and checking lists and drawings".to_owned());
     let files = schedule.files().map_err(failure)?;
     drop(progress);
     let asked = &plan.options.objects;
@@ -42,7 +42,7 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
         terminal::note(&format!("{} ({}) is not scheduled: {}", left.name, left.r#type, left.why));
     }
     if !schedule.has_beams() {
-        terminal::note("beams.csv and beams.dxf are empty: --beam-depth says how far beams reach from the edges");
+        terminal::note("beams.csv and beams.dxf are empty: set the depth of the beams with --beam-depth");
     }
     let names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     let text = format!("{}{}: {}\n", schedule.text(), plan.folder.display(), names.join(", "));

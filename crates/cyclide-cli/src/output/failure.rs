@@ -12,11 +12,11 @@ use crate::output::standard::is_standard;
 pub enum Failure {
     /// The input was read and refused: exit code 1.
     Refused(String),
-    /// The command line makes no sense: exit code 2, as for what the argument parser refuses itself.
+    /// Invalid usage: exit code 2, as for errors of the argument parser.
     Usage(String),
     /// A file could not be read or written: exit code 3.
     File(String),
-    /// A file that was made did not pass its check and was not written, a fault of the program: exit code 4.
+    /// A generated file did not pass its check and was not written, a bug in the program: exit code 4.
     Check(String),
 }
 
@@ -27,8 +27,8 @@ impl Failure {
         Self::File(format!("cannot read {name}: {error}"))
     }
 
-    /// A file that could not be written; the old one is untouched, unless all were written and only their safety on the
-    /// disk is open.
+    /// A file that could not be written; the old one is untouched, unless all were written and only their durability is
+    /// uncertain.
     pub fn write(path: impl Display, error: &std::io::Error) -> Self {
         if error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()) {
             return Self::File(error.to_string());
@@ -38,11 +38,11 @@ impl Failure {
         Self::File(format!("cannot write {path}: {why}"))
     }
 
-    /// Adds the files that were written all the same.
+    /// Adds the files that were written nevertheless.
     pub fn but_wrote(self, files: &[String]) -> Self {
         match self {
             Self::File(message) if !files.is_empty() => {
-                Self::File(format!("{message}; before it was written: {}", files.join(", ")))
+                Self::File(format!("{message}; already written: {}", files.join(", ")))
             }
             other => other,
         }
@@ -54,7 +54,7 @@ fn missing_folder(path: &Path) -> Option<String> {
     let folders: Vec<&Path> = path.ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty()).collect();
     let missing = folders.into_iter().rev().find(|folder| !folder.is_dir())?;
     let name = missing.display();
-    Some(if missing.exists() { format!("{name} is no folder") } else { format!("there is no folder {name}") })
+    Some(if missing.exists() { format!("{name} is not a folder") } else { format!("the folder {name} does not exist") })
 }
 
 impl From<cyclide_io::Error> for Failure {

@@ -49,7 +49,7 @@ impl Failure {
             Self::Refused(message) => (1, message),
             Self::Usage(message) => (2, message + "\n\nFor more information, try '--help'."),
             Self::File(message) => (3, message),
-            Self::Check(message) => (4, message + "\nThis is a fault of cyclide; nothing was written."),
+            Self::Check(message) => (4, message + "\nThis is a bug in cyclide; nothing was written."),
         };
         error(&message);
         ExitCode::from(code)

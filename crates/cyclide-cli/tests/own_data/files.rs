@@ -55,7 +55,7 @@ fn a_name_with_a_separator_at_its_end_is_refused_before_anything_is_written() {
         "new arc -o b.json/",
     ] {
         let error = folder.fails(2, command);
-        assert!(error.contains("is the name of a folder: the name of a file is needed"), "{command}\n{error}");
+        assert!(error.contains("is a folder: a file name is required"), "{command}\n{error}");
         assert_eq!(names(&folder), ["c.json", "p.csv"], "{command}");
     }
     // Folders are called so.
@@ -154,7 +154,7 @@ fn a_picture_does_not_speak_of_the_tolerance_of_a_fit() {
         assert!(deviation <= 0.05, "{deviation}");
         for file in report["files"].as_array().unwrap() {
             let notes = file["notes"].to_string();
-            assert!(!notes.contains("is not reached"), "{notes}");
+            assert!(!notes.contains("is not met"), "{notes}");
         }
     }
 }
@@ -330,6 +330,8 @@ mod unix {
             assert!(command.output().unwrap().status.success());
             assert_eq!(std::os::unix::fs::MetadataExt::ino(&std::fs::metadata(&inside).unwrap()), number);
         }
-        assert!(folder.fails(3, "build c.json --per-object -o nowhere/p.svg").contains("there is no folder nowhere"));
+        assert!(
+            folder.fails(3, "build c.json --per-object -o nowhere/p.svg").contains("the folder nowhere does not exist")
+        );
     }
 }

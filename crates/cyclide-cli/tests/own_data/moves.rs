@@ -94,7 +94,8 @@ fn closed_motions_close() {
     assert!(found["closing"]["corner"].as_f64().unwrap() < 1e-9, "{found}");
     assert!(found["closing"]["velocity_jump"].as_f64().unwrap() < 1e-9, "{found}");
     assert!(
-        (found["turn"].as_f64().unwrap() - std::f64::consts::TAU).abs() < 1e-6 && text.contains("as it began\n"),
+        (found["turn"].as_f64().unwrap() - std::f64::consts::TAU).abs() < 1e-6
+            && text.contains("in its initial rotation\n"),
         "{text}"
     );
     assert_eq!(text.matches("corners").count(), 0, "{text}");
@@ -220,7 +221,7 @@ fn noisy_motions_close_and_name_lost_poses() {
     };
     let (found, text) = report(&document(r#""closed": true,"#, false));
     assert!(gap(&found) < 1e-9 && found["acceleration_jump"].as_f64().unwrap_or(0.0) < 1e-6, "{found}");
-    assert!(text.contains("as it began\n") && reasons(&found).is_empty(), "{text}");
+    assert!(text.contains("in its initial rotation\n") && reasons(&found).is_empty(), "{text}");
     assert!((found["length"].as_f64().unwrap() - 510.5).abs() < 6.0, "{found}");
     assert!(found["deviation"]["place"].as_f64().unwrap() <= 2.5);
     // Kept, it pulls the motion; left out, it does not.

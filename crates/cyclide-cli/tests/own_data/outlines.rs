@@ -109,5 +109,5 @@ fn limits_of_a_machine_are_kept_or_refused_with_the_place() {
         assert!(!folder.has("c.dxf"));
     }
     let message = folder.fails(2, "curve culdesac.csv --kind fair-spline --min-arc-length 9 -o c.dxf");
-    assert!(message.contains("--min-arc-length goes with --kind arc-fit"), "{message}");
+    assert!(message.contains("--min-arc-length requires --kind arc-fit"), "{message}");
 }

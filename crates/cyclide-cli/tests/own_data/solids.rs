@@ -238,7 +238,7 @@ fn remedies_that_are_named_work() {
         let (_, rest) = error.rsplit_once(after).unwrap_or_else(|| panic!("{error}"));
         rest.trim_start().split([',', '`']).next().unwrap().trim().parse::<f64>().unwrap()
     };
-    let (fit, arcs) = (number(r#""fair-fit", "tolerance": "#), number(r#"the `"tolerance": "#));
+    let (fit, arcs) = (number(r#""fair-fit", "tolerance": "#), number(r#"set `"tolerance": "#));
     let mended = case("noisy_run.json")
         .replace(r#""type":"polyline""#, &format!(r#""type":"fair-fit","tolerance":{fit}"#))
         .replace(r#""radius":0.008"#, &format!(r#""radius":0.008,"tolerance":{arcs}"#));

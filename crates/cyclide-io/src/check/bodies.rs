@@ -16,7 +16,7 @@ use cyclide::{ChainPiece, Circle, NurbsCurve, PatchKind, Point3, RationalBezierS
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilePatch {
-    /// The body that it belongs to, from 0, those of all objects counted through.
+    /// The body to which it belongs, numbered from 0 through all objects.
     pub body: usize,
     /// The shell of the body.
     pub shell: usize,
@@ -39,7 +39,7 @@ pub struct FilePatch {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileVolume {
-    /// The body that it is of, from 0, those of all objects counted through.
+    /// The body to which it belongs, numbered from 0 through all objects.
     pub body: usize,
     /// The volume, over [0, 1] in its three parameters.
     pub volume: RationalBezierVolume,
@@ -61,7 +61,7 @@ pub struct FileVolume {
 pub struct FileBody {
     /// True for solids.
     pub solid: bool,
-    /// The shells; of a solid the outer one first, then the boundaries of its hollows.
+    /// The shells; for a solid the outer one first, then the boundaries of its voids.
     pub shells: Vec<FileShell>,
 }
 
@@ -109,7 +109,7 @@ pub struct FileFace {
     pub same_sense: bool,
     /// The outer loop, counter-clockwise against the face's normal.
     pub edges: Vec<FileEdge>,
-    /// The loops round its holes, clockwise.
+    /// The loops around its holes, clockwise.
     pub holes: Vec<Vec<FileEdge>>,
 }
 
@@ -168,8 +168,8 @@ pub struct FileEdge {
     pub forward: bool,
     /// The curve from start to end.
     pub curve: FileCurve,
-    /// The same in the parameters of the face's surface (the third coordinate is 0), over the angle of a circle or the
-    /// length of a line; `None` if the file leaves it to readers.
+    /// The same in the parameters of the surface of the face (with third coordinate 0), over the angle of a circle or
+    /// the length of a line; `None` if the file does not contain it.
     pub parameter_curve: Option<NurbsCurve>,
 }
 
@@ -191,7 +191,7 @@ pub struct FileEdge {
 pub enum FileCurve {
     /// A line, an arc or a spline.
     Piece(ChainPiece),
-    /// A whole circle, from its only vertex.
+    /// A full circle, from its only vertex.
     Circle(Circle),
 }
 

@@ -5,7 +5,7 @@ use crate::check::file_sample::FileSample;
 use crate::check::labels::FileLabels;
 use cyclide::{CurveChain, SurfaceMesh};
 
-/// What a file of ours holds.
+/// The contents of a file written by this crate.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -29,9 +29,9 @@ pub struct FileContent {
     pub patches: Vec<FilePatch>,
     /// The rational volumes of VTU, MFEM and G+Smo, in file order.
     pub volumes: Vec<FileVolume>,
-    /// The lines that stand for surfaces in a drawing, in file order.
+    /// The lines that represent surfaces in a drawing, in file order.
     pub lines: Vec<CurveChain>,
-    /// What tables say beside the points of each curve, in file order.
+    /// The further columns of the points of each curve in tables, in file order.
     pub samples: Vec<Vec<FileSample>>,
     /// The lines on the vertices of each mesh, as pairs of positions.
     pub mesh_lines: Vec<Vec<[usize; 2]>>,

@@ -2,7 +2,7 @@
 
 use cyclide::{CurveJet, CurvePlace, ParamCurve};
 
-/// What a table says beside a point of a curve.
+/// The further columns of a point of a curve in a table.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -17,9 +17,9 @@ use cyclide::{CurveJet, CurvePlace, ParamCurve};
 pub struct FileSample {
     /// The global parameter.
     pub t: f64,
-    /// The unit tangent, where there is one.
+    /// The unit tangent, if it exists.
     pub tangent: Option<[f64; 3]>,
-    /// The curvature, where there is one.
+    /// The curvature, if it exists.
     pub curvature: Option<f64>,
 }
 

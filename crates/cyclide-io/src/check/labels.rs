@@ -9,7 +9,7 @@ use cyclide::{Model, Units};
 /// are quotients of two of them.
 const SAME_UNIT: f64 = 1e-9;
 
-/// The unit and the names that a file says.
+/// The unit and the names in a file.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -23,7 +23,7 @@ const SAME_UNIT: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct FileLabels {
-    /// Length of one unit of the coordinates, millimetres; `None` if the file does not say.
+    /// Length of one unit of the coordinates in millimeters; `None` if the file does not state it.
     pub unit: Option<f64>,
     /// The names, in a fixed order of each format.
     pub names: Vec<FileName>,
@@ -44,9 +44,9 @@ pub struct FileLabels {
 pub struct FileName {
     /// What it is the name of: `layer`, `node`, ….
     pub of: &'static str,
-    /// The name as it stands in the file: with the letters that the format replaces or escapes.
+    /// The name as written in the file, with the replacements and escapes of the format.
     pub name: String,
-    /// How many curves, bodies or other parts bear it, those that follow each other.
+    /// The number of consecutive curves, bodies or other parts with this name.
     pub count: usize,
 }
 
@@ -125,8 +125,8 @@ mod tests {
         let right = labels(Some(25.4), &[("layer", "a", 2), ("layer", "b", 1)]);
         let message = |found: &FileLabels| found.check(&right).unwrap_err().to_string();
         assert_eq!(right.check(&right), Ok(()));
-        assert_eq!(message(&labels(Some(1.0), &[])), "a unit of the file is 1 mm long, one of the model 25.4 mm");
-        assert_eq!(message(&labels(None, &[])), "the file does not say its unit, one of the model is 25.4 mm long");
+        assert_eq!(message(&labels(Some(1.0), &[])), "the unit of the file is 1 mm, that of the model 25.4 mm");
+        assert_eq!(message(&labels(None, &[])), "the file does not state its unit; that of the model is 25.4 mm");
         assert_eq!(
             message(&labels(Some(25.4), &[("layer", "b", 2), ("layer", "a", 1)])),
             "layer 0 is `b` in the file, `a` in the model"
@@ -137,6 +137,6 @@ mod tests {
         );
         assert_eq!(message(&labels(Some(25.4), &[("layer", "a", 2)])), "layer 1, `b`, is not in the file");
         let more = labels(Some(25.4), &[("layer", "a", 2), ("layer", "b", 1), ("group", "c", 1)]);
-        assert_eq!(message(&more), "group 0, `c`, is in the file only");
+        assert_eq!(message(&more), "group 0, `c`, is only in the file");
     }
 }

@@ -91,7 +91,7 @@ pub(crate) fn bodies_deviation(
         match block_of(model, body) {
             Some(block) if only.is_none_or(|d| d == 3) => {
                 let read = content.volumes.get(first..first + parts.len());
-                let read = read.ok_or(ReadError::Volume { volume: first, detail: "it is not there" })?;
+                let read = read.ok_or(ReadError::Volume { volume: first, detail: "it is missing" })?;
                 deviations[index] = volume_deviation(&block.right_handed(), parts, read, first)?;
                 first += parts.len();
             }
@@ -103,7 +103,7 @@ pub(crate) fn bodies_deviation(
         }
     }
     if first != content.volumes.len() {
-        return Err(ReadError::Volume { volume: first, detail: "the model has no more" });
+        return Err(ReadError::Volume { volume: first, detail: "the model has no further cells" });
     }
     let faces: Vec<_> = own.iter().map(|index| &bodies[*index]).collect();
     for (index, deviation) in own.iter().zip(patches_deviation(&faces, &plans, &content.patches)?) {

@@ -37,12 +37,12 @@ pub(crate) fn patches_deviation(
     for (number, (&(body, shell, part), found)) in expected.iter().zip(read).enumerate() {
         let wrong = |detail| ReadError::Patch { patch: number, detail };
         let own = bodies[body].body.shells().nth(shell).and_then(|shell| shell.faces().get(part.face));
-        let face = own.ok_or_else(|| wrong("there is no such face"))?;
+        let face = own.ok_or_else(|| wrong("the face does not exist"))?;
         if (found.body, found.shell) != (body, shell) {
             return Err(wrong("it belongs to another body or shell"));
         }
         if found.outward != face.same_sense {
-            return Err(wrong("its outer side is the other one"));
+            return Err(wrong("its outer side is reversed"));
         }
         for k in 0..PLACES * PLACES {
             let at = |i: u32| f64::from(i) / f64::from(PLACES - 1);
@@ -64,6 +64,6 @@ fn check_complete(index: usize, body: &BodyOf<'_>, plans: &[ShellPlan]) -> Resul
     };
     match body.body.shells().enumerate().all(is_tiled) {
         true => Ok(()),
-        false => Err(ReadError::Body { body: index, detail: "its patches are not its faces, each part once" }),
+        false => Err(ReadError::Body { body: index, detail: "its patches do not cover each part of its faces once" }),
     }
 }

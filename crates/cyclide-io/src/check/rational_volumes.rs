@@ -25,7 +25,7 @@ pub(crate) fn volume_deviation(
 ) -> Result<f64, ReadError> {
     let wrong = |detail| ReadError::Volume { volume: first, detail };
     if parts.len() != read.len() {
-        return Err(wrong("its block has another number of parts"));
+        return Err(wrong("the number of parts of its block differs"));
     }
     let mut deviation = 0.0;
     for (part, found) in parts.iter().zip(read) {
@@ -36,7 +36,7 @@ pub(crate) fn volume_deviation(
             deviation = larger(deviation, found.volume.point(own).distance(block.point(place)));
         }
     }
-    if tile(parts) { Ok(deviation) } else { Err(wrong("its parts are not its block, each once")) }
+    if tile(parts) { Ok(deviation) } else { Err(wrong("its parts do not cover its block once")) }
 }
 
 /// True if each place of the block is in one part. With a sign for each corner of a box, how many boxes there are at a place is the sum of the corners

@@ -14,7 +14,7 @@ use cyclide::ShortNumber;
 #[non_exhaustive]
 pub enum ReadError {
     /// The format holds no geometry.
-    #[error("{format} holds no geometry to read back")]
+    #[error("{format} contains no geometry to read back")]
     NoGeometry {
         /// Name of the format.
         format: &'static str,
@@ -27,8 +27,8 @@ pub enum ReadError {
         /// What was wrong.
         detail: String,
     },
-    /// Something that our writers do not write.
-    #[error("{what} at {place} is not something that this program writes")]
+    /// Something that the writers of this crate never write.
+    #[error("{what} at {place}: this program writes no such thing")]
     Unsupported {
         /// The thing.
         what: String,
@@ -43,30 +43,30 @@ pub enum ReadError {
         /// What the kernel said.
         source: cyclide::Error,
     },
-    /// The file's coordinates are in another unit than the model's.
+    /// The unit of the file differs from that of the model.
     #[error("{}", unit_message(*.found, *.expected))]
     Unit {
-        /// Length of a unit of the file, millimetres; `None` if it does not say.
+        /// Length of a unit of the file in millimeters; `None` if the file does not state it.
         found: Option<f64>,
-        /// Length of a unit of the model, millimetres.
+        /// Length of a unit of the model in millimeters.
         expected: f64,
     },
-    /// A part of the file is called otherwise than in the model.
+    /// The name of a part differs from that in the model.
     #[error("{of} {number}{}", name_message(.found.as_deref(), .expected.as_deref()))]
     Name {
-        /// What bears the name.
+        /// What has the name.
         of: &'static str,
         /// Which of these, from 0.
         number: usize,
-        /// The name in the file, if it is there.
+        /// The name in the file, if any.
         found: Option<String>,
-        /// The name in the model, if it is there.
+        /// The name in the model, if any.
         expected: Option<String>,
     },
-    /// A name has another number of parts than in the model.
+    /// The number of parts with a name differs from that in the model.
     #[error("{of} `{}` has {found} parts in the file, {expected} in the model", quoted(.name))]
     NameCount {
-        /// What bears the name.
+        /// What has the name.
         of: &'static str,
         /// The name.
         name: String,
@@ -75,7 +75,7 @@ pub enum ReadError {
         /// Parts in the model.
         expected: usize,
     },
-    /// The file holds another number of connected curves than the model.
+    /// The number of connected curves differs from that in the model.
     #[error("{found} connected curves in the file, {expected} in the model")]
     CurveCount {
         /// In the file.
@@ -83,7 +83,7 @@ pub enum ReadError {
         /// In the model.
         expected: usize,
     },
-    /// A curve is closed in the model and open in the file, or the other way round.
+    /// A curve is closed in the model and open in the file, or vice versa.
     #[error("curve {curve} is {} in the file and {} in the model", openness(*.found), openness(!*.found))]
     Closedness {
         /// Which connected curve, from 0.
@@ -91,7 +91,7 @@ pub enum ReadError {
         /// Closed in the file.
         found: bool,
     },
-    /// A curve of the file has another number of pieces than were made of the model's.
+    /// The number of pieces of a curve differs from the number written.
     #[error("curve {curve} has {found} pieces in the file, {expected} were made")]
     PieceCount {
         /// Which connected curve, from 0.
@@ -101,17 +101,17 @@ pub enum ReadError {
         /// Made of the model.
         expected: usize,
     },
-    /// A knot of a curve is not the one that was made.
+    /// A knot of a curve differs from the one written.
     #[error("a knot of curve {curve} is {} in the file, {} was made", number(*.found), number(*.expected))]
     Knot {
         /// Which connected curve, from 0.
         curve: usize,
-        /// The knot in the file, if it is there.
+        /// The knot in the file, if any.
         found: Option<f64>,
-        /// The knot that was made, if there is one.
+        /// The expected knot, if any.
         expected: Option<f64>,
     },
-    /// What a table says beside a point of a curve is not so on the model's curve.
+    /// A further column of a point in a table does not match the curve of the model.
     #[error("curve {curve}, point {point}: the {what} is {} in the file, {} in the model", number(*.found), number(*.expected))]
     Sample {
         /// Which connected curve, from 0.
@@ -120,30 +120,30 @@ pub enum ReadError {
         point: usize,
         /// The column.
         what: &'static str,
-        /// The number in the file, if it is there.
+        /// The number in the file, if any.
         found: Option<f64>,
-        /// The number in the model, if there is one.
+        /// The number in the model, if any.
         expected: Option<f64>,
     },
     /// The lines on a mesh are not the edges of its patches.
     #[error(
-        "{} of the lines on the mesh of {object} are no edges of its patches, and {} edges have none", .strange, .missing
+        "{} lines on the mesh of {object} are not edges of its patches, and {} edges have no line", .strange, .missing
     )]
     MeshEdges {
         /// The object.
         object: String,
-        /// Lines that are no edges, or lie on others.
+        /// Lines that are not edges, or coincide with others.
         strange: usize,
         /// Edges without a line.
         missing: usize,
     },
-    /// What the pieces of a curve stand for is not the whole curve, once and in order.
-    #[error("the pieces of curve {curve} do not stand for the whole curve")]
+    /// The pieces of a curve do not cover the whole curve, once and in order.
+    #[error("the pieces of curve {curve} do not cover the whole curve")]
     CurveParts {
         /// Which connected curve, from 0.
         curve: usize,
     },
-    /// The file holds another number of polygons than were made of the model.
+    /// The number of polygons differs from the number written.
     #[error("{found} polygons in the file, {expected} were made")]
     PolygonCount {
         /// In the file.
@@ -151,7 +151,7 @@ pub enum ReadError {
         /// Made of the model.
         expected: usize,
     },
-    /// The file holds another number of rational patches than the model.
+    /// The number of rational patches differs from that in the model.
     #[error("{found} patches in the file, {expected} in the model")]
     PatchCount {
         /// In the file.
@@ -159,7 +159,7 @@ pub enum ReadError {
         /// In the model.
         expected: usize,
     },
-    /// A rational patch of the file is not that of the model.
+    /// A rational patch of the file differs from that of the model.
     #[error("patch {patch}: {detail}")]
     Patch {
         /// Which patch, from 0.
@@ -167,7 +167,7 @@ pub enum ReadError {
         /// What differs.
         detail: &'static str,
     },
-    /// A rational volume of the file is not that of the model.
+    /// A rational volume of the file differs from that of the model.
     #[error("volume {volume}: {detail}")]
     Volume {
         /// Which volume, from 0.
@@ -176,11 +176,11 @@ pub enum ReadError {
         detail: &'static str,
     },
     /// Polygons are missing, or a part of a face has several.
-    #[error("face {face} of {object} is not covered once by polygons")]
+    #[error("face {face} of {object} is not covered exactly once by polygons")]
     NotCovered {
         /// The object.
         object: String,
-        /// Which of its faces, from 0, those of all its shells counted through.
+        /// Which of its faces, numbered from 0 through all its shells.
         face: usize,
     },
     /// A body has no polygon at all.
@@ -189,16 +189,16 @@ pub enum ReadError {
         /// The object.
         object: String,
     },
-    /// A polygon looks to the inner side of its face.
-    #[error("a polygon of face {face} of {object} looks to the wrong side")]
+    /// A polygon is oriented to the inner side of its face.
+    #[error("a polygon of face {face} of {object} has the wrong orientation")]
     WrongSide {
         /// The object.
         object: String,
-        /// Which of its faces, from 0, those of all its shells counted through.
+        /// Which of its faces, numbered from 0 through all its shells.
         face: usize,
     },
-    /// A vertex of a mesh is not at its place on the surface.
-    #[error("a vertex of triangle {face} of {object} is off its place by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
+    /// A vertex of a mesh is not at its location on the surface.
+    #[error("a vertex of triangle {face} of {object} is displaced by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
     Vertex {
         /// The object.
         object: String,
@@ -214,27 +214,27 @@ pub enum ReadError {
     Normal {
         /// The object.
         object: String,
-        /// Which of its faces, from 0, those of all its shells counted through.
+        /// Which of its faces, numbered from 0 through all its shells.
         face: usize,
         /// Length of the difference.
         off: f64,
         /// The largest one accepted.
         limit: f64,
     },
-    /// Polygons do not share the sides that they share in the mesh that was made.
+    /// Polygons do not share the same sides as in the mesh that was written.
     #[error(
-        "the polygons of {object} have {} free sides and {} used twice the same way, {} and {} were made",
+        "the polygons of {object} have {} free sides and {} used twice in the same direction; expected {} and {}",
         .free[0], .repeated[0], .free[1], .repeated[1]
     )]
     SideUse {
         /// The object.
         object: String,
-        /// Sides without another polygon: in the file, made.
+        /// Sides of a single polygon: in the file, expected.
         free: [usize; 2],
-        /// Uses of a side beyond the first in one direction: in the file, made.
+        /// Repeated uses of a side in one direction: in the file, expected.
         repeated: [usize; 2],
     },
-    /// The file holds another number of lines for surfaces than were drawn.
+    /// The number of lines of surfaces differs from the number drawn.
     #[error("{found} lines of surfaces in the file, {expected} were drawn")]
     LineCount {
         /// In the file.
@@ -242,13 +242,13 @@ pub enum ReadError {
         /// Drawn.
         expected: usize,
     },
-    /// The lines of surfaces are not those that the model's drawing has.
+    /// The lines of surfaces differ from those in the drawing of the model.
     #[error("the lines of surfaces: {detail}")]
     Lines {
         /// What is wrong.
         detail: &'static str,
     },
-    /// The file holds another number of bodies than the model.
+    /// The number of bodies differs from that in the model.
     #[error("{found} bodies in the file, {expected} in the model")]
     BodyCount {
         /// In the file.
@@ -256,7 +256,7 @@ pub enum ReadError {
         /// In the model.
         expected: usize,
     },
-    /// A body of the file is not built as that of the model.
+    /// The structure of a body differs from that in the model.
     #[error("body {body}: {detail}")]
     Body {
         /// Which body, from 0.
@@ -269,8 +269,8 @@ pub enum ReadError {
 fn unit_message(found: Option<f64>, expected: f64) -> String {
     let expected = ShortNumber(expected);
     match found {
-        Some(found) => format!("a unit of the file is {} mm long, one of the model {expected} mm", ShortNumber(found)),
-        None => format!("the file does not say its unit, one of the model is {expected} mm long"),
+        Some(found) => format!("the unit of the file is {} mm, that of the model {expected} mm", ShortNumber(found)),
+        None => format!("the file does not state its unit; that of the model is {expected} mm"),
     }
 }
 
@@ -281,7 +281,7 @@ fn name_message(found: Option<&str>, expected: Option<&str>) -> String {
             format!(" is `{}` in the file, `{}` in the model", quoted(found), quoted(expected))
         }
         (None, expected) => format!(", `{}`, is not in the file", quoted(expected.unwrap_or_default())),
-        (Some(found), None) => format!(", `{}`, is in the file only", quoted(found)),
+        (Some(found), None) => format!(", `{}`, is only in the file", quoted(found)),
     }
 }
 

@@ -23,7 +23,7 @@ pub(crate) fn add_patches(content: &mut FileContent, patches: Vec<SplinePatch>) 
         }
         let from_0_to_1 = |own: &Knots| own.knots.first() == Some(&0.0) && own.knots.last() == Some(&1.0);
         if !patch.knots.iter().all(from_0_to_1) {
-            return Err(ReadError::syntax(place, "its knots do not run from 0 to 1"));
+            return Err(ReadError::syntax(place, "its knots do not range from 0 to 1"));
         }
         let spans = patch.spans().map_err(|source| ReadError::Geometry { place: place.clone(), source })?;
         cells.extend(spans.into_iter().map(|span| (place.clone(), span)));

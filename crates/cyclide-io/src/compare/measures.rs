@@ -25,13 +25,13 @@ use crate::document::BuiltObject;
 pub struct CurveMeasures {
     /// Length.
     pub length: f64,
-    /// By how much it is longer than the polygon of the points, relative to that.
+    /// The excess of its length over that of the polygon of the points, relative to the latter.
     pub longer: f64,
     /// Bending energy `∫ k² ds`, in 1/length; corners are not counted.
     pub bending_energy: f64,
-    /// `L³ ∫ k'² ds`, without a unit; `None` where the curvature jumps or has no bound.
+    /// `L³ ∫ k'² ds`, dimensionless; `None` if the curvature jumps or is unbounded.
     pub variation: Option<f64>,
-    /// `∫ |k'| ds` with what the curvature jumps by, in 1/length.
+    /// `∫ |k'| ds` plus the jumps of the curvature, in 1/length.
     pub total_variation: f64,
     /// Changes between turning left and right; `None` in space.
     pub sign_changes: Option<usize>,
@@ -39,7 +39,7 @@ pub struct CurveMeasures {
     pub extrema: usize,
     /// Joints at which the curvature jumps.
     pub jumps: usize,
-    /// Joints that turn, and cusps.
+    /// Joints where the direction changes, and cusps.
     pub corners: usize,
     /// Largest curvature, in 1/length.
     pub max_curvature: f64,
@@ -49,13 +49,14 @@ pub struct CurveMeasures {
     pub overshoot: f64,
     /// Where it is.
     pub overshoot_point: [f64; 3],
-    /// The largest distance of a point from the curve: rounding of curves through the points.
+    /// The largest distance of a point from the curve: rounding for curves through the points.
     pub off_points: f64,
     /// Smooth pieces.
     pub pieces: usize,
     /// True if STEP and JSON hold it exactly.
     pub exact_in_step: bool,
-    /// Arcs and segments that DXF and SVG need: its own where it consists of them, else as many as are within the tolerance.
+    /// Number of arcs and segments in DXF and SVG: its own if it consists of them, otherwise as many as the tolerance
+    /// requires.
     pub arcs: Option<usize>,
     /// True if these are the curve.
     pub exact_in_dxf: bool,

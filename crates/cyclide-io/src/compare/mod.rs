@@ -69,15 +69,15 @@ pub struct ComparedKind {
     /// Why it could not be made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
-    /// What should be known of it.
+    /// Warnings about it.
     pub warnings: Vec<String>,
     #[serde(skip)]
     curves: Vec<CurveObject>,
 }
 
 impl Comparison {
-    /// Measures curves of several kinds, by their words, against the polygon that they were made from; of those that could not
-    /// be made there is the reason.
+    /// Compares curves of several kinds with the polygon that they were made from; for kinds that could not be made, it
+    /// contains the reason.
     #[must_use]
     pub fn new(
         source: &str,
@@ -117,7 +117,7 @@ impl Comparison {
         table::text(self)
     }
 
-    /// The table as CSV, a line for each kind.
+    /// The table as CSV, one line per kind.
     #[must_use]
     pub fn csv(&self) -> String {
         table::csv(self)
@@ -130,7 +130,7 @@ impl Comparison {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// One page with a drawing and a plot of the curvature for each kind, and the table: a file of its own that needs no other.
+    /// A self-contained page with the table, and a drawing and a plot of the curvature for each kind.
     #[must_use]
     pub fn html(&self) -> String {
         page::html(self)

@@ -27,14 +27,14 @@ pub(super) fn html(comparison: &Comparison) -> String {
 <body>
 <header>
 <h1>Curves through {source}</h1>
-<p>{points} points, {shape}; their polygon is {polygon} {units} long. Fits and arcs are within {tolerance} {units}.
-All drawings have the same scale, and so have all combs and plots. The best value of a row is marked.</p>
+<p>{points} points, {shape}; the length of their polygon is {polygon} {units}. Fits and arcs are within {tolerance} {units}.
+All drawings have the same scale, as do all combs and all plots. The best value of each row is highlighted.</p>
 </header>
 <main>
 <div class="wide"><table>
 {table}</table></div>
 {cards}<section class="words">
-<h2>The words</h2>
+<h2>Terms</h2>
 <dl>
 {words}</dl>
 </section>
@@ -97,29 +97,29 @@ svg text { fill: var(--soft); font: 11px system-ui, sans-serif; }
 const WORDS: [(&str, &str); 11] = [
     (
         "longer",
-        "than the polygon of the points. A calm curve is a little longer; much longer is a detour or a loop, shorter is a fit that cuts corners.",
+        "than the polygon of the points. A smooth curve is slightly longer; a much longer one has a detour or a loop, and a shorter one is a fit that cuts corners.",
     ),
-    ("bending energy", "curvature squared over the length, what a thin rod stores. Corners are not counted."),
+    (
+        "bending energy",
+        "the integral of the squared curvature over the length, as stored in a thin elastic rod. Corners are not counted.",
+    ),
     (
         "variation",
-        "how much the curvature changes: the square of its change over the length, times the cube of the length, so that the size of the curve does not matter. None where the curvature jumps.",
+        "how much the curvature changes: the integral of its squared derivative over the length, times the cube of the length, which makes it independent of size. None where the curvature jumps.",
     ),
     (
         "total variation",
-        "how much the curvature goes up and down in all, jumps included: to tell curves apart whose curvature jumps. Less is calmer.",
+        "the sum of all rises and falls of the curvature, jumps included. It also compares curves whose curvature jumps. Less is smoother.",
     ),
-    ("changes of side", "from turning left to turning right or back; no curve has fewer than its points ask for."),
-    ("largest curvature", "one over the least radius: what limits machines and vehicles, and the radius of pipes."),
-    ("jumps", "joints where the curvature jumps: seen in reflections, felt as a jerk."),
-    ("corners", "joints that turn, and cusps."),
-    (
-        "overshoot",
-        "the largest distance of the curve from the polygon of the points: found to rounding, by where the distance stops to grow.",
-    ),
-    ("off the points", "the largest distance of a point from the curve: rounding of curves that pass through them."),
+    ("sign changes", "changes between left and right turns; no curve has fewer than its points require."),
+    ("largest curvature", "one over the least radius, which limits machines, vehicles and the radius of pipes."),
+    ("jumps", "joints where the curvature jumps: visible in reflections, felt as jerk."),
+    ("corners", "joints where the direction changes, and cusps."),
+    ("overshoot", "the largest distance of the curve from the polygon of the points, exact to rounding."),
+    ("deviation", "the largest distance of a point from the curve: rounding for curves that pass through the points."),
     (
         "comb",
-        "the orange teeth: curvature drawn across the curve, outward. A calm comb is a calm curve. Very long teeth are cut off.",
+        "the orange teeth: the curvature, drawn normal to the curve on its outer side. A smooth comb means a smooth curve. Very long teeth are cut off.",
     ),
 ];
 
@@ -133,13 +133,13 @@ const ROWS: [Row; 13] = [
     ("bending energy", true, |m, units| with_unit(m.bending_energy, &format!("1/{units}"))),
     ("variation", true, |m, _| with_unit(m.variation?, "")),
     ("total variation", true, |m, units| with_unit(m.total_variation, &format!("1/{units}"))),
-    ("changes of side", true, |m, _| m.sign_changes.map(|n| (n as f64, n.to_string()))),
+    ("sign changes", true, |m, _| m.sign_changes.map(|n| (n as f64, n.to_string()))),
     ("largest curvature", true, |m, units| with_unit(m.max_curvature, &format!("1/{units}"))),
     ("least radius", false, |m, units| with_unit(1.0 / m.max_curvature, units)),
     ("jumps", true, |m, _| Some((m.jumps as f64, m.jumps.to_string()))),
     ("corners", true, |m, _| Some((m.corners as f64, m.corners.to_string()))),
     ("overshoot", true, |m, units| with_unit(m.overshoot, units)),
-    ("off the points", false, |m, units| with_unit(m.off_points, units)),
+    ("deviation", false, |m, units| with_unit(m.off_points, units)),
     ("pieces", false, |m, _| Some((m.pieces as f64, m.pieces.to_string()))),
 ];
 
@@ -204,7 +204,7 @@ fn card(comparison: &Comparison, kind: &ComparedKind, scale: &Scale) -> String {
     match &kind.measures {
         None => {
             let why = escaped(kind.refused.as_deref().unwrap_or_default());
-            let _never_fails = write!(out, "<p>It could not be made: {why}</p>\n</article>\n");
+            let _never_fails = write!(out, "<p>Not available: {why}</p>\n</article>\n");
             return out;
         }
         Some(m) => {
@@ -212,11 +212,7 @@ fn card(comparison: &Comparison, kind: &ComparedKind, scale: &Scale) -> String {
             let mut facts = Vec::new();
             if m.max_curvature > 0.0 && m.max_curvature.is_finite() {
                 let radius = ShortNumber(1.0 / m.max_curvature);
-                facts.push(format!(
-                    "tightest, radius {radius} {}, at {}",
-                    comparison.units,
-                    place(m.max_curvature_point)
-                ));
+                facts.push(format!("least radius {radius} {} at {}", comparison.units, place(m.max_curvature_point)));
             }
             if m.overshoot > 0.0 {
                 facts.push(format!("farthest from the polygon at {}", place(m.overshoot_point)));

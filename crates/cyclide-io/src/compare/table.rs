@@ -56,7 +56,7 @@ pub(super) fn csv(comparison: &Comparison) -> String {
 pub(super) fn text(comparison: &Comparison) -> String {
     let units = comparison.units;
     let heads =
-        ["", "length", "bending", "variation", "changes of side", "largest curvature", "jumps", "overshoot", "pieces"];
+        ["", "length", "bending", "variation", "sign changes", "largest curvature", "jumps", "overshoot", "pieces"];
     let measured = comparison.kinds.iter().map(|kind| {
         let m = kind.measures.as_ref()?;
         let variation = m.variation.map_or("none".to_owned(), short);

@@ -130,7 +130,7 @@ fn rest_of_point<'de, A: SeqAccess<'de>>(first: Option<f64>, seq: &mut A) -> Res
     }
     while let Some(value) = seq.next_element::<f64>()? {
         if count == 3 {
-            return Err(A::Error::custom("a point or vector has 2 or 3 coordinates, not more"));
+            return Err(A::Error::custom("a point or vector has at most 3 coordinates"));
         }
         values[count] = value;
         count += 1;
@@ -229,7 +229,7 @@ impl Lists {
             }
             let contour = matches!(row, Row::Contour(_));
             if nested.is_some_and(|n| n != contour) {
-                return Err(A::Error::custom("points and contours are mixed: give one list, or one list per contour"));
+                return Err(A::Error::custom("points and contours are mixed: use one list, or one list per contour"));
             }
             match row {
                 Row::Contour(points) => lists.push(points),
@@ -365,9 +365,9 @@ mod tests {
     fn refusals_say_what_is_needed_and_where() {
         for (text, message) in [
             ("[[0]]", "a point or vector needs 2 or 3 coordinates at line 1 column 4"),
-            ("[[0,1,2,3]]", "a point or vector has 2 or 3 coordinates, not more at line 1 column 10"),
+            ("[[0,1,2,3]]", "a point or vector has at most 3 coordinates at line 1 column 10"),
             ("[[]]", "a point needs 2 or 3 coordinates, a contour needs points at line 1 column 3"),
-            ("[[0,1],\n[[2,3]]]", "points and contours are mixed: give one list, or one list per contour at line 2"),
+            ("[[0,1],\n[[2,3]]]", "points and contours are mixed: use one list, or one list per contour at line 2"),
             ("[[0,\"1\"]]", "invalid type: string \"1\", expected f64 at line 1 column 7"),
             ("[[0,1e999]]", "number out of range at line 1 column"),
             ("[1,2]", "invalid type: integer `1`, expected a point `[x, y]` or `[x, y, z]`, or a contour"),

@@ -30,7 +30,7 @@ pub(super) fn check_limits(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
                 depth += 1;
                 at += 1;
                 if depth > DEEPEST {
-                    return refused(start, format!("lists and objects stand in each other deeper than {DEEPEST}"));
+                    return refused(start, format!("lists and objects are nested more than {DEEPEST} levels deep"));
                 }
             }
             b']' | b'}' => {
@@ -111,7 +111,7 @@ mod tests {
             ("[0, 1e-400]".to_owned(), "m.json:1:5: `1e-400` is nearer to 0 than any number that can be read"),
             (format!("[-0.{}1]", "0".repeat(400)), "m.json:1:2: `-0.0000"),
             (format!("[\"{}", "\\".repeat(10_000_000)), "m.json:1:2: the string is longer"),
-            ("[".repeat(10_000_000), "m.json:1:65: lists and objects stand in each other deeper than 64"),
+            ("[".repeat(10_000_000), "m.json:1:65: lists and objects are nested more than 64 levels deep"),
             ("{\"a\":".repeat(1_000_000), "m.json:1:321: lists and objects"),
         ] {
             let error = check(&text).unwrap_err();

@@ -19,7 +19,7 @@ pub(super) fn matrix_rows<'de, D: Deserializer<'de>>(deserializer: D) -> Result<
         let given =
             if numbers.len() == entries.len() { format!("{} numbers", numbers.len()) } else { "both".to_owned() };
         return Err(D::Error::custom(format!(
-            "a matrix is three or four rows of four numbers, or 12 or 16 numbers row by row, not {given}"
+            "a matrix requires three or four rows of four numbers, or 12 or 16 numbers row by row, not {given}"
         )));
     }
     Ok(Some(numbers.as_chunks().0.to_vec()))

@@ -98,7 +98,7 @@ impl Document {
         Self { units, objects, units_assumed: false, name: name.to_owned(), text: String::new() }
     }
 
-    /// The same, of which nobody said the units: a file of points whose coordinates look like those of another one is warned of.
+    /// The same with assumed units: files of points whose coordinates suggest another unit cause a warning.
     #[must_use]
     pub fn assuming_units(self) -> Self {
         Self { units_assumed: true, ..self }
@@ -151,7 +151,7 @@ fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     }
     let start = offset_in(source.text, text);
     let text = quoted(text);
-    let message = format!("document version {text} is not known: this program reads version {DOCUMENT_VERSION}");
+    let message = format!("unknown document version {text}: this program reads version {DOCUMENT_VERSION}");
     Err(source.diagnostic(start..start + text.len(), "cyclide", message))
 }
 
@@ -165,7 +165,7 @@ fn check_no_null(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
             b'"' if !escaped => quoted = !quoted,
             b'n' if !quoted && field && source.text[at..].starts_with("null") => {
                 let (steps, span) = value_at(source.text, &[], at);
-                let message = "null is no value here: leave the field out";
+                let message = "null is not allowed here: remove the field";
                 return Err(source.diagnostic(span, &path_text(&steps), message));
             }
             _ => {}
@@ -189,7 +189,7 @@ fn object_name(source: Source<'_>, name: &str) -> Result<String, Box<Diagnostic>
     let message = if name.len() > LONGEST_NAME {
         format!("the name of an object has {} bytes, more than {LONGEST_NAME}", name.len())
     } else {
-        "the name of an object must not be empty or hold control characters".to_owned()
+        "the name of an object must not be empty or contain control characters".to_owned()
     };
     Err(source.diagnostic(span, &path_text(&steps), message))
 }
@@ -262,9 +262,9 @@ fn one_value_too_many(source: Source<'_>, path: &[Step], offset: usize, message:
     let message = if list.is_list {
         wrong_count(list.count, list.before)
     } else if list.count == 1 {
-        "a word, or a name in braces with what belongs to it, `{\"name\": …}`, is needed behind this name".to_owned()
+        "a string, or an object with one name, `{\"name\": …}`, is expected after this name".to_owned()
     } else {
-        "one name is needed here: give each its own braces `{…}`".to_owned()
+        "one name is expected here: put each into its own braces `{…}`".to_owned()
     };
     Some(source.diagnostic(list.span.start..list.span.start + 1, &path_text(&list.steps), message))
 }

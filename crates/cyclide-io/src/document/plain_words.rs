@@ -14,7 +14,7 @@ pub(super) fn in_plain_words(message: &str) -> String {
         }
     }
     if message == "expected ident" {
-        return "expected `true`, `false` or `null`; a text stands in quotes".to_owned();
+        return "expected `true`, `false` or `null`; strings need quotes".to_owned();
     }
     let plain = cut_quote(message);
     let plain = plain.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
@@ -47,7 +47,7 @@ fn suggestion(message: &str) -> String {
         return near;
     }
     match types_with_field(word).as_slice() {
-        _ if word == "units" => "; `units` stands in the document, before its objects".to_owned(),
+        _ if word == "units" => "; `units` belongs to the document, before its objects".to_owned(),
         types if (1..=3).contains(&types.len()) => format!("; `{word}` is a field of `{}`", types.join("` and `")),
         _ => String::new(),
     }
@@ -66,16 +66,16 @@ pub(super) fn syntax_in_plain_words(text: &str, at: usize, message: &str) -> Str
     let plain = match message {
         _ if comma_before && matches!(found, '}' | ']') => return format!("trailing comma before `{found}`"),
         _ if found == '/' || (found == '#' && !message.starts_with("control")) => {
-            "JSON has no comments: write them in a field `comment`"
+            "JSON has no comments: use the field `comment`"
         }
-        "key must be a string" | "expected value" if found == '\'' => "names and texts stand in double quotes",
+        "key must be a string" | "expected value" if found == '\'' => "names and strings need double quotes",
         "key must be a string" => "a name in double quotes is expected here",
         "expected value" => "a value is expected here",
         "EOF while parsing an object" => "the file ends inside an object: a `}` is missing",
         "EOF while parsing a list" => "the file ends inside a list: a `]` is missing",
-        "EOF while parsing a string" => "the file ends inside a text: a closing quote is missing",
+        "EOF while parsing a string" => "the file ends inside a string: a closing quote is missing",
         "EOF while parsing a value" => "the file ends where a value is expected",
-        "trailing characters" => "the document has ended before this",
+        "trailing characters" => "the document ended before this",
         other => other,
     };
     plain.to_owned()
@@ -96,43 +96,45 @@ fn unit_by_name(word: &str) -> Option<&'static str> {
 /// The type that makes what other programs call by this word, as the end of a message.
 pub(super) fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
-        "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
+        "line" | "segment" => "use an `arc` with bulge 0 for a straight segment",
         "catmull-rom" | "hermite-spline" | "möbius-spline" | "mobius-spline" => {
-            "a local smooth curve through points is a `moebius-spline`"
+            "use a `moebius-spline` for a local smooth curve through points"
         }
         "interpolation" | "lagrange" | "rational-interpolation" => {
-            "a rational curve of lowest degree through points is a `qb-interpolation`"
+            "use a `qb-interpolation` for a rational curve of lowest degree through points"
         }
-        "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
+        "curve" | "spline" => "use a `fair-spline` for a smooth curve through points",
         "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
-            "a spline by its control points is a `nurbs`"
+            "use a `nurbs` for a spline with control points"
         }
-        "polygon" | "path" => {
-            "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"
+        "polygon" | "path" => "use a `polyline` for segments through points, an `arc-fit` or an `arc-spline` for arcs",
+        "groove" | "bead" | "weld" | "weld-seam" => {
+            "use a `torus-seam` for a raised or sunken seam along a curve on a torus"
         }
-        "groove" | "bead" | "weld" | "weld-seam" => "a raised or sunk seam along a curve of a torus is a `torus-seam`",
-        "villarceau" | "villarceau-circle" => "a circle of a torus is a `torus-circle`",
-        "quartic" => "a closed quartic of one type is a `torus-quartic`",
-        "spring" | "coil" | "thread" | "spiral" | "screw" => "a curve that rises as it turns is a `helix`",
+        "villarceau" | "villarceau-circle" => "use a `torus-circle` for a circle on a torus",
+        "quartic" => "use a `torus-quartic` for a closed quartic of one type",
+        "spring" | "coil" | "thread" | "spiral" | "screw" => "use a `helix` for a helical curve",
         "extrude" | "extrusion" | "loft" | "linear-extrude" | "profile" | "follow-me" => {
-            "a section along a path is a `sweep`, straight lines between two curves are `ruled`"
+            "use a `sweep` for a section along a path, `ruled` for straight lines between two curves"
         }
-        "knot" | "trefoil" | "winding" | "filament" => "a curve round a torus is a `torus-knot`",
-        "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
-        "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
-        "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
+        "knot" | "trefoil" | "winding" | "filament" => "use a `torus-knot` for a curve that winds around a torus",
+        "unroll" | "flat" | "development" => "use `unrolled` to unroll a curve on a torus",
+        "torus" | "ring" | "horn" | "spindle" => "use a `cyclide` with the radii `a` and `mu` for a torus",
+        "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => {
+            "use a `cyclidic-net` for a surface over a grid"
+        }
         "remesh" | "quad-mesh" | "curvature-lines" | "curvature-grid" | "principal-mesh" => {
-            "a grid along the lines of curvature of a mesh is a `principal-grid`"
+            "use a `principal-grid` for a grid along the lines of curvature of a mesh"
         }
-        "tube" | "hose" | "rod" | "wire" => "the tube about a curve is a `pipe`",
-        "revolve" | "lathe" | "rotate-extrude" => "what a curve sweeps about an axis is a `revolution`",
-        "thicken" | "thick" | "solid" | "shell" => "an `offset` with `thick` makes the solid",
+        "tube" | "hose" | "rod" | "wire" => "use a `pipe` for a tube around a curve",
+        "revolve" | "lathe" | "rotate-extrude" => "use a `revolution` for a curve revolved about an axis",
+        "thicken" | "thick" | "solid" | "shell" => "use an `offset` with `thick` for a solid",
         "polyhedron" | "hull" | "convex-hull" | "polytope" | "box" | "cube" => {
-            "a convex polyhedron with rounded edges is a `smooth-polyhedron`"
+            "use a `smooth-polyhedron` for a convex polyhedron with rounded edges"
         }
         "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" | "reverse" | "cut"
-        | "trim" | "split" => "it is a step of a `transform`",
-        "beams" | "edges" | "support" => "the edges of a surface are its `support-structure`",
+        | "trim" | "split" => "use it as a step of a `transform`",
+        "beams" | "edges" | "support" => "use a `support-structure` for the edges of a surface",
         _ => return String::new(),
     };
     format!("; {answer}")

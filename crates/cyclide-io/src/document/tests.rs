@@ -30,16 +30,16 @@ fn what_is_no_document_is_refused() {
         (" \n\t", "m.json:1:1: the file is empty"),
         ("[]", "m.json:1:1: invalid type: sequence, expected an object"),
         ("{}", "m.json:1:1: not a cyclide document"),
-        ("{\"cyclide\": 2}", "m.json:1:13: cyclide: document version 2 is not known: this program reads version 1"),
-        ("{\"cyclide\": \"1\"}", "m.json:1:13: cyclide: document version \"1\" is not known"),
+        ("{\"cyclide\": 2}", "m.json:1:13: cyclide: unknown document version 2: this program reads version 1"),
+        ("{\"cyclide\": \"1\"}", "m.json:1:13: cyclide: unknown document version \"1\""),
         ("{\"cyclide\": 1}", "m.json:1:1: missing field `objects`"),
-        ("{\"cyclide\": 1, \"objects\": {}} x", "m.json:1:31: the document has ended before this"),
+        ("{\"cyclide\": 1, \"objects\": {}} x", "m.json:1:31: the document ended before this"),
         ("{\"cyclide\": 1,\n \"objects\": {},\n}", "m.json:3:1: trailing comma before `}`"),
         ("{\"cyclide\": 1, \"objects\": {\"a\": {\"b\": 1, }}}", "m.json:1:42: trailing comma before `}`"),
         ("{\"cyclide\": 1, \"objects\": {\"a\": [1, 2,]}}", "m.json:1:39: trailing comma before `]`"),
         ("{\"cyclide\": 1, \"objects\": {\"a\": [1, 2", "m.json:1:37: the file ends inside a list: a `]` is missing"),
         ("{\"cyclide\": 1, \"objects\": ", "m.json:1:26: the file ends where a value is expected"),
-        ("{'cyclide': 1}", "m.json:1:2: names and texts stand in double quotes"),
+        ("{'cyclide': 1}", "m.json:1:2: names and strings need double quotes"),
         ("{cyclide: 1}", "m.json:1:2: a name in double quotes is expected here"),
         ("{\"cyclide\": 1, // mine\n \"objects\": {}}", "m.json:1:16: JSON has no comments"),
         ("{\"cyclide\": 1, \"objects\": {}, \"unit\": \"mm\"}", "m.json:1:31: unknown field `unit`, expected one of"),
@@ -84,7 +84,7 @@ fn fields_are_checked_with_their_place() {
             "m.json:2:68: objects.a.ends.start: invalid type",
         ),
         ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,1]]", "m.json:2:6: objects.a: missing field `tolerance`"),
-        ("\"type\": \"arc\", \"through\": null", "m.json:2:34: objects.a.through: null is no value here"),
+        ("\"type\": \"arc\", \"through\": null", "m.json:2:34: objects.a.through: null is not allowed here"),
         ("\"type\": \"arc\", \"type\": \"arc\"", "m.json:2:23: objects.a: the name `type` is used twice"),
     ] {
         let message = object(fields).unwrap_err();
@@ -111,9 +111,9 @@ fn every_object_and_the_document_take_comments() {
     assert!(object(&format!("{circle}: \"one, with null in it\"")).is_ok());
     assert!(object(&format!("{circle}: []")).is_ok());
     for (comment, start) in [
-        ("7", "m.json:2:67: objects.a.comment: invalid type: integer `7`, expected a text or a list of texts"),
+        ("7", "m.json:2:67: objects.a.comment: invalid type: integer `7`, expected a string or a list of strings"),
         ("[\"a\", 7]", "m.json:2:73: objects.a.comment[1]: invalid type: integer `7`, expected a string"),
-        ("{}", "m.json:2:67: objects.a.comment: invalid type: map, expected a text or a list of texts"),
+        ("{}", "m.json:2:67: objects.a.comment: invalid type: map, expected a string or a list of strings"),
     ] {
         let message = object(&format!("{circle}: {comment}")).unwrap_err();
         assert!(message.starts_with(start), "{message}");

@@ -72,7 +72,7 @@ impl Combs {
         let names: Vec<&str> = self.left_out.iter().map(|&index| name(index)).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "combs that would lie on others are left out: {} (a picture of it alone shows one)",
+                "combs that would overlap others are omitted: {} (a picture of one object alone shows its comb)",
                 names.join(", ")
             )
         })

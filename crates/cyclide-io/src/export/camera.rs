@@ -4,7 +4,7 @@
 use cyclide::Vec3;
 use std::str::FromStr;
 
-/// A direction to look from: names of views, or two angles.
+/// A direction of view: a named view, or two angles.
 ///
 /// The azimuth is 0 in front of the model (the eye is on the side of negative y) and grows to the right, so that the
 /// right view (from the side of positive x) has a quarter turn; the elevation is a quarter turn from above.
@@ -33,7 +33,7 @@ const NAMED: [(&str, f64, f64); 7] = [
 ];
 
 impl Camera {
-    /// From an azimuth and an elevation in radians, the latter within a quarter turn; `None` otherwise.
+    /// From an azimuth and an elevation in radians; `None` if the elevation exceeds a quarter turn.
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64) -> Option<Self> {
         let upright = elevation.abs() <= std::f64::consts::FRAC_PI_2 && azimuth.is_finite();
@@ -77,9 +77,9 @@ impl FromStr for Camera {
             None => text.split_once(',').and_then(|(a, e)| Some((a.trim().parse().ok()?, e.trim().parse().ok()?))),
         };
         let (azimuth, elevation): (f64, f64) =
-            degrees.ok_or_else(|| format!("it is none of {}, nor AZIMUTH,ELEVATION in degrees", names()))?;
+            degrees.ok_or_else(|| format!("must be one of {}, or AZIMUTH,ELEVATION in degrees", names()))?;
         Self::new(azimuth.to_radians(), elevation.to_radians())
-            .ok_or_else(|| "the elevation is between -90 and 90 degrees".to_owned())
+            .ok_or_else(|| "the elevation must be between -90 and 90 degrees".to_owned())
     }
 }
 

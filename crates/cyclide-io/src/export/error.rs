@@ -8,23 +8,23 @@ use std::path::PathBuf;
 /// ```
 /// use cyclide_io::Format;
 /// let error = Format::from_path("logo.iges".as_ref()).unwrap_err();
-/// assert!(error.to_string().ends_with("; .step carries curves and surfaces to CAD"));
+/// assert!(error.to_string().ends_with("; .step transfers curves and surfaces to CAD"));
 /// ```
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// The suffix stands for no known format.
-    #[error("{}: no format for this suffix; known are {known}{hint}", path.display())]
+    /// The suffix belongs to no known format.
+    #[error("{}: no format with this suffix; known suffixes are {known}{hint}", path.display())]
     UnknownSuffix {
         /// The file's path.
         path: PathBuf,
         /// The suffixes that are known.
         known: String,
-        /// What to write in its place, as the end of the sentence; empty if there is no telling.
+        /// What to write instead, as the end of the sentence; may be empty.
         hint: String,
     },
     /// The model has no curve and no surface.
-    #[error("there is nothing to write")]
+    #[error("the model has nothing to write")]
     Empty,
     /// The tolerance is not a positive number.
     #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
@@ -32,8 +32,8 @@ pub enum ExportError {
         /// The tolerance given.
         tolerance: f64,
     },
-    /// Coordinates are too large for the formats' arithmetic.
-    #[error("object {object}: coordinate {} is beyond {}", ShortNumber(*.value), ShortNumber(*.limit))]
+    /// Coordinates are too large for the arithmetic of the formats.
+    #[error("object {object}: coordinate {} exceeds {}", ShortNumber(*.value), ShortNumber(*.limit))]
     TooLarge {
         /// Name of the object.
         object: String,
@@ -42,8 +42,8 @@ pub enum ExportError {
         /// Largest one accepted.
         limit: f64,
     },
-    /// An object is too small for the formats' arithmetic.
-    #[error("object {object} is {} large, below {}: use smaller units", ShortNumber(*.size), ShortNumber(*.limit))]
+    /// An object is too small for the arithmetic of the formats.
+    #[error("object {object}: size {} is below {}: use smaller units", ShortNumber(*.size), ShortNumber(*.limit))]
     TooSmall {
         /// Name of the object.
         object: String,
@@ -59,7 +59,7 @@ pub enum ExportError {
         object: String,
         /// Which of its contours, from 0.
         contour: usize,
-        /// What the kernel said.
+        /// The error of the kernel.
         source: cyclide::Error,
     },
     /// A surface has no form of the kind that the format needs.
@@ -69,11 +69,11 @@ pub enum ExportError {
         object: String,
         /// Which of its surfaces, from 0.
         surface: usize,
-        /// What the kernel said.
+        /// The error of the kernel.
         source: cyclide::Error,
     },
     /// The format cannot express this.
-    #[error("object {object}: {format} cannot hold this: {detail}")]
+    #[error("object {object}: {format} cannot represent this: {detail}")]
     NotInFormat {
         /// Name of the object.
         object: String,
@@ -82,11 +82,12 @@ pub enum ExportError {
         /// What cannot be expressed.
         detail: &'static str,
     },
-    /// A surface has no exact form, and the format holds exact forms only. What an approximation by patches would be off could be
-    /// sampled, not proved.
+    /// A surface has no exact form, and the format contains exact forms only. The deviation of an approximation by patches could
+    /// be sampled, but not proved.
     #[error(
-        "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ, PLY or STL, which hold a mesh \
-         within the tolerance, or lay a `principal-grid` on the mesh, whose `cyclidic-net` is exact; or leave the object out with `\"construction\": true`"
+        "object {object}: {format} requires exact surfaces, and this one has no exact form: write GLB, OBJ, PLY or \
+         STL, which contain a mesh within the tolerance, or compute a `principal-grid` on the mesh, whose \
+         `cyclidic-net` is exact; or leave the object out with `\"construction\": true`"
     )]
     NoExactForm {
         /// Name of the object.
@@ -113,10 +114,10 @@ pub enum ExportError {
         /// What to do instead.
         hint: &'static str,
     },
-    /// A face has an edge that readers of the format take for a point.
+    /// A face has an edge so short that readers of the format merge its ends.
     #[error(
-        "object {object}: an edge is only {} mm long, and readers of {format} take points nearer than {} mm for one, which spoils the faces \
-         there: make it longer, leave it out, or write another format",
+        "object {object}: an edge is only {} mm long, and readers of {format} merge points closer than {} mm, which \
+         corrupts the faces there: make the edge longer, remove it, or write another format",
         ShortNumber(*.length), ShortNumber(*.limit)
     )]
     EdgeTooShort {
@@ -124,37 +125,37 @@ pub enum ExportError {
         object: String,
         /// Name of the format.
         format: &'static str,
-        /// Length of the edge in millimetres.
+        /// Length of the edge in millimeters.
         length: f64,
         /// Shorter ones are refused.
         limit: f64,
     },
-    /// A motion lasts longer or shorter than the numbers of the format tell.
+    /// The duration of a motion is outside the range of the format.
     #[error(
-        "object {object}: GLB has times and speeds of single precision, for motions of {} to {} seconds, and this one takes {}: give it another `duration`",
+        "object {object}: GLB stores times in single precision, for motions of {} to {} seconds, and this one takes {}: set another `duration`",
         ShortNumber(*.min), ShortNumber(*.max), ShortNumber(*.seconds)
     )]
     Duration {
         /// Name of the object.
         object: String,
-        /// How long it lasts.
+        /// Its duration.
         seconds: f64,
         /// Shortest.
         min: f64,
         /// Longest.
         max: f64,
     },
-    /// Keys of an animation do not keep the tolerance, however many: the motion is too fast for the times that the format has, or so fine that
-    /// there would be too many.
+    /// No number of animation keys meets the tolerance: the motion is too fast for the time resolution of the format, or would need too
+    /// many keys.
     #[error(
-        "object {object}: {keys} keys of the animation leave the body {} off at {} seconds, more than the tolerance {}: its motion is too fast there; {hint}, \
-         or take a larger tolerance",
+        "object {object}: with {keys} keys the animation deviates by {} at {} seconds, more than the tolerance {}: the \
+         motion is too fast there; {hint}, or use a larger tolerance",
         ShortNumber(*.off), ShortNumber(*.seconds), ShortNumber(*.tolerance)
     )]
     Keyframes {
         /// Name of the object.
         object: String,
-        /// How far a point of the body is off.
+        /// Deviation of a point of the body.
         off: f64,
         /// The tolerance.
         tolerance: f64,
@@ -168,12 +169,12 @@ pub enum ExportError {
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {detail}")]
     Picture {
-        /// What the encoder said.
+        /// The error of the encoder.
         detail: String,
     },
 }
 
-/// The sentence and the reason: what a program prints whose `main` returns the error.
+/// The message and the reason, as printed by a program whose `main` returns the error.
 impl std::fmt::Debug for ExportError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{self} [{}]", self.reason())
@@ -181,7 +182,7 @@ impl std::fmt::Debug for ExportError {
 }
 
 impl ExportError {
-    /// Stable kebab-case name of the reason; the kernel's own where a curve could not be lowered.
+    /// Stable kebab-case name of the reason; that of the kernel if a curve could not be converted.
     #[must_use]
     pub fn reason(&self) -> &'static str {
         match self {

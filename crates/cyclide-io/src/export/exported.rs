@@ -7,7 +7,7 @@ use cyclide::{
     Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve, PieceForm,
 };
 
-/// A file's content with the promises that hold for it.
+/// The content of a file with its error bounds.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -22,16 +22,16 @@ use cyclide::{
 pub struct Exported {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// True if the file's curves are the objects' curves up to the rounding of the numbers.
+    /// True if the curves in the file equal those of the objects up to the rounding of the numbers.
     pub exact: bool,
-    /// Promised bound on the distance between the file's curve and the object, model units; 0 if exact.
+    /// Bound on the distance between the curve in the file and the object, in model units; 0 if exact.
     pub bound: f64,
     /// True if the bound of a part of the file is sampled, not proved.
     pub sampled: bool,
-    /// What the digits of the file's numbers may cost beside the bound, model units: above 0 where curves come near
+    /// Additional error from the precision of the numbers in the file, in model units: positive if curves come near
     /// infinity.
     pub rounding: f64,
-    /// Remarks for the user, one sentence each.
+    /// Notes for the user, one sentence each.
     pub notes: Vec<String>,
     /// The name of the whole.
     pub(crate) title: String,

@@ -2,7 +2,7 @@
 
 use cyclide::{GridCell, Point3, QuadGrid, QuadLayout, Vec3};
 
-/// A surface as it was given, by its vertices: what a skin is held against.
+/// A surface as given, by its vertices, with which a skin is compared.
 ///
 /// ```
 /// use cyclide::{Point3, QuadGrid};
@@ -17,7 +17,7 @@ use cyclide::{GridCell, Point3, QuadGrid, QuadLayout, Vec3};
 pub struct GivenSurface {
     /// The vertices.
     pub points: Vec<Point3>,
-    /// Unit normals at them, on one side; of a vertex where there is none it is zero.
+    /// Unit normals at the vertices, on one side; zero if a vertex has no normal.
     pub normals: Vec<Vec3>,
     /// The triangles between them.
     pub triangles: Vec<[usize; 3]>,
@@ -25,7 +25,7 @@ pub struct GivenSurface {
 
 impl GivenSurface {
     /// The vertices of a grid, each quad in two triangles. The normals are those of parabolas through three vertices along s and along t,
-    /// at the border too.
+    /// also at the border.
     #[must_use]
     pub fn from_grid(grid: &QuadGrid) -> Self {
         let [m, n] = grid.size();
@@ -41,7 +41,8 @@ impl GivenSurface {
 }
 
 impl GivenSurface {
-    /// The vertices of a mesh, each quad of its grids in two triangles; the normals are the mean directions of the quads round a vertex.
+    /// The vertices of a mesh, each quad of its grids in two triangles; the normals are the mean directions of the quads around a
+    /// vertex.
     #[must_use]
     pub fn from_layout(layout: &QuadLayout) -> Self {
         let (points, quads) = (layout.points(), layout.quads());
@@ -90,7 +91,7 @@ fn edge_has_quad(grid: &QuadGrid, at: [usize; 2], direction: usize, k: usize) ->
     })
 }
 
-/// What was found on a surface that grids were laid on along its lines of curvature.
+/// The lines of curvature of a surface, and the grids along them.
 ///
 /// ```
 /// let field = cyclide_io::LaidField::default();
@@ -100,9 +101,9 @@ fn edge_has_quad(grid: &QuadGrid, at: [usize; 2], direction: usize, k: usize) ->
 pub struct LaidField {
     /// The surface.
     pub surface: GivenSurface,
-    /// A unit vector in each triangle along one of its lines of curvature; the others run across.
+    /// A unit vector in each triangle along one of its lines of curvature; the other lines are perpendicular.
     pub along: Vec<Vec3>,
-    /// Where there are no directions, and how many half turns the lines make round there.
+    /// Points where the directions are undefined, with the number of half turns of the lines around them.
     pub umbilics: Vec<(Point3, i32)>,
 }
 

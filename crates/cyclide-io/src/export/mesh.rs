@@ -171,6 +171,6 @@ pub(crate) fn check_single(job: &Job<'_>, largest: f64, format: &'static str) ->
         return Ok(());
     }
     let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
-    let detail = "its numbers of single precision do not reach beyond sizes of 1e-15 to 1e15";
+    let detail = "its single-precision numbers allow sizes of 1e-15 to 1e15 only";
     Err(ExportError::NotInFormat { object, format, detail })
 }

@@ -1,11 +1,11 @@
-//! What may be chosen about a file.
+//! Options of a file.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::export::camera::Camera;
 
-/// Which DXF.
+/// The DXF version.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -27,8 +27,8 @@ pub enum DxfVersion {
     R12,
 }
 
-/// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
-/// together at equal parameters, which booleans and fillets need.
+/// The form of the edges between faces in STEP, and of the faces with them. In both forms, edge and face agree at equal parameters, as
+/// booleans and fillets require.
 ///
 /// ```
 /// use cyclide::{DupinCyclide, Model};
@@ -42,19 +42,20 @@ pub enum DxfVersion {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepEdges {
-    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
+    /// Circles and lines, with radii and centers; planes, cylinders, cones, spheres and tori are faces of that type: the
+    /// default.
     ///
-    /// On rational faces these have their curves in the faces' parameters.
+    /// On rational faces, the edges also have curves in the parameters of the faces.
     #[default]
     #[serde(rename = "circle")]
     Circles,
-    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
+    /// Rational B-splines, where all faces except planes are rational: half the file size.
     ///
-    /// They have the parameter of the faces, and are lines where they are even.
+    /// They have the parameter of the faces, and are lines where the parameter is uniform.
     Rational,
 }
 
-/// Which faces bodies have in STEP.
+/// How bodies are divided into faces in STEP.
 ///
 /// ```
 /// use cyclide::{DupinCyclide, Model};
@@ -71,19 +72,19 @@ pub enum StepEdges {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepFaces {
-    /// `merged`, except for nets of panels: each panel of a `cyclidic-net` or a `principal-grid` and each `cyclide-patch` stays a face, as do
-    /// those of their offsets and images. The default.
+    /// `merged`, except for nets of panels: each panel of a `cyclidic-net` or a `principal-grid` and each `cyclide-patch` remains a face,
+    /// also in their offsets and images. The default.
     #[default]
     Auto,
-    /// One face for each plane, cylinder, cone, sphere and torus of a body where its loops allow.
+    /// One face for each plane, cylinder, cone, sphere and torus of a body, if its loops allow it.
     ///
-    /// Arcs of one circle between two such faces are one edge, and faces that go all the way round have a seam.
+    /// Arcs of one circle between two such faces are one edge, and closed faces have a seam.
     Merged,
-    /// A face for each patch.
+    /// One face for each patch.
     Split,
 }
 
-/// The products of several objects in STEP.
+/// How several objects become products in STEP.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -98,9 +99,9 @@ pub enum StepFaces {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepProducts {
-    /// An assembly, but one product where curves and surfaces stand together: the default.
+    /// An assembly, but one product if there are both curves and surfaces: the default.
     ///
-    /// FreeCAD 0.20 without its window crashes on such a file otherwise.
+    /// Otherwise FreeCAD 0.20 crashes on such a file when it runs without a window.
     #[default]
     Auto,
     /// One product per object in an assembly, with its name.
@@ -129,11 +130,11 @@ pub enum VtuCells {
     /// Exact rational Bézier cells: the default.
     #[default]
     Bezier,
-    /// Plain hexahedra with straight sides, of objects with blocks that are divided into cells.
+    /// Linear hexahedra with straight sides, for objects with blocks that are divided into cells.
     Linear,
 }
 
-/// How the numbers of VTU are written.
+/// How numbers are written in VTU.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -148,16 +149,16 @@ pub enum VtuCells {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum VtuEncoding {
-    /// Numbers in digits, that every program reads and people too: the default.
+    /// Decimal text, which every program and people can read: the default.
     #[default]
     Ascii,
-    /// The bytes of the numbers, appended as base64: smaller and read faster.
+    /// Binary numbers, appended as base64: smaller and faster to read.
     Base64,
 }
 
-/// What the surfaces of a picture are coloured by.
+/// The quantity that colors the surfaces of a picture.
 ///
-/// Curvatures are signed by the normal of the outer side: of a sphere seen from outside they are negative.
+/// The sign of curvatures refers to the outer normal: on a sphere seen from outside they are negative.
 ///
 /// ```
 /// use cyclide::{DupinCyclide, Model};
@@ -171,24 +172,24 @@ pub enum VtuEncoding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PictureColour {
-    /// Each object has a colour of its own: the default.
+    /// Each object has its own color: the default.
     #[default]
     Object,
-    /// Gaussian curvature, the product of the principal ones.
+    /// Gaussian curvature, the product of the principal curvatures.
     Gaussian,
-    /// Mean curvature, half the sum of the principal ones.
+    /// Mean curvature, half the sum of the principal curvatures.
     Mean,
     /// The larger principal curvature.
     K1,
     /// The smaller principal curvature.
     K2,
-    /// Distance from the surface that was given: of nets the grid before make_circular, or the mesh of the principal-grid.
+    /// Distance from the given surface: for nets the grid before make_circular, or the mesh of the principal-grid.
     Deviation,
-    /// Of a principal-grid: its mesh with the directions of its lines of curvature, umbilics and the grids that were laid.
+    /// For a principal-grid: its mesh with the directions of its lines of curvature, umbilics and grids.
     Field,
 }
 
-/// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
+/// Default limit of the pieces in a file of a small model: about half a gigabyte of memory and a minute.
 ///
 /// ```
 /// assert_eq!(cyclide_io::DEFAULT_MOST_PIECES, 1_000_000);
@@ -198,7 +199,7 @@ pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
 /// So many more for each piece of a curve and each patch: a large model is not refused for its size.
 pub(crate) const PIECES_OF_EACH: usize = 16;
 
-/// What may be chosen about a file.
+/// Options of a file.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -211,37 +212,36 @@ pub(crate) const PIECES_OF_EACH: usize = 16;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
-    /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
-    /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
+    /// Largest distance between the object and its curve or mesh in the file, if the format requires an
+    /// approximation, in model units; `None` is 1e-5 of the diagonal of the model for curves and 1e-4 for meshes.
     pub tolerance: Option<f64>,
-    /// Most pieces of one file: cells of meshes and vertices of polylines together. They take one to two kilobytes each until the file
-    /// is written and checked. `None` is [`DEFAULT_MOST_PIECES`] and 16 for each piece of a curve and each patch.
+    /// Largest number of pieces in a file, mesh cells and polyline vertices together. Each takes one to two kilobytes until the file
+    /// is written and checked. `None` is [`DEFAULT_MOST_PIECES`] plus 16 for each curve piece and each patch.
     pub max_pieces: Option<usize>,
-    /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or
-    /// `cyclide`.
+    /// Title of the model, for formats that contain one; `None` is the name of the only object, or `cyclide`.
     pub title: Option<String>,
-    /// DXF: rational curves as exact SPLINE entities instead of arcs within the tolerance. Many readers that cut
-    /// or draw ignore the weights of a SPLINE; CAD systems do not.
+    /// DXF: rational curves as exact SPLINE entities instead of arcs within the tolerance. Many cutting and drawing
+    /// programs ignore the weights of a SPLINE; CAD systems do not.
     pub dxf_splines: bool,
     /// DXF: the version.
     pub dxf_version: DxfVersion,
     /// GLB: draw the edges of the patches as lines on their mesh.
     pub glb_edges: bool,
-    /// STEP: the curves of the edges between faces.
+    /// STEP: the form of the edges between faces.
     pub step_edges: StepEdges,
-    /// STEP: which faces bodies have.
+    /// STEP: how bodies are divided into faces.
     pub step_faces: StepFaces,
-    /// STEP: the products of several objects.
+    /// STEP: how several objects become products.
     pub step_products: StepProducts,
     /// SVG: draw the curvature comb.
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
     pub svg_points: bool,
-    /// VTU: its cells.
+    /// VTU: the kind of cells.
     pub vtu_cells: VtuCells,
-    /// VTU: how its numbers are written.
+    /// VTU: how numbers are written.
     pub vtu_encoding: VtuEncoding,
-    /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.
+    /// PNG: only the model, without comb, title, unit, scale bar, legend, names and axes.
     pub png_plain: bool,
     /// PNG: width in pixels, 200 to 10000; `None` is 1600.
     pub png_width: Option<u32>,
@@ -249,10 +249,10 @@ pub struct ExportOptions {
     pub png_height: Option<u32>,
     /// PNG: draw the axes.
     pub png_axes: bool,
-    /// PNG: what surfaces are coloured by.
+    /// PNG: the quantity that colors surfaces.
     pub png_colour: PictureColour,
-    /// PNG: names of objects, and numbers of the panels of nets, on them.
+    /// PNG: labels with names of objects and numbers of the panels of nets.
     pub png_labels: bool,
-    /// PNG: where the model is looked at from; `None` is from above for curves of the plane, else from a side and above.
+    /// PNG: the direction of view; `None` is from above for plane curves, otherwise from a side and above.
     pub camera: Option<Camera>,
 }

@@ -47,7 +47,7 @@ impl Pieces {
             Error::Number(NumberError::TooManyPieces { what, segment, needed, cap, .. }) if cap == left => {
                 let (needed, cap) = (needed + self.used.get() as f64, self.most);
                 let remedy = match needed.is_finite() {
-                    true => "use a larger tolerance, or allow more with --max-pieces",
+                    true => "use a larger tolerance, or raise the limit with --max-pieces",
                     false => "use a larger tolerance",
                 };
                 Error::Number(NumberError::TooManyPieces { what, segment, needed, cap, remedy })

@@ -3,7 +3,7 @@
 use crate::export::given_surface::{GivenSurface, LaidField};
 use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObject, TriangleSurface};
 
-/// How an object came about: its construction in the words of documents, and the points that it was made near.
+/// The origin of an object: its construction, as named in documents, and the points that it approximates.
 ///
 /// ```
 /// use cyclide::{Circle, Model, Point3, Units, Vec3};
@@ -20,24 +20,26 @@ use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObjec
 pub struct Provenance {
     /// The type word of documents: `arc`, `circle-spline`, `transform`, ….
     pub kind: &'static str,
-    /// The points that a fit was made near; empty for what passes through its points.
+    /// The data points of a fit; empty for curves that pass through their points.
     pub data: Vec<Point3>,
-    /// Points that a curve was laid through where none of its pieces ends, as all those of a `qb-interpolation`: pictures show them as they show joints.
+    /// Points of a curve inside its pieces, such as all those of a `qb-interpolation`: pictures show them like joints.
     pub nodes: Vec<Point3>,
-    /// Points that its table calls something, and what: pictures write it beside them.
+    /// Points with names in its table, and the names, with which pictures label them.
     pub point_names: Vec<(Point3, String)>,
-    /// The parameters along s, t and u at which the cells end that blocks are divided into, if they are: of a
+    /// The parameters along s, t and u of the cell boundaries, if blocks are divided into cells: those of a
     /// [`StructuredGrid`](cyclide::StructuredGrid).
     pub places: Option<[Vec<f64>; 3]>,
-    /// What files call its surfaces behind the name of the object, if not by numbers: as many, each another one.
+    /// Suffixes that distinguish its surfaces in files after the name of the object, if not numbers: one for each,
+    /// all different.
     pub names: Vec<String>,
-    /// The surface that it was made to follow: pictures show its distance from it.
+    /// The surface that it approximates: pictures show the distance from it.
     pub given: Option<GivenSurface>,
-    /// What was found on the surface along whose lines of curvature its grids were laid.
+    /// The field of the surface along whose lines of curvature its grids were laid.
     pub field: Option<LaidField>,
-    /// What it is the solid over, if it is the one between a surface and its offset: pictures number the panels of nets on it.
+    /// The surface of which it is the solid, if it is the one between a surface and its offset: pictures number the panels of
+    /// nets on it.
     pub skin: Vec<SurfaceObject>,
-    /// Its patches are panels, which are made one by one: files keep them apart.
+    /// True if its patches are panels, which are made one by one: files keep them separate.
     pub panels: bool,
 }
 

@@ -249,11 +249,11 @@ fn even_cuts(item: &Item) -> Result<[Vec<f64>; 3], ExportError> {
         let parts = cuts.iter().map(|cuts| (cuts.len() - 1) as f64).product::<f64>() * blocks.len() as f64;
         if parts > MOST_PARTS as f64 {
             let source = cyclide::Error::Number(NumberError::TooManyPieces {
-                what: "the grid of parts with positive weights that share whole faces",
+                what: "the conforming grid of parts with positive weights",
                 segment: None,
                 needed: parts,
                 cap: MOST_PARTS,
-                remedy: "use a block farther from infinity, or write VTU or STEP",
+                remedy: "move the block farther from infinity, or write VTU or STEP",
             });
             return Err(ExportError::Surface { object: item.name.clone(), surface: 0, source });
         }

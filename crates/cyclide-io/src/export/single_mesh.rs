@@ -9,8 +9,8 @@ use crate::export::parts::BodyOf;
 use cyclide::{MeshFace, Point3};
 
 /// Why a body is refused that is thinner than the steps of single precision at its place.
-const NOTHING_LEFT: &str = "single precision leaves nothing of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
-const PART_LEFT_OUT: &str = "single precision leaves nothing of a part of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
+const NOTHING_LEFT: &str = "a body vanishes in single precision: write OBJ, or GLB, whose coordinates are relative to the center of each object";
+const PART_LEFT_OUT: &str = "a part of a body vanishes in single precision: write OBJ, or GLB, whose coordinates are relative to the center of each object";
 
 /// The triangles of a body with rounded corners; equal places have equal bits.
 pub(crate) struct SingleMesh {
@@ -67,9 +67,9 @@ fn check_rounding(job: &Job<'_>, body: &BodyOf<'_>, rounding: f64, format: &'sta
     let largest = bounds.max_abs();
     // About the origin coordinates would not be larger than half the size, and rounded by so much less.
     let hint = if rounding * half <= job.mesh_tolerance * largest {
-        "move the model to the origin, or write OBJ, or GLB, which counts from the middle of each object"
+        "move the model to the origin, or write OBJ, or GLB, whose coordinates are relative to the center of each object"
     } else {
-        "allow a larger tolerance or write OBJ"
+        "use a larger tolerance or write OBJ"
     };
     let object = body.object.to_owned();
     Err(ExportError::Rounding { object, format, largest, rounding, tolerance: job.mesh_tolerance, hint })

@@ -18,9 +18,9 @@ use std::path::PathBuf;
 pub struct WriteError {
     /// Index of the file that could not be written.
     pub index: usize,
-    /// What the system said.
+    /// The error of the system.
     pub error: io::Error,
-    /// Indices of the files that are new all the same: of those before it that could not get their old content again.
+    /// Indices of earlier files that remain written, because their old content could not be restored.
     pub written: Vec<usize>,
 }
 
@@ -42,8 +42,7 @@ impl Error for WriteError {
     }
 }
 
-/// All files have taken their places, but the names in a folder could not be brought to the disk: inside an
-/// [`io::Error`].
+/// All files are in place, but the names in a folder could not be flushed to disk: inside an [`io::Error`].
 ///
 /// ```
 /// use cyclide_io::{NotDurable, WriteOptions, write_file};
@@ -64,10 +63,7 @@ impl fmt::Display for NotDurable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { folder, error } = self;
         let folder = folder.display();
-        write!(
-            f,
-            "all files are written, but it is not sure that they survive a loss of power: folder {folder}: {error}"
-        )
+        write!(f, "all files are written, but they may not survive a power failure: folder {folder}: {error}")
     }
 }
 

@@ -49,13 +49,13 @@ use under_way::step;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct WriteOptions {
-    /// Files that are read-only, or that the user may not write, are replaced too.
+    /// Also replaces files that are read-only or that the user may not write.
     pub force: bool,
-    /// The content, and then the names, are on the disk before the call returns, so that they survive a loss of power.
+    /// Flushes the content, and then the names, to disk before the call returns, so that they survive a power failure.
     pub durable: bool,
 }
 
-/// Writes a file whole or not at all.
+/// Writes a file completely or not at all.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
@@ -87,7 +87,7 @@ pub fn write_files<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)], options: Wr
     StagedFiles::new(files, options)?.commit()
 }
 
-/// Files that are complete but have not taken their places; dropped, they are removed.
+/// Files that are complete but not yet in place; they are removed when this is dropped.
 ///
 /// ```
 /// use cyclide_io::{StagedFiles, WriteOptions};
@@ -117,7 +117,7 @@ enum Staged<'a> {
 }
 
 impl<'a> StagedFiles<'a> {
-    /// Makes the files in temporary folders, and removes those that a run has left there which was killed.
+    /// Creates the files in temporary folders, and removes leftovers of killed runs.
     ///
     /// # Errors
     /// Those of the file system, with the file; nothing has been replaced.
@@ -139,9 +139,9 @@ impl<'a> StagedFiles<'a> {
         Ok(staged)
     }
 
-    /// As [`new`](Self::new), of files that together are the content of one folder: it is made, if it is not there, and holds all
-    /// of them or none, however the run ends. So it is for a folder that is there too, unless it holds anything else than regular
-    /// files of these names or is the one that the program runs in: then the files take their places one by one.
+    /// Like [`new`](Self::new), for files that together are the content of one folder. The folder is created if it does not
+    /// exist, and contains all of them or none, however the run ends. This also holds for an existing folder, unless it contains
+    /// anything other than regular files with these names or is the working directory: then the files are replaced one by one.
     ///
     /// ```
     /// use cyclide_io::{StagedFiles, WriteOptions};
@@ -201,11 +201,10 @@ impl<'a> StagedFiles<'a> {
         Complete::new(paths, old, bytes, self.options)
     }
 
-    /// Lets the files take their places, in their order.
+    /// Moves the files into place, in order.
     ///
-    /// # Errors
-    /// Those of the file system, with the file: the others have their old content again, as far as that could be done. With
-    /// [`NotDurable`] inside, all have been written.
+    /// # Errors Those of the file system, with the file: the others have their old content again, as far as possible. With
+    /// [`NotDurable`] inside, all files have been written.
     pub fn commit(self) -> Result<(), WriteError> {
         // The temporary folders are removed after the last step.
         let Self { files, folder, options, stages: _stages } = self;

@@ -53,7 +53,7 @@ impl Complete {
         let old = match fs::symlink_metadata(&target) {
             // A pipe may have been made there since.
             Ok(found) if !found.is_file() => {
-                return Err(io::Error::other("it has become something else than a file"));
+                return Err(io::Error::other("it is no longer a regular file"));
             }
             // Some file systems have no second names, and some systems give none to files of others.
             Ok(_) if calls::link(&target, &kept).is_ok() => Old::Kept(kept),

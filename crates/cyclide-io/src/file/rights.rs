@@ -15,7 +15,7 @@ pub(super) fn refuse_read_only(path: &Path, old: &Metadata) -> io::Result<()> {
     }
     match OpenOptions::new().write(true).open(path) {
         Err(error) if error.kind() == io::ErrorKind::PermissionDenied => {
-            refused("the file is not yours to write (--force replaces it)")
+            refused("no permission to write the file (--force replaces it)")
         }
         _ => Ok(()),
     }

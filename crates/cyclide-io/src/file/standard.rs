@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// True if this is the regular file that standard input is read from (`< m.json`): who writes it loses what was read.
+/// True if this is the regular file from which standard input is read (`< m.json`): writing it destroys the input.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
@@ -15,8 +15,8 @@ pub fn leads_to_standard_input(path: &Path) -> bool {
     behind::standard_input().is_some_and(|input| input.is_file() && behind::is_at(&input, path))
 }
 
-/// True if this is where standard output goes, be it a file, a pipe or a device: `/dev/fd/1`, the name behind `>`. Not the
-/// null device, in which nothing gets mixed.
+/// True if this is the target of standard output, be it a file, a pipe or a device: `/dev/fd/1`, or the name after `>`.
+/// False for the null device, where nothing can be mixed.
 ///
 /// ```
 /// assert!(!cyclide_io::leads_to_standard_output(std::path::Path::new("/dev/null")));

@@ -16,7 +16,7 @@ pub(super) enum Target {
     Stream(PathBuf),
 }
 
-/// True for a name that can be the name of a folder only: it ends in a separator (`out/`), which paths drop without a word.
+/// True for a name that can only be a folder: it ends in a separator (`out/`), which paths drop silently.
 ///
 /// ```
 /// use std::path::Path;
@@ -67,11 +67,11 @@ pub(super) fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
         let to = fs::read_link(&path)?;
         path = folder_of(&path).join(to);
     }
-    Err(io::Error::other("too many links"))
+    Err(io::Error::other("too many symbolic links"))
 }
 
-/// True if two paths lead to the same file, whether it exists or not: `a.step` and `./a.step`, links and what they lead
-/// to, two names of one file.
+/// True if two paths refer to the same file, whether it exists or not: `a.step` and `./a.step`, links and their
+/// targets, two names of one file.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;

@@ -73,10 +73,7 @@ fn a_folder_that_cannot_be_synced_leaves_the_files_written_and_says_so() {
     let gone = folder.path().join("gone");
     let error = sync_folder(&gone).unwrap_err();
     assert!(error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()));
-    let start = format!(
-        "all files are written, but it is not sure that they survive a loss of power: folder {}: ",
-        gone.display()
-    );
+    let start = format!("all files are written, but they may not survive a power failure: folder {}: ", gone.display());
     assert!(error.to_string().starts_with(&start), "{error}");
 }
 

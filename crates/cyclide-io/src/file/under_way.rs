@@ -25,7 +25,7 @@ pub(super) fn forget(folder: &Path) {
     FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).retain(|other| other != folder);
 }
 
-/// The files of this process that had not taken their places are removed, and as long as this lives nothing is written.
+/// The files of this process that were not yet in place are removed, and nothing is written as long as this value lives.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
@@ -43,7 +43,7 @@ pub struct Abandoned {
 }
 
 impl Abandoned {
-    /// Waits for the step that is under way, and removes what has not taken its place.
+    /// Waits for the current step, and removes files that are not yet in place.
     #[must_use]
     pub fn all() -> Self {
         let steps = STEPS.write().unwrap_or_else(PoisonError::into_inner);

@@ -130,7 +130,7 @@ fn read(
     let mut polyline = Polyline::with_capacity(0);
     for (number, line) in lines {
         let place = || format!("line {number}");
-        let (name, rest) = split_name(line).ok_or_else(|| ReadError::syntax(place(), "a quote has no end"))?;
+        let (name, rest) = split_name(line).ok_or_else(|| ReadError::syntax(place(), "unterminated quote"))?;
         let fields: Vec<&str> = rest.split(',').collect();
         if fields.len() != COLUMNS - 1 {
             return Err(ReadError::syntax(place(), format!("expected {COLUMNS} fields")));
@@ -143,7 +143,7 @@ fn read(
         let tangent = match [optional(5)?, optional(6)?, optional(7)?] {
             [None, None, None] => None,
             [Some(x), Some(y), Some(z)] => Some([x, y, z]),
-            _ => return Err(ReadError::syntax(place(), "a part of the tangent is missing")),
+            _ => return Err(ReadError::syntax(place(), "a component of the tangent is missing")),
         };
         let sample = FileSample { t: number(1)?, tangent, curvature: optional(8)? };
         let here = Some((name, fields[0]));

@@ -14,8 +14,8 @@ use crate::formats::entry::Entry;
 use crate::formats::read_back::deviations_of;
 use cyclide::{Geometry, Item, Model};
 
-/// Makes the content of a file. The same model and options give the same bytes. For several files of one model
-/// [`Exporter`] does once what they share.
+/// Generates the content of a file. The same model and options give the same bytes. For several files of one model,
+/// [`Exporter`] does shared work only once.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -28,13 +28,14 @@ use cyclide::{Geometry, Item, Model};
 /// ```
 ///
 /// # Errors
-/// [`ExportError`], naming the object and contour at fault.
+/// [`ExportError`], which names the object and contour at fault.
 pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
     Exporter::new(model)?.expecting([format], options).export(format, options)
 }
 
-/// Writes a model into several formats and checks the files. What these share is made once: bodies, the model's size, and curves
-/// as arcs and splines, of which each form is kept until the last of the files that are [expected](Self::expecting) has it.
+/// Writes a model in several formats and checks the files. What the files share is computed once: bodies, the size of the model,
+/// and curves as arcs and splines. Each form is kept until the last of the [expected](Self::expecting) files that needs it is
+/// written.
 ///
 /// ```
 /// use cyclide::{Arc, ArcPath, Model, Point3, Units};
@@ -61,17 +62,17 @@ impl std::fmt::Debug for Exporter<'_> {
 }
 
 impl<'a> Exporter<'a> {
-    /// Makes a model ready: sews its bodies and measures its size.
+    /// Prepares a model: sews its bodies and measures its size.
     ///
     /// # Errors
-    /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
-    /// no body.
+    /// [`ExportError`] for a model that has nothing to write, exceeds the largest coordinates, or has a surface
+    /// without a body.
     pub fn new(model: &'a Model) -> Result<Self, ExportError> {
         Self::with_provenance(model, &[])
     }
 
-    /// As [`new`](Self::new), of a model whose first objects came about as given: files say so and pictures show the points of
-    /// fits. Other objects are called by their geometry.
+    /// Like [`new`](Self::new), with the provenance of the first objects of the model: files name it, and pictures show the
+    /// points of fits. Other objects are described by their geometry.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -79,8 +80,8 @@ impl<'a> Exporter<'a> {
         Ok(Self { ready: ReadyModel::new(model, provenance)? })
     }
 
-    /// The same, told which files are to come, each once: forms of curves, which are as large as files, are given up with the
-    /// last of these that needs them. Otherwise they are kept as long as the exporter, in case that another file follows.
+    /// The same, with the list of all files that will be exported, each once. Forms of curves, which are as large as files,
+    /// are then dropped after the last file that needs them; otherwise they are kept as long as the exporter.
     #[must_use]
     pub fn expecting(self, formats: impl IntoIterator<Item = Format>, options: &ExportOptions) -> Self {
         let forms: Vec<Forms> = formats.into_iter().map(|format| (format.entry().forms)(options)).collect();
@@ -116,7 +117,7 @@ impl<'a> Exporter<'a> {
     }
 }
 
-const ONLY_MOTIONS: &str = "motions: write GLB, or add a `trajectory` or a `swept-surface` of it, which have a form; `cyclide sample` writes the poses, as CSV and JSON";
+const ONLY_MOTIONS: &str = "motions: write GLB, or add a `trajectory` or a `swept-surface` of the motion, which are geometry; `cyclide sample` writes the poses as CSV or JSON";
 
 /// Refuses surfaces without an exact form where the format holds exact ones only.
 fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportError> {

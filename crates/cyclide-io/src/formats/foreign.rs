@@ -3,15 +3,14 @@
 /// Suffixes of one kind of files.
 struct Foreign {
     suffixes: &'static [&'static str],
-    /// What it is called where it was to be read, and what to save in its place; `None` if it may be read.
+    /// Its name as an input, and what to save instead; `None` if it may be read.
     reading: Option<(&'static str, &'static str)>,
-    /// What to write in its place; `None` where nothing comes near to it.
+    /// What to write instead; `None` if nothing is similar.
     writing: Option<&'static str>,
 }
 
 /// A mesh in a format that is not read.
-pub(super) const OTHER_MESH: (&str, &str) =
-    ("a mesh of another format", "save it as OBJ, with its quads if it has some");
+pub(super) const OTHER_MESH: (&str, &str) = ("a mesh in another format", "save it as OBJ, keeping any quads");
 /// A drawing.
 pub(super) const DRAWING: (&str, &str) = ("a drawing", "export points of its curves as CSV");
 
@@ -19,24 +18,20 @@ const FOREIGN: &[Foreign] = &[
     Foreign {
         suffixes: &["iges", "igs", "x_t", "x_b", "sat", "brep", "brp", "fcstd", "sldprt", "ipt", "3dm", "f3d"],
         reading: Some(("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")),
-        writing: Some(".step carries curves and surfaces to CAD"),
+        writing: Some(".step transfers curves and surfaces to CAD"),
     },
-    Foreign {
-        suffixes: &["dwg"],
-        reading: Some(DRAWING),
-        writing: Some(".dxf is what programs that read DWG read too"),
-    },
+    Foreign { suffixes: &["dwg"], reading: Some(DRAWING), writing: Some("programs that read DWG also read .dxf") },
     Foreign {
         suffixes: &["pdf", "eps", "ps", "ai"],
         reading: Some(DRAWING),
-        writing: Some(".svg is a drawing at true size, to print or convert"),
+        writing: Some(".svg is a drawing at true size for printing or conversion"),
     },
     Foreign {
         suffixes: &["jpg", "jpeg", "webp", "gif", "bmp", "tif", "tiff"],
         reading: None,
         writing: Some(".png is a picture"),
     },
-    Foreign { suffixes: &["gltf"], reading: Some(OTHER_MESH), writing: Some(".glb is the same in one file") },
+    Foreign { suffixes: &["gltf"], reading: Some(OTHER_MESH), writing: Some(".glb is glTF in a single file") },
     Foreign {
         suffixes: &["off", "fbx", "dae", "blend", "usd", "usdz"],
         reading: Some(OTHER_MESH),
@@ -45,17 +40,17 @@ const FOREIGN: &[Foreign] = &[
     Foreign {
         suffixes: &["vtk", "vtp", "vts", "vtm", "pvtu", "vtkhdf", "exo"],
         reading: None,
-        writing: Some(".vtu is what ParaView and VTK read"),
+        writing: Some("ParaView and VTK read .vtu"),
     },
     Foreign {
         suffixes: &["msh", "cgns", "p3d", "inp", "bdf"],
         reading: None,
-        writing: Some(".vtu holds blocks exactly, .mesh (MFEM) and .xml (G+Smo) are for analysis"),
+        writing: Some(".vtu represents blocks exactly; .mesh (MFEM) and .xml (G+Smo) are for isogeometric analysis"),
     },
     Foreign {
         suffixes: &["nc", "ngc", "tap", "gcode", "cnc"],
         reading: None,
-        writing: Some(".dxf holds arcs, from which CAM makes the machine's code"),
+        writing: Some(".dxf contains arcs, from which CAM generates machine code"),
     },
     Foreign {
         suffixes: &["txt", "tsv", "xyz", "dat", "asc"],
@@ -65,7 +60,7 @@ const FOREIGN: &[Foreign] = &[
     Foreign { suffixes: &["xlsx", "xls", "ods"], reading: Some(("a spreadsheet", "save it as CSV")), writing: None },
     Foreign {
         suffixes: &["gpx", "kml", "geojson"],
-        reading: Some(("a geographic file", "save its points as CSV, in a plane grid")),
+        reading: Some(("a geographic file", "save its points as CSV in projected (plane) coordinates")),
         writing: None,
     },
 ];

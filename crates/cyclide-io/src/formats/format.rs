@@ -7,18 +7,18 @@ use crate::text::suggest::did_you_mean;
 use std::path::Path;
 
 impl Format {
-    /// The suffixes that are understood, lower case, without their dots.
+    /// The supported suffixes, in lower case and without dots.
     pub fn suffixes() -> impl Iterator<Item = &'static str> {
         Self::ALL.iter().flat_map(|format| format.entry().suffixes).copied()
     }
 
-    /// Lower-case name, as in reports.
+    /// The lower-case name, as in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.entry().name
     }
 
-    /// True if the file holds geometry that can be read back (everything but the picture).
+    /// True if the file contains geometry that can be read back (all formats except the picture).
     #[must_use]
     pub const fn has_geometry(self) -> bool {
         self.entry().reading.is_some()
@@ -39,7 +39,7 @@ impl Format {
         Self::ALL.iter().copied().find(|format| format.entry().suffixes.contains(&suffix))
     }
 
-    /// The format that a file's suffix stands for, upper or lower case.
+    /// The format for the suffix of a file, in upper or lower case.
     ///
     /// # Errors
     /// [`ExportError::UnknownSuffix`].
@@ -79,12 +79,12 @@ mod tests {
     #[test]
     fn an_unknown_suffix_is_answered_with_one_that_serves() {
         for (path, hint) in [
-            ("a.iges", "; .step carries curves and surfaces to CAD"),
-            ("a.PDF", "; .svg is a drawing at true size, to print or convert"),
+            ("a.iges", "; .step transfers curves and surfaces to CAD"),
+            ("a.PDF", "; .svg is a drawing at true size for printing or conversion"),
             ("a.setp", "; did you mean `step` or `stp`?"),
             ("a.dfx", "; did you mean `dxf`?"),
-            ("a.msh", "; .vtu holds blocks exactly, .mesh (MFEM) and .xml (G+Smo) are for analysis"),
-            ("a.nc", "; .dxf holds arcs, from which CAM makes the machine's code"),
+            ("a.msh", "; .vtu represents blocks exactly; .mesh (MFEM) and .xml (G+Smo) are for isogeometric analysis"),
+            ("a.nc", "; .dxf contains arcs, from which CAM generates machine code"),
             ("a", ""),
             ("a.qqqq", ""),
         ] {

@@ -6,7 +6,7 @@ use crate::formats::foreign::{DRAWING, OTHER_MESH, in_place_of_reading};
 use crate::formats::{Format, MeshFormat};
 use crate::text::lines::lines;
 
-/// What a file is.
+/// The kind of an input file.
 ///
 /// ```
 /// use cyclide_io::InputKind;
@@ -19,17 +19,17 @@ pub enum InputKind {
     Document,
     /// A list of points.
     Points,
-    /// Points as JSON, which a document holds.
+    /// Points as JSON, to be used in a document.
     PointsJson,
     /// Points in rows and columns, or the samples of a surface.
     PointGrid,
-    /// A mesh whose quads a net takes, and whose polygons everything else that is made of meshes: OBJ.
+    /// An OBJ mesh: its quads are for nets, its polygons for all other objects made from meshes.
     Mesh,
-    /// A mesh of polygons in a format that nets do not read: STL, PLY, GLB.
+    /// A polygon mesh in a format that nets do not read: STL, PLY, GLB.
     PolygonMesh,
-    /// A format that is written and not read, by its name.
+    /// A format that is written but not read, by name.
     Written(&'static str),
-    /// What is neither written nor read, and what to save in its place.
+    /// A format that is neither written nor read, and what to save instead.
     Foreign(&'static str, &'static str),
 }
 
@@ -43,7 +43,7 @@ const LINES: usize = 20;
 const MODEL: &[u8] = b"3D/3dmodel.model";
 
 impl InputKind {
-    /// By the suffix; `None` for an unknown one.
+    /// The kind by the suffix; `None` for an unknown suffix.
     #[must_use]
     pub fn of_path(path: &Path) -> Option<Self> {
         let suffix = path.extension()?.to_string_lossy().to_lowercase();
@@ -73,7 +73,7 @@ impl InputKind {
         Self::Written(format.entry().title)
     }
 
-    /// By the first bytes; `None` if they do not tell.
+    /// The kind by the first bytes; `None` if they do not determine it.
     #[must_use]
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
@@ -145,14 +145,14 @@ impl InputKind {
         [Self::Mesh, Self::PolygonMesh, Self::foreign(OTHER_MESH)].contains(&self)
     }
 
-    /// What people call it.
+    /// Its common name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Document => "a model document",
             Self::Points => "a list of points",
             Self::PointsJson => "a list of points as JSON",
-            Self::PointGrid => "points of a surface (its columns speak of rows or patches)",
+            Self::PointGrid => "points of a surface (its columns name rows or patches)",
             Self::Mesh | Self::PolygonMesh => "a mesh",
             Self::Written(name) | Self::Foreign(name, _) => name,
         }

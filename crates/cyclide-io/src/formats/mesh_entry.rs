@@ -51,4 +51,4 @@ impl ReadMesh {
 
 /// What is said of formats whose files may have normals.
 pub(crate) const NO_NORMAL_OF_A_CORNER: &str =
-    "the file does not have a normal for every corner: take \"angle\" or \"sphere\"";
+    "the file does not have a normal for every corner: use \"angle\" or \"sphere\"";

@@ -9,7 +9,7 @@ use super::{glb, obj, ply, stl};
 /// The list: each format with its module, which holds its entry.
 macro_rules! mesh_formats {
     ($($(#[$doc:meta])* $format:ident: $module:ident,)*) => {
-        /// A format of meshes that is read.
+        /// A mesh format that can be read.
         ///
         /// ```
         /// use cyclide_io::MeshFormat;
@@ -51,7 +51,7 @@ mesh_formats! {
 }
 
 impl MeshFormat {
-    /// The suffix of its files, which is the field of documents for them.
+    /// The suffix of its files, which is also their field in documents.
     #[must_use]
     pub const fn word(self) -> &'static str {
         self.entry().word

@@ -24,16 +24,16 @@ use cyclide::Model;
 /// ```
 ///
 /// # Errors
-/// [`ReadError`]; never panics, whatever the bytes are.
+/// [`ReadError`]; never panics, for any bytes.
 pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
     (reading(format)?.read)(bytes)
 }
 
-/// The largest distance between what a file holds and the model, recomputed from the file's bytes.
+/// The largest distance between the contents of a file and the model, recomputed from the bytes of the file.
 ///
-/// SVG is a drawing of the plane: there both are compared as seen along the third axis, surfaces by the edges and
-/// parameter circles that are drawn. Of a file of [`Exporter::with_provenance`](crate::Exporter::with_provenance) it is
-/// [`Exporter::deviation`](crate::Exporter::deviation) that knows what the objects are called.
+/// SVG is a plane drawing: both are compared in the view along the third axis, and surfaces by the drawn edges and
+/// parameter circles. For a file of [`Exporter::with_provenance`](crate::Exporter::with_provenance) use
+/// [`Exporter::deviation`](crate::Exporter::deviation), which knows how the objects are named.
 ///
 /// ```
 /// use cyclide::{Arc, Model, Point3};
@@ -46,7 +46,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// ```
 ///
 /// # Errors
-/// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
+/// [`ReadError`] if the bytes cannot be read, or do not contain the model.
 pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
     Ok(deviations_of(&ReadyModel::new(model, &[]).map_err(not_ready)?, format, file)?.largest())
 }

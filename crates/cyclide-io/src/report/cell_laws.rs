@@ -4,7 +4,7 @@ use super::figures::short;
 use cyclide::{FineEnd, Grading};
 use serde::Serialize;
 
-/// How a direction of blocks is divided into cells, with what was found for the length of the first one.
+/// How a direction of blocks is divided into cells, with the parameter found for the length of the first cell.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -22,13 +22,13 @@ use serde::Serialize;
 pub struct CellLawReport {
     /// `uniform`, `geometric` or `tanh`.
     pub law: &'static str,
-    /// Of a geometric one: each cell is so many times as long as the one before, from the fine end.
+    /// For the geometric law: the ratio of the lengths of consecutive cells, from the fine end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
-    /// Of that by hyperbolic tangents.
+    /// For the law of hyperbolic tangents.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
-    /// From where cells grow: `start`, `end` or `both`; none of equal ones.
+    /// The end from which cells grow: `start`, `end` or `both`; none for equal cells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fine: Option<&'static str>,
 }
@@ -61,9 +61,9 @@ impl CellLawReport {
             };
             let fine = match law.fine {
                 None => "",
-                Some("both") => ", fine at both ends",
-                Some("end") => ", fine at the end",
-                Some(_) => ", fine at the start",
+                Some("both") => ", refined at both ends",
+                Some("end") => ", refined at the end",
+                Some(_) => ", refined at the start",
             };
             format!("{name} {}{number}{fine}", law.law)
         };

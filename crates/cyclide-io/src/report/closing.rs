@@ -21,12 +21,12 @@ use serde::Serialize;
 pub struct ClosingReport {
     /// `s` or `t`.
     pub direction: &'static str,
-    /// Largest angle by which a frame came back turned from a turn along the grid as given, radians.
+    /// Largest angle by which a frame is rotated after one turn along the grid as given, in radians.
     pub angle_before: f64,
     /// The same as made.
     pub angle_after: f64,
-    /// Largest difference from 1 of the ratio of speeds after and before a turn, as given; where quads had no circles
-    /// it says nothing.
+    /// Largest difference from 1 of the ratio of speeds after and before a turn, as given; meaningless if quads were
+    /// not circular.
     pub stretch_before: f64,
     /// The same as made.
     pub stretch_after: f64,
@@ -48,7 +48,7 @@ impl ClosingReport {
     }
 }
 
-/// How far a mesh was from closing round its extraordinary vertices, and is.
+/// How far a mesh was, and is, from closing around its extraordinary vertices.
 ///
 /// ```
 /// let plane = r#"{"type": "cyclidic-net", "make_circular": true, "grid": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]}"#;
@@ -63,7 +63,7 @@ impl ClosingReport {
 pub struct RoundReport {
     /// The number of these vertices, each with an opening.
     pub vertices: usize,
-    /// Largest angle by which a frame came back turned besides quarter turns as given, radians.
+    /// Largest angle, apart from quarter turns, by which a frame is rotated after one turn as given, in radians.
     pub angle_before: f64,
     /// The same as made.
     pub angle_after: f64,

@@ -5,8 +5,8 @@ use std::fmt;
 use cyclide::ShortNumber;
 use serde::Serialize;
 
-/// Smallest and largest principal curvature of an object along one family of lines. A side without a bound is infinite
-/// (`null` in JSON), and the reason is given; a bound that is given holds everywhere.
+/// Smallest and largest principal curvature of an object along one family of lines. An unbounded side is infinite
+/// (`null` in JSON), with the reason; a finite bound holds everywhere.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -26,7 +26,7 @@ pub struct CurvatureRangeReport {
     pub min: f64,
     /// Largest.
     pub max: f64,
-    /// Why a side has no bound.
+    /// Why a side is unbounded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unbounded: Option<&'static str>,
 }
@@ -67,7 +67,7 @@ impl fmt::Display for Text<'_> {
             (true, true) => write!(f, "{low} to {high} 1/{units}"),
             (true, false) => write!(f, "{low} 1/{units} and more, unbounded at singular points"),
             (false, true) => write!(f, "{high} 1/{units} and less, unbounded at singular points"),
-            (false, false) => write!(f, "unbounded both ways at singular points"),
+            (false, false) => write!(f, "unbounded above and below at singular points"),
         }
     }
 }

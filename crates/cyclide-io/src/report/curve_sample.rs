@@ -47,9 +47,9 @@ impl SamplePlaces {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampleOptions {
-    /// The places.
+    /// Where to sample.
     pub places: SamplePlaces,
-    /// The frames, if any are wanted.
+    /// The frames, if any.
     pub frames: Option<FrameRule>,
 }
 
@@ -68,8 +68,8 @@ pub struct SampleOptions {
 pub struct CurveSamples {
     /// The object's name.
     pub object: String,
-    /// What its frames are, if it has some: `up`, `toward`, `look-at`, `frenet`, `rotation-minimizing`, or `torus`, the normal of the torus that
-    /// the curve lies on.
+    /// The kind of its frames, if any: `up`, `toward`, `look-at`, `frenet`, `rotation-minimizing`, or `torus`, the normal of the torus on
+    /// which the curve lies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<&'static str>,
     /// Its contours.
@@ -94,24 +94,25 @@ pub struct CurveSamples {
 pub struct ContourSamples {
     /// Length.
     pub length: f64,
-    /// True if the end joins the start; the last sample is at the place of the first one then.
+    /// True if the end joins the start; the last sample then coincides with the first.
     pub closed: bool,
-    /// Unit normal of its plane, by which curvatures are signed; `None` in space.
+    /// Unit normal of its plane, which determines the sign of curvatures; `None` in space.
     pub plane: Option<[f64; 3]>,
-    /// Of rotation-minimizing frames of a closed curve: the angle by which they come back turned about the tangent, radians.
+    /// For rotation-minimizing frames of a closed curve: the angle by which they are rotated about the tangent after one
+    /// turn, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holonomy: Option<f64>,
-    /// Of rotation-minimizing frames: the measured bound on their error, radians.
+    /// For rotation-minimizing frames: the measured bound on their error, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frame_error: Option<f64>,
-    /// Neighbouring samples between which the frame turns by more than 90 degrees.
+    /// Neighboring samples between which the frame turns by more than 90 degrees.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub frame_turns: Vec<FrameTurn>,
     /// The samples.
     pub samples: Vec<CurveSample>,
 }
 
-/// A place of a curve; what does not exist there is `None`.
+/// A sample of a curve; quantities that do not exist there are `None`.
 ///
 /// ```
 /// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
@@ -138,7 +139,8 @@ pub struct CurveSample {
     pub signed_curvature: Option<f64>,
     /// Torsion, positive for a right-handed helix; none where the curvature vanishes.
     pub torsion: Option<f64>,
-    /// Of a frame that looks at a point the unit direction to that, which is its first axis; of others this is the tangent.
+    /// For a frame that looks at a point: the unit direction to that point, which is its first axis; for others the first
+    /// axis is the tangent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<[f64; 3]>,
     /// Unit normal of the frame.
@@ -150,7 +152,8 @@ pub struct CurveSample {
 }
 
 impl CurveSamples {
-    /// Samples the contours of an object. Places without a frame have none; [`notes`](Self::notes) says so.
+    /// Samples the contours of an object. Samples at which no frame exists have none; [`notes`](Self::notes) reports
+    /// them.
     ///
     /// # Errors
     /// As [`CurveFrames::new`].
@@ -206,14 +209,14 @@ impl CurveSamples {
         out
     }
 
-    /// As JSON; what does not exist is `null`, or left out where no frames are asked for.
+    /// As JSON; quantities that do not exist are `null`, or omitted if no frames were requested.
     #[must_use]
     pub fn json(&self) -> String {
         // Numbers and words only: nothing that could fail.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Why it changes nothing that the twist of frames is spread over closed curves; `None` where it does, or is not asked for.
+    /// Why spreading the twist of frames over closed curves has no effect; `None` if it has an effect, or was not requested.
     #[must_use]
     pub fn spread_without_effect(&self) -> Option<&'static str> {
         let mut turned = self.contours.iter().filter_map(|samples| samples.holonomy).peekable();
@@ -222,11 +225,14 @@ impl CurveSamples {
         } else if turned.peek().is_none() {
             Some("no curve is closed")
         } else {
-            turned.all(|angle| angle.abs() <= 1e-6).then_some("carried once round, the frame comes back as it was")
+            turned
+                .all(|angle| angle.abs() <= 1e-6)
+                .then_some("the frame returns to itself after one turn along the closed curve")
         }
     }
 
-    /// What should be known of the frames: places that have none, where neighbours turn by more than 90 degrees, and by how much those of a closed curve come back turned.
+    /// Notes on the frames: samples without a frame, neighbors that differ by more than 90 degrees, and the rotation after one turn along a
+    /// closed curve.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let Some(frames) = self.frames else { return Vec::new() };
@@ -238,16 +244,16 @@ impl CurveSamples {
                 let (t, station) = (ShortNumber(first.t), ShortNumber(first.station));
                 let (count, all) = (without.clone().count(), samples.samples.len());
                 notes.push(format!(
-                    "{of}{count} of {all} places have no {frames} frame, the first at the station {station} (t = {t}): their normals are left out [no-frame]"
+                    "{of}{count} of {all} samples have no {frames} frame, the first at station {station} (t = {t}): their normals are left out [no-frame]"
                 ));
             }
             notes.extend(FrameTurn::note(&samples.frame_turns, frames).map(|note| of.clone() + &note));
             let turned = samples.holonomy.filter(|angle| angle.abs() > 1e-6);
             if let Some(angle) = turned {
                 let (angle, degrees) = (ShortNumber(angle), ShortNumber(angle.to_degrees()));
-                let what = if self.spread { ": spread over the length" } else { " about the tangent" };
+                let what = if self.spread { ": the rotation was spread over the length" } else { " about the tangent" };
                 notes.push(format!(
-                    "{of}carried once round, the frame comes back turned by {angle} rad ({degrees} degrees){what}"
+                    "{of}after one turn along the closed curve the frame is rotated by {angle} rad ({degrees} degrees){what}"
                 ));
             }
         }

@@ -31,14 +31,14 @@ pub struct CurvesReport {
     pub closed: bool,
     /// How the pieces meet.
     pub joints: JointReport,
-    /// The largest curvature and its place.
+    /// The largest curvature and its location.
     pub curvature: CurvatureReport,
     /// How evenly the curves bend.
     pub fairness: FairnessReport,
-    /// Weights of the exact rational form (within the default tolerance for curves that have none); 1 for arcs.
-    /// `None` if there is no such form.
+    /// Weights of the exact rational form (or of one within the default tolerance for curves without an exact form);
+    /// 1 for arcs. `None` if there is no such form.
     pub weights: Option<RangeReport>,
-    /// Largest distance from the true curve, where that has no rational form and another stands for it: a helix.
+    /// Largest distance from the true curve, if it has no rational form and is approximated: a helix.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<f64>,
     /// Number of connected curves.
@@ -48,19 +48,19 @@ pub struct CurvesReport {
     /// The certificate of a fit, over all contours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<FitReport>,
-    /// The places that are tighter than a radius, where one was asked for.
+    /// The parts that are tighter than a given radius, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tight: Option<TightReport>,
-    /// Of curves of quaternion pairs: their degree, and how they meet their points.
+    /// For curves of quaternion pairs: their degree, and how they meet their points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub qb: Option<Box<QbReport>>,
-    /// Of splines on a torus: the torus, and how they run on it.
+    /// For splines on a torus: the torus, and how they run on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torus: Option<TorusReport>,
-    /// Of curves laid flat with their torus: what became of their lengths.
+    /// For curves unrolled with their torus: the change of their lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unrolled: Option<UnrolledReport>,
-    /// Of the lines of grids along lines of curvature: what was found and laid.
+    /// For the lines of grids along lines of curvature: the umbilics and grids that were found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub principal: Option<Box<PrincipalReport>>,
 }
@@ -87,7 +87,7 @@ pub struct JointReport {
     pub curvature_jump: f64,
     /// Number of joints.
     pub count: usize,
-    /// Joints that turn by more than a thousandth of a radian.
+    /// Joints where the direction changes by more than a thousandth of a radian.
     pub corners: usize,
     /// Largest angle at the other joints, radians.
     pub smooth_angle: f64,
@@ -113,7 +113,7 @@ pub struct CurvatureReport {
     pub max: f64,
     /// Where it is: global parameter of the contour.
     pub t: f64,
-    /// Arc length from the start of the contour to it.
+    /// Its arc length from the start of the contour.
     pub station: f64,
     /// The contour, from 0.
     pub contour: usize,
@@ -121,7 +121,7 @@ pub struct CurvatureReport {
     pub point: [f64; 3],
 }
 
-/// What a fit achieved; largest values over all contours.
+/// The result of a fit; largest values over all contours.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -135,13 +135,14 @@ pub struct CurvatureReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct FitReport {
-    /// The bound that was asked for, if one was.
+    /// The requested bound, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    /// The deviation it binds: of the points from the curve, or of an arc fit also both ways between arcs and polyline.
+    /// The deviation that the tolerance limits: of the points from the curve, and for an arc fit also between arcs and
+    /// polyline in both directions.
     pub deviation: f64,
-    /// Bound on the distance between the curve and the polyline of the points, both ways; of a fair fit that is not
-    /// monotone, of the curve from the polyline.
+    /// Bound on the distance between the curve and the polyline of the points in both directions; for a fair fit that
+    /// is not monotone, only of the curve from the polyline.
     pub polyline_deviation: f64,
     /// True if points and curve advance together everywhere.
     pub monotone: bool,
@@ -165,7 +166,7 @@ pub struct FitReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum FitPieces {
-    /// Of an arc fit.
+    /// For an arc fit.
     Arcs {
         /// Circular arcs.
         arcs: usize,
@@ -173,24 +174,24 @@ pub enum FitPieces {
         lines: usize,
         /// Largest angle at a joint, corners excepted, radians.
         max_kink: f64,
-        /// Angle by which the arcs and corners turn in all, radians.
+        /// Total angle by which the arcs and corners turn, in radians.
         turning: f64,
-        /// The most that the data turn within the tolerance, radians.
+        /// The largest total angle of the data within the tolerance, in radians.
         turning_limit: f64,
     },
-    /// Of a fair fit.
+    /// For a fair fit.
     Fair {
         /// Nodes of the splines.
         nodes: usize,
         /// Largest root mean square of a contour's distances of points from the curve.
         rms: f64,
-        /// Standard deviation of the noise of the points, where the curve follows it.
+        /// Standard deviation of the noise of the points, if the tolerance follows it.
         #[serde(skip_serializing_if = "Option::is_none")]
         noise: Option<f64>,
-        /// That of their heights, where these have one of their own.
+        /// The same of their heights, if these have a separate one.
         #[serde(skip_serializing_if = "Option::is_none")]
         noise_z: Option<f64>,
-        /// Bound on the deviation in z, where that has a tolerance of its own.
+        /// Bound on the deviation in z, if it has a separate tolerance.
         #[serde(skip_serializing_if = "Option::is_none")]
         deviation_z: Option<f64>,
     },

@@ -23,14 +23,14 @@ pub struct FairnessReport {
     pub sign_changes: Option<usize>,
     /// Extrema of the curvature (in space of its size), the ends of runs not counted.
     pub extrema: usize,
-    /// `L³ ∫ k'² ds` with the length `L` of each contour: without a unit. `None` where the curvature jumps or has no
-    /// bound.
+    /// `L³ ∫ k'² ds` with the length `L` of each contour, dimensionless. `None` if the curvature jumps or is
+    /// unbounded.
     pub variation: Option<f64>,
-    /// `∫ |k'| ds`, jumps included, in 1/length; `None` where the curvature has no bound.
+    /// `∫ |k'| ds`, jumps included, in 1/length; `None` if the curvature is unbounded.
     pub total_variation: Option<f64>,
     /// Joints, corners excepted, at which the curvature jumps.
     pub jumps: usize,
-    /// Why there are no sign changes.
+    /// Why the number of sign changes is undefined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub no_sign_changes: Option<&'static str>,
     /// Why there is no variation.

@@ -5,14 +5,14 @@ use serde::Serialize;
 
 use super::warning::WarningReport;
 
-/// The reason of warnings about motions that are faster than the limits asked for.
+/// The reason of warnings about motions that exceed the given speed limits.
 ///
 /// ```
 /// assert_eq!(cyclide_io::FASTER_THAN_LIMIT, "faster-than-limit");
 /// ```
 pub const FASTER_THAN_LIMIT: &str = "faster-than-limit";
 
-/// A part of a motion that is faster than a limit, by its fastest place; times in seconds from the start.
+/// An interval in which a motion is faster than a limit, with its fastest moment; times in seconds from the start.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, Report, SpeedLimits};
@@ -29,21 +29,21 @@ pub const FASTER_THAN_LIMIT: &str = "faster-than-limit";
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FastPlaceReport {
-    /// True of the angular speed, false of the speed of the tool.
+    /// True for the angular speed, false for the speed of the tool.
     pub turning: bool,
-    /// The largest speed of the part.
+    /// The largest speed in the interval.
     pub value: f64,
-    /// The span where that is, from 0.
+    /// The span in which it occurs, from 0.
     pub span: usize,
     /// When.
     pub time: f64,
-    /// When the part begins.
+    /// Start of the interval.
     pub from: f64,
     /// When it ends.
     pub to: f64,
 }
 
-/// What a machine allows: lengths in the document's units, seconds and radians.
+/// Speed limits of a machine, in the length units of the document, seconds and radians.
 ///
 /// ```
 /// assert!(cyclide_io::SpeedLimits::default().speed.is_none());
@@ -56,7 +56,7 @@ pub struct SpeedLimits {
     pub angular_speed: Option<f64>,
 }
 
-/// The places of a motion that are faster than limits.
+/// The intervals in which a motion exceeds speed limits.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, Report, SpeedLimits};
@@ -71,9 +71,9 @@ pub struct SpeedLimits {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FastReport {
-    /// The limits asked for.
+    /// The limits.
     pub limits: SpeedLimits,
-    /// The places, those of the tool first, each in the order of time.
+    /// The intervals, those of the tool first, each in the order of time.
     pub places: Vec<FastPlaceReport>,
 }
 

@@ -38,21 +38,23 @@ pub struct FileReport {
     pub path: String,
     /// Name of the format.
     pub format: &'static str,
-    /// True if the file's curves are the objects' curves up to rounding, or if it only names other files.
+    /// True if the curves in the file equal those of the objects up to rounding, or if the file only names other
+    /// files.
     pub exact: bool,
-    /// Distance between the file's curves or meshes and the objects, recomputed from the bytes; `None` for a picture and for what names other files.
+    /// Distance between the curves or meshes in the file and the objects, recomputed from the bytes; `None` for a picture and for a file
+    /// that names others.
     pub deviation: Option<f64>,
-    /// The distance that was promised; 0 if exact.
+    /// The bound on that distance; 0 if exact.
     pub bound: f64,
-    /// What the promise rests on: `exact`, `proved` or `sampled`.
+    /// The basis of the bound: `exact`, `proved` or `sampled`.
     pub proof: &'static str,
     /// Size of the file.
     pub bytes: usize,
-    /// What the user should know about the file.
+    /// Notes on the file.
     pub notes: Vec<String>,
 }
 
-/// A file that does not keep its promise: a fault of this program, not of the input.
+/// A file that violates its bound: a bug in this program, not a fault of the input.
 ///
 /// ```
 /// use cyclide::{Circle, Model, Point3, Units, Vec3};
@@ -72,58 +74,58 @@ pub struct FileReport {
 #[non_exhaustive]
 pub enum CheckError {
     /// The bytes could not be read back.
-    #[error("{path}: the bytes made cannot be read back: {source}")]
+    #[error("{path}: the file contents cannot be read back: {source}")]
     Unreadable {
         /// The file.
         path: String,
-        /// What the reader said.
+        /// The error of the reader.
         source: Box<ReadError>,
     },
-    /// What was read back is farther from the objects than promised.
+    /// The contents read back deviate from the objects by more than the bound.
     #[error(
-        "{path}: {part}: what was read back deviates by {}, promised was {}, limit {}",
+        "{path}: {part}: the contents read back deviate by {} from the object (bound {}, limit {})",
         ShortNumber(*.deviation), ShortNumber(*.bound), ShortNumber(*.limit)
     )]
     BeyondBound {
         /// The file.
         path: String,
-        /// The curve or the body that it is about.
+        /// The curve or body.
         part: String,
         /// The distance measured.
         deviation: f64,
-        /// The distance promised.
+        /// The bound.
         bound: f64,
-        /// The largest distance accepted: with the rounding of the numbers.
+        /// The largest accepted distance, including the rounding of the numbers.
         limit: f64,
     },
-    /// The format's numbers have too few digits for the part: its centre is far away, or its weights are very different.
-    /// No fault of the writer.
+    /// The numbers of the format have too few digits for the part: its center is far away, or its weights differ
+    /// greatly. Not a fault of the writer.
     #[error(
-        "{path}: {part}: the digits of the format's numbers leave it {} off, more than {}: allow a larger tolerance, \
-         write another format, or keep the object away from infinity",
+        "{path}: {part}: the precision of the numbers in this format causes a deviation of {}, more than {}: use a \
+         larger tolerance, write another format, or keep the object away from infinity",
         ShortNumber(*.deviation), ShortNumber(*.limit)
     )]
     TooFewDigits {
         /// The file.
         path: String,
-        /// The curve or the body that it is about.
+        /// The curve or body.
         part: String,
         /// The distance measured.
         deviation: f64,
         /// The largest distance accepted.
         limit: f64,
     },
-    /// Between the places at which the mesh of a surface over triangles was measured the surface bends so sharply that it is farther
-    /// away than was promised; its vertices are where they should be. No fault of the writer.
+    /// A surface over triangles bends so sharply between the points at which its mesh was measured that the mesh deviates by more
+    /// than the bound; its vertices are correct. Not a fault of the writer.
     #[error(
-        "{path}: {part}: between the places where its mesh was measured the surface bends too sharply, and is {} off, more than {}: \
-         allow another tolerance, look at the normals, or keep sharp edges as creases",
+        "{path}: {part}: the surface bends too sharply between the points at which its mesh was measured: deviation \
+         {}, more than {}; use another tolerance, check the normals, or keep sharp edges as creases",
         ShortNumber(*.deviation), ShortNumber(*.limit)
     )]
     BendsTooSharply {
         /// The file.
         path: String,
-        /// The body that it is about.
+        /// The body.
         part: String,
         /// The distance measured.
         deviation: f64,
@@ -143,15 +145,16 @@ impl Exporter<'_> {
 }
 
 impl FileReport {
-    /// Of a file that only names others, as the index of VTU files (`vtm`).
+    /// For a file that only names others, such as the index of VTU files (`vtm`).
     #[must_use]
     pub fn of_index(path: &Path, bytes: usize) -> Self {
         let (path, notes) = (path.display().to_string(), Vec::new());
         Self { path, format: "vtm", exact: true, deviation: None, bound: 0.0, proof: "exact", bytes, notes }
     }
 
-    /// Reads the bytes of a file back, measures how far its curves are from the model's, and holds that against the
-    /// promise. Of a file of [`Exporter::with_provenance`] it is [`Exporter::check`] that knows what the objects are called.
+    /// Reads the bytes of a file back, measures the deviation of its curves from those of the model, and compares it with
+    /// the bound. For a file of [`Exporter::with_provenance`] use [`Exporter::check`], which knows how the objects are
+    /// named.
     ///
     /// # Errors
     /// [`CheckError`]: the file must not be written.
@@ -204,18 +207,20 @@ impl FileReport {
             } else {
                 "use a smaller tolerance"
             };
-            notes.push(format!("the file is off by {deviation}, the model is {size} large: {remedy}"));
+            notes.push(format!("the file deviates by {deviation} from a model of size {size}: {remedy}"));
         }
         // A picture is as fine as its pixels, whatever tolerance was asked for, of a fit often.
         let asked = exported.written.asked.filter(|_| format.entry().reading.is_some());
         if let Some(asked) = asked.filter(|asked| !exact && bound > (1.0 + ABOVE_ASKED) * asked) {
             let (bound, asked) = (ShortNumber(bound), ShortNumber(asked));
-            notes.push(format!("the tolerance {asked} is not reached: with the rounding of the numbers it is {bound}"));
+            notes.push(format!(
+                "the tolerance {asked} is not met: with the rounding of the numbers the bound is {bound}"
+            ));
         }
         let seen = beyond.filter(|beyond| *beyond > last_digits);
         if let Some(beyond) = seen {
             let beyond = ShortNumber(beyond);
-            notes.push(format!("the rounding of the numbers is part of the bound: {beyond} in all, as measured"));
+            notes.push(format!("the bound includes the rounding of the numbers: {beyond} in total, as measured"));
         }
         Ok(Self {
             path,

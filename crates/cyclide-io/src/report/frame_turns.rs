@@ -11,7 +11,7 @@ const HALVINGS: usize = 40;
 /// The axes of a frame.
 pub(super) type Axes = [Vec3; 3];
 
-/// Neighbouring samples between which the frame turns by more than 90 degrees.
+/// Neighboring samples between which the frame turns by more than 90 degrees.
 ///
 /// ```
 /// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces, Spacing};
@@ -34,9 +34,9 @@ pub struct FrameTurn {
     pub t: f64,
     /// Its arc length from the start of the contour.
     pub station: f64,
-    /// The angle between the frames of the two samples or, of a jump, beside the place, radians.
+    /// The angle between the frames of the two samples or, for a jump, on both sides of it, in radians.
     pub angle: f64,
-    /// The frame jumps there; else it turns continuously, but too far for the distance of the samples.
+    /// True if the frame jumps there; otherwise it turns continuously, but too far for the distance of the samples.
     pub jump: bool,
 }
 
@@ -76,16 +76,16 @@ impl FrameTurn {
         let (t, station) = (ShortNumber(first.t), ShortNumber(first.station));
         let degrees = ShortNumber(round(first.angle.to_degrees()));
         let (what, remedy) = if first.jump {
-            ("jumps", "start or end there, or choose another direction or rule")
+            ("jumps", "start or end the curve there, or choose another direction or rule")
         } else {
-            ("turns", "take more samples")
+            ("turns", "use more samples")
         };
         let count = match turns.len() {
             1 => String::new(),
             n => format!("{n} pairs of neighboring frames differ by more than 90 degrees; "),
         };
         Some(format!(
-            "{count}the {frames} frame {what} by {degrees} degrees at the station {station} (t = {t}), between samples {} and {}: {remedy} [frame-jumps]",
+            "{count}the {frames} frame {what} by {degrees} degrees at station {station} (t = {t}), between samples {} and {}: {remedy} [frame-jumps]",
             first.sample,
             first.sample + 1
         ))

@@ -63,7 +63,7 @@ pub use tube::TubeReport;
 pub use volume::{CellPlace, CellsReport, FoldsReport, VolumeReport};
 pub use warning::WarningReport;
 
-/// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
+/// The report on a model and the files made from it. As JSON, values that are not finite are `null`.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -80,7 +80,7 @@ pub struct Report {
     pub units: &'static str,
     /// The objects by name, in the model's order.
     pub objects: IndexMap<String, ObjectReport>,
-    /// The files, in the order asked for; empty if none was.
+    /// The files, in the requested order.
     pub files: Vec<FileReport>,
 }
 
@@ -99,20 +99,20 @@ pub struct Report {
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
-    /// True for construction geometry, which is in no file.
+    /// True for construction geometry, which is not written to files.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub construction: bool,
     /// Its curves, its surfaces, its volumes or its motion.
     #[serde(flatten)]
     pub geometry: GeometryReport,
-    /// What the user should know.
+    /// The warnings.
     pub warnings: Vec<WarningReport>,
-    /// How files were read, where that is not plain.
+    /// How input files were interpreted, if not obvious.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
 }
 
-/// What is said about an object's geometry, by its kind.
+/// The report on the geometry of an object, by its kind.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -139,15 +139,15 @@ pub enum GeometryReport {
 }
 
 impl Report {
-    /// The report on a model's objects, without files. `tolerance` is for the weights of curves that have no exact
-    /// rational form; `None` takes that of the exports.
+    /// The report on the objects of a model, without files. `tolerance` is for the weights of curves that have no
+    /// exact rational form; `None` uses that of the exports.
     #[must_use]
     pub fn new(units: Units, objects: &[BuiltObject], tolerance: Option<f64>) -> Self {
         let reports = objects.iter().map(|built| (built.item.name.clone(), ObjectReport::new(built, tolerance)));
         Self { units: units.symbol(), objects: reports.collect(), files: Vec::new() }
     }
 
-    /// With the places of all curves that are tighter than a radius, in the reports of these objects and as warnings.
+    /// Adds the parts of all curves that are tighter than a radius, in the reports of these objects and as warnings.
     ///
     /// # Errors
     /// As [`cyclide::tight_places`].
@@ -166,7 +166,7 @@ impl Report {
 }
 
 impl Report {
-    /// With the places of all motions that are faster than limits, in the reports of these objects and as warnings.
+    /// Adds the intervals in which motions exceed speed limits, in the reports of these objects and as warnings.
     #[must_use]
     pub fn with_speed_limits(mut self, objects: &[BuiltObject], limits: SpeedLimits) -> Self {
         for built in objects {

@@ -28,8 +28,8 @@ const STRAIGHT: f64 = 1e-9;
 /// A figure that varies by no more than this part of itself is the largest nowhere.
 const CONSTANT: f64 = 1e-9;
 
-/// The report on a motion: way and turn to rounding, extremes to 1e-6 of themselves ([`Schedule::extremes`]; what grows beyond every bound is infinite, `null` in JSON).
-/// Lengths are in the document's units, times in seconds.
+/// The report on a motion: path length and rotation to rounding, extremes to 1e-6 of themselves ([`Schedule::extremes`]; unbounded values
+/// are infinite, `null` in JSON). Lengths are in the units of the document, times in seconds.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -41,33 +41,35 @@ const CONSTANT: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MotionReport {
-    /// How it goes from pose to pose: `rational`, `screws`, or `place and turn apart`.
+    /// How it moves from pose to pose: `rational`, `screws`, or `place and turn apart`.
     pub form: &'static str,
-    /// True if points run on rational curves.
+    /// True if points follow rational curves.
     pub rational: bool,
     /// Degree of these curves.
     pub degree: Option<usize>,
-    /// Spans from pose to pose; one if it is not made of spans.
+    /// Number of spans between poses; one if it does not consist of spans.
     pub spans: usize,
-    /// How long it takes.
+    /// Its duration.
     pub duration: f64,
-    /// When it passes its poses, seconds from the start, where a law, a duration, `times` or a motion of one span may have changed that.
+    /// When it passes its poses, in seconds from the start, if a law, a duration, `times` or a motion of one span may have changed the
+    /// times.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pose_times: Option<Vec<f64>>,
-    /// Length of the way of the tool.
+    /// Length of the path of the tool.
     pub length: f64,
-    /// The angle by which the body turns in all, radians.
+    /// The total angle of rotation, in radians.
     pub turn: f64,
-    /// By which angle the body is turned in the end against how it began, radians, if its origin comes back to where it began.
+    /// The angle between the final and the initial rotation of the body, in radians, if its origin returns to its start.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closing_turn: Option<f64>,
-    /// How it goes on from the end to the beginning, if it closes.
+    /// How the end continues to the beginning, if it closes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closing: Option<MotionClosingReport>,
-    /// The largest distance of the origin of the body from the straight lines between its poses; of motions through poses.
+    /// The largest distance of the origin of the body from the straight lines between its poses, for motions through
+    /// poses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub off_chords: Option<OffChordsReport>,
-    /// How far it is from its poses, if it was smoothed.
+    /// Its deviation from its poses, if it was smoothed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<DeviationReport>,
     /// Speed of the tool.
@@ -86,24 +88,24 @@ pub struct MotionReport {
     pub jerk: f64,
     /// Where.
     pub jerk_at: PlaceReport,
-    /// Where the speed of the tool, or the angular speed, is the most times as large as on average over the same span.
+    /// Where the speed of the tool, or the angular speed, is the largest multiple of its average over the same span.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub peak: Option<PeakReport>,
-    /// Where a law that goes by the way runs on over a place at which the way turns back: the velocity jumps there.
+    /// Where the path reverses under a law by path length: the velocity jumps there.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub reversals: Vec<ReversalReport>,
-    /// Largest jump of the velocity of the tool, from span to span or where the way turns back: where there is one, the acceleration has no bound.
+    /// Largest jump of the velocity of the tool, between spans or where the path reverses; at such a jump the acceleration is unbounded.
     pub velocity_jump: f64,
-    /// Largest jump of the acceleration of the tool from span to span: where there is one, the jerk has no bound.
+    /// Largest jump of the acceleration of the tool between spans; at such a jump the jerk is unbounded.
     pub acceleration_jump: f64,
-    /// Largest jump of the angular velocity from span to span, radians per second.
+    /// Largest jump of the angular velocity between spans, in radians per second.
     pub angular_velocity_jump: f64,
-    /// The places that are faster than limits, where some were asked for.
+    /// The intervals in which given speed limits are exceeded, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fast: Option<FastReport>,
 }
 
-/// A place in a motion.
+/// A moment of a motion.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -114,7 +116,7 @@ pub struct MotionReport {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct PlaceReport {
-    /// The span, from 0: that from the pose of this number to the next.
+    /// The span, from 0: from the pose with this number to the next.
     pub span: usize,
     /// Seconds from the start.
     pub time: f64,
@@ -126,7 +128,7 @@ impl From<MotionPlace> for PlaceReport {
     }
 }
 
-/// Where a law that goes by the way runs on over a place at which the way turns back.
+/// Where the path reverses under a law by path length.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -139,17 +141,17 @@ impl From<MotionPlace> for PlaceReport {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReversalReport {
-    /// The span, from 0; at a pose the one that starts there.
+    /// The span, from 0; at a pose, the one that starts there.
     pub span: usize,
     /// Seconds from the start.
     pub time: f64,
-    /// By how much the velocity of the tool jumps.
+    /// The jump of the velocity of the tool.
     pub velocity_jump: f64,
-    /// By how much the angular velocity jumps, radians per second.
+    /// The jump of the angular velocity, in radians per second.
     pub angular_velocity_jump: f64,
 }
 
-/// Where a body is fast against the average of the span.
+/// Where a body is fast relative to the average over the span.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -165,9 +167,9 @@ pub struct PeakReport {
     pub span: usize,
     /// Seconds from the start.
     pub time: f64,
-    /// How many times as fast as on average.
+    /// The ratio to the average speed.
     pub ratio: f64,
-    /// True of the angular speed.
+    /// True for the angular speed.
     pub turning: bool,
 }
 
@@ -295,7 +297,7 @@ impl MotionReport {
 
     /// How it goes on where it closes.
     fn closing_words(&self, units: &str) -> String {
-        let mut words = "as it began".to_owned();
+        let mut words = "in its initial rotation".to_owned();
         let Some(MotionClosingReport { corner, velocity_jump, angular_velocity_jump }) = self.closing else {
             return words;
         };
@@ -305,10 +307,10 @@ impl MotionReport {
             faults.push(format!("a corner of {} rad", short(corner)));
         }
         if velocity_jump > speed {
-            faults.push(format!("a jump of the velocity by {} {units}/s", short(velocity_jump)));
+            faults.push(format!("a velocity jump of {} {units}/s", short(velocity_jump)));
         }
         if angular_velocity_jump > turning {
-            faults.push(format!("a jump of the angular velocity by {} rad/s", short(angular_velocity_jump)));
+            faults.push(format!("an angular velocity jump of {} rad/s", short(angular_velocity_jump)));
         }
         if !faults.is_empty() {
             words.push_str(", with ");
@@ -329,13 +331,14 @@ impl MotionReport {
             let more = if times.len() > POSES_SHOWN { ", …" } else { "" };
             line("poses", format!("passed at {}{more} s", shown.join(", ")))?;
         }
-        line("way", format!("{} {units}, turns by {} rad", short(self.length), short(self.turn)))?;
+        line("path", format!("{} {units}, total rotation {} rad", short(self.length), short(self.turn)))?;
         if let Some(turn) = self.closing_turn {
             let (word, text) = match turn {
                 turn if turn <= CLOSES => ("closes", self.closing_words(units)),
-                turn => {
-                    ("comes back", format!("its origin, the body turned by {} rad against how it began", short(turn)))
-                }
+                turn => (
+                    "comes back",
+                    format!("its origin returns, with the body rotated by {} rad against its start", short(turn)),
+                ),
             };
             line(word, text)?;
         }
@@ -351,7 +354,7 @@ impl MotionReport {
         }
         let of_range = |range: &RangeReport, unit: &str, at: PlaceReport| {
             let text = match range {
-                RangeReport { min, max } if max.is_infinite() => format!("{} to no bound,", short(*min)),
+                RangeReport { min, max } if max.is_infinite() => format!("{} to infinity,", short(*min)),
                 range => super::figures::range(range),
             };
             let varies = range.max - range.min > CONSTANT * range.max;
@@ -388,8 +391,8 @@ impl MotionReport {
         if let Some(fast) = &self.fast {
             let limits = fast.limits.all(units);
             match fast.places.len() {
-                0 => line("fast", format!("no place faster than {limits}"))?,
-                count => line("fast", format!("{} faster than {limits}", plural(count, "place")))?,
+                0 => line("fast", format!("never faster than {limits}"))?,
+                count => line("fast", format!("{} faster than {limits}", plural(count, "interval")))?,
             }
             for place in fast.places.iter().take(PLACES_SHOWN) {
                 line("", place.words(units))?;

@@ -3,7 +3,7 @@
 use cyclide::{MotionJet, MovingBody, Schedule, Vec3};
 use serde::Serialize;
 
-/// How far the origin of a body gets from the straight lines between its poses.
+/// The distance of the origin of a body from the straight lines between its poses.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -20,7 +20,7 @@ pub struct OffChordsReport {
     pub time: f64,
 }
 
-/// How a motion that comes back to its first pose goes on from its end to its beginning.
+/// How a motion that returns to its first pose continues from its end to its beginning.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -33,11 +33,11 @@ pub struct OffChordsReport {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MotionClosingReport {
-    /// The angle by which the way of the tool turns there, radians.
+    /// The angle by which the path of the tool turns there, in radians.
     pub corner: f64,
-    /// By how much its velocity jumps.
+    /// The jump of its velocity.
     pub velocity_jump: f64,
-    /// By how much the angular velocity jumps, radians per second.
+    /// The jump of the angular velocity, in radians per second.
     pub angular_velocity_jump: f64,
 }
 
@@ -60,7 +60,7 @@ impl MotionClosingReport {
     }
 }
 
-/// How far a smoothed motion is from its poses, at their times.
+/// The deviation of a smoothed motion from its poses, at their times.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -73,9 +73,9 @@ impl MotionClosingReport {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DeviationReport {
-    /// The largest distance of the origin of the body from its place in a pose.
+    /// The largest distance of the origin of the body from its position in a pose.
     pub place: f64,
-    /// The largest angle from the turn of a pose, radians.
+    /// The largest angle from the rotation of a pose, in radians.
     pub angle: f64,
 }
 

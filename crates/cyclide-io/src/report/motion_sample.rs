@@ -32,7 +32,7 @@ pub struct MotionSamples {
     pub samples: Vec<MotionSample>,
 }
 
-/// What a body does at one time.
+/// The state of a body at one time.
 ///
 /// ```
 /// use cyclide_io::{Document, MotionSamples, SamplePlaces, Spacing};
@@ -47,11 +47,11 @@ pub struct MotionSamples {
 pub struct MotionSample {
     /// Seconds from the start.
     pub time: f64,
-    /// Where the body is.
+    /// The pose of the body.
     pub pose: Pose,
-    /// Its rotation with the sign that is nearer to that of the sample before.
+    /// Its rotation, with the sign closer to that of the previous sample.
     pub rotation: Quat,
-    /// Speed of the tool; at a pose that of the span that starts there. `None` where a law knows none.
+    /// Speed of the tool; at a pose, that of the span that starts there. `None` if the law does not define it.
     pub speed: Option<f64>,
     /// Angular speed, radians per second.
     pub angular_speed: Option<f64>,
@@ -60,8 +60,8 @@ pub struct MotionSample {
 }
 
 impl MotionSamples {
-    /// Samples at equal steps of time, of a given number, or of so many seconds with the end: the last step is shorter unless the duration is a multiple.
-    /// `None` of an object that is no motion.
+    /// Samples at equal time steps, by number or by length in seconds, including the end: the last step is shorter unless the duration is a
+    /// multiple. `None` for an object that is not a motion.
     #[must_use]
     pub fn new(built: &BuiltObject, places: SamplePlaces) -> Option<Self> {
         Self::of(built.item.motion()?, places)
@@ -86,8 +86,8 @@ impl MotionSamples {
         Some(Self { samples })
     }
 
-    /// As a table: columns `time,x,y,z,qw,qx,qy,qz`, the first three rows `m11` to `m34` of the matrix of each pose (the fourth is `0 0 0 1`), and
-    /// `speed,angular_speed,acceleration`, empty where a law knows none. It is a table of poses.
+    /// As a table: columns `time,x,y,z,qw,qx,qy,qz`, the first three rows `m11` to `m34` of the matrix of each pose (the fourth is `0 0 0
+    /// 1`), and `speed,angular_speed,acceleration`, empty if the law does not define them. It is a table of poses.
     #[must_use]
     pub fn csv(&self) -> String {
         let mut out = format!("{COLUMNS}\n");
@@ -102,8 +102,8 @@ impl MotionSamples {
         out
     }
 
-    /// As JSON: `poses`, as a document has them (time, position, quaternion), and beside them `matrices`, 4 × 4 by rows, `speeds`, `angular_speeds` and
-    /// `accelerations`, `null` where a law knows none.
+    /// As JSON: `poses`, as a document has them (time, position, quaternion), and beside them `matrices`, 4 × 4 by rows, `speeds`,
+    /// `angular_speeds` and `accelerations`, `null` if the law does not define them.
     #[must_use]
     pub fn json(&self) -> String {
         let pose = |s: &MotionSample| {

@@ -34,7 +34,7 @@ pub struct PolyhedronReport {
     pub volume: f64,
     /// Area of the offset by the formula.
     pub area: f64,
-    /// How far the polyhedron is from the points and faces given, at most.
+    /// Largest distance of the polyhedron from the given points and faces.
     pub moved: f64,
 }
 
@@ -59,10 +59,10 @@ impl PolyhedronReport {
         let [radius, area, volume, moved] =
             [self.radius, self.area, self.volume, self.moved].map(|x| ShortNumber(x).to_string());
         let mut text = format!(
-            "{faces} faces, {edges} edges, {vertices} vertices, radius {radius} {units}; by Steiner area {area} {units}², volume {volume} {units}³"
+            "{faces} faces, {edges} edges, {vertices} vertices, radius {radius} {units}; by Steiner's formulas area {area} {units}², volume {volume} {units}³"
         );
         if self.moved > 0.0 {
-            text += &format!("; within {moved} {units} of the points given");
+            text += &format!("; within {moved} {units} of the given points");
         }
         text
     }

@@ -8,7 +8,7 @@ use super::figures::{Line, plural, short};
 use super::range::RangeReport;
 use crate::document::BuiltObject;
 
-/// What was found of a surface and laid on it.
+/// The lines of curvature of a surface, and the grids along them.
 ///
 /// ```
 /// let place = |k: usize| [0.5 * (k % 17) as f64, 0.5 * (k / 17) as f64];
@@ -27,28 +27,28 @@ use crate::document::BuiltObject;
 pub struct PrincipalReport {
     /// The grids, the largest first.
     pub pieces: Vec<GridPieceReport>,
-    /// The part of the surface's area that they cover.
+    /// The fraction of the area of the surface that they cover.
     pub coverage: f64,
-    /// How far they go: the word of the field `border`.
+    /// Their extent: the value of the field `border`.
     pub border: &'static str,
-    /// Distance of the vertices from a smooth surface: the median over fits to neighbours.
+    /// Distance of the vertices from a smooth surface: the median over fits to neighbors.
     pub noise: f64,
-    /// Whether that was smoothed away.
+    /// True if the noise was smoothed away.
     pub denoised: bool,
     /// How much the directions were smoothed.
     pub smoothing: f64,
-    /// By how much smoothing turned the directions, radians, in the mean.
+    /// Mean angle by which smoothing turned the directions, in radians.
     pub turn: f64,
-    /// Umbilics before directions were smoothed any further than they always are.
+    /// Umbilics before the directions were smoothed beyond the minimum.
     pub umbilics_found: usize,
-    /// Umbilics that are left, which grids keep away from.
+    /// Remaining umbilics, which grids avoid.
     pub umbilics: Vec<UmbilicReport>,
-    /// Of a tube: by how much its lines of curvature come back higher or lower.
+    /// For a tube: the shift of its lines of curvature along the tube after one turn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub return_shift: Option<f64>,
     /// Borders of the surface besides the outer one.
     pub holes: usize,
-    /// Of grids that share their borders: the umbilics that they join round.
+    /// For grids that share their borders: the number of umbilics around which they join.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joined_round: Option<usize>,
 }
@@ -74,15 +74,15 @@ pub struct GridPieceReport {
     pub columns: usize,
     /// Points along t.
     pub rows: usize,
-    /// Whether it is closed along s.
+    /// True if it is closed along s.
     pub closed: bool,
-    /// The part of the surface's area that it covers.
+    /// The fraction of the area of the surface that it covers.
     pub coverage: f64,
     /// The lengths of its edges.
     pub edges: RangeReport,
 }
 
-/// A place where a surface bends alike in all directions.
+/// A point where a surface bends equally in all directions.
 ///
 /// ```
 /// let report = cyclide_io::UmbilicReport { point: [0.0; 3], index: -0.5 };
@@ -92,7 +92,7 @@ pub struct GridPieceReport {
 pub struct UmbilicReport {
     /// Where it is.
     pub point: [f64; 3],
-    /// How often the lines of curvature turn round it: a half or minus a half.
+    /// The number of turns of the lines of curvature around it: a half or minus a half.
     pub index: f64,
 }
 
@@ -146,15 +146,16 @@ impl PrincipalReport {
             line(&format!("grid {index}"), format!("{size}, edges {min} to {max} {units}, {part} % of the surface"))?;
         }
         if let Some(round) = self.joined_round {
-            line("joined", format!("the grids share their borders, round {}", plural(round, "umbilic")))?;
+            line("joined", format!("the grids share their borders around {}", plural(round, "umbilic")))?;
         }
         let smoothing = short(self.smoothing);
-        let mut text = format!("smoothed by {smoothing}, which turned them by {} rad in the mean", short(self.turn));
+        let mut text = format!("smoothed by {smoothing}, which turned them by {} rad on average", short(self.turn));
         if self.denoised {
             text += &format!("; noise of {} {units} was smoothed away first", short(self.noise));
         }
         if let Some(shift) = self.return_shift {
-            text += &format!("; round the tube they come back {} {units} higher or lower", short(shift));
+            text +=
+                &format!("; after one turn around the tube the lines are shifted by {} {units} along it", short(shift));
         }
         line("directions", text)?;
         for umbilic in self.umbilics.iter().take(SHOWN) {

@@ -27,13 +27,15 @@ pub struct QbReport {
     pub rational_degree: usize,
     /// Joints at which the curve is only connected.
     pub corners: usize,
-    /// Of curves of lowest degree: the parameters of the points of each contour.
+    /// For curves of lowest degree: the parameters of the points of each contour.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Vec<f64>>,
-    /// Of curves of lowest degree: their largest distance from the middle of the points, relative to theirs.
+    /// For curves of lowest degree: their largest distance from the middle of the points, relative to that of the
+    /// points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reach: Option<f64>,
-    /// Of curves of lowest degree: the least that is left of the weight at a point, of 1. Near 0 the point is reached in a needle.
+    /// For curves of lowest degree: the smallest remaining weight at a point, at most 1. Near 0 the curve reaches the point in a
+    /// spike.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub attainability: Option<f64>,
 }
@@ -71,7 +73,8 @@ impl QbReport {
         }
         line("form", text)?;
         let (Some(reach), Some(attainability)) = (self.reach, self.attainability) else { return Ok(()) };
-        let mut text = format!("reach {} times its points, least attainability {}", short(reach), short(attainability));
+        let mut text =
+            format!("reach {} times that of its points, least attainability {}", short(reach), short(attainability));
         if let [parameters] = self.parameters.as_slice() {
             let shown: Vec<String> = parameters.iter().take(SHOWN).map(|t| short(*t)).collect();
             let more = if parameters.len() > SHOWN { ", ..." } else { "" };

@@ -61,7 +61,7 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
     }
 }
 
-/// The nodes of the cells that blocks are divided into, as [`sample`] has volumes; `None` of an object without cells.
+/// The nodes of the cells into which blocks are divided, in the format of [`sample`] for volumes; `None` for an object without cells.
 ///
 /// ```
 /// use cyclide_io::Document;

@@ -2,7 +2,7 @@
 
 use crate::text::number::push_plain;
 
-/// How the samples of a curve follow each other, if their number is given.
+/// The spacing of a given number of samples on a curve.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -21,21 +21,21 @@ pub enum Spacing {
     Length,
 }
 
-/// Where the samples of a curve lie; both ends of each contour are among them.
+/// The locations of the samples of a curve, which include both ends of each contour.
 ///
 /// ```
 /// assert!(matches!(cyclide_io::SamplePlaces::Step(0.5), cyclide_io::SamplePlaces::Step(step) if step > 0.0));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SamplePlaces {
-    /// So many on each contour, 2 at least.
+    /// A number on each contour, at least 2.
     Count {
         /// How many.
         count: usize,
-        /// How they follow each other.
+        /// Their spacing.
         spacing: Spacing,
     },
-    /// At the stations 0, d, 2 d, … and at the end: the last step is shorter unless the length is a multiple of the distance.
+    /// At the stations 0, d, 2 d, … and at the end; the last step is shorter unless the length is a multiple of d.
     Step(f64),
 }
 

@@ -4,9 +4,8 @@ use crate::measure::seams::measured_seams;
 use cyclide::{CyclidicNet, Seam, SeamMeasure};
 use serde::Serialize;
 
-/// Two opposite borders of an open net that nearly coincide, as where a tube was cut open. They do if at every vertex of
-/// one, in the grid as given or as made, the vertex opposite is not farther than the edges that lead to both are long (on
-/// average).
+/// Two opposite borders of an open net that nearly coincide, as in a tube that was cut open. They do if at every vertex of one, in the grid
+/// as given or as made, the distance to the opposite vertex is at most the mean length of the edges that lead to both.
 ///
 /// ```
 /// use cyclide_io::Document;

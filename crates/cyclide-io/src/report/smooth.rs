@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::figures::{Line, measure, plural, short};
 use crate::document::BuiltObject;
 
-/// The report on a smooth surface over triangles. Largest values are over many places: sampled, not proved.
+/// The report on a smooth surface over triangles. Largest values are over many samples, not proved.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -26,38 +26,39 @@ pub struct SmoothReport {
     pub triangles: usize,
     /// Vertices that they use.
     pub vertices: usize,
-    /// Polygons of the mesh as it was given; `None` of an image.
+    /// Polygons of the mesh as given; `None` for an image.
     pub polygons: Option<usize>,
     /// True if no edge is free.
     pub closed: bool,
-    /// Edges with one triangle only: the border.
+    /// Edges with only one triangle: the border.
     pub free_edges: usize,
     /// Vertices at which the border has a corner, where it turns by more than 60 degrees.
     pub border_corners: usize,
     /// Edges that are creases.
     pub creases: usize,
-    /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`; `None` of an image, and of a sphere blend.
+    /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`; `None` for an image and for a sphere
+    /// blend.
     pub normals: Option<&'static str>,
-    /// The angle above which edges are creases, radians, if one was given.
+    /// The angle above which edges are creases, in radians, if given.
     pub crease_angle: Option<f64>,
     /// Area, by quadrature.
     pub area: f64,
-    /// How far that of half as many nodes is from it.
+    /// Its difference from the result with half as many nodes.
     pub area_error: f64,
     /// Enclosed volume, by quadrature, negative if the triangles are clockwise seen from outside; `None` if the surface is open.
     pub volume: Option<f64>,
-    /// How far that of half as many nodes is from it.
+    /// Its difference from the result with half as many nodes.
     pub volume_error: f64,
-    /// Normals and distances beside flat and curved PN triangles; `None` of a sphere blend.
+    /// Normals and distances compared with flat and curved PN triangles; `None` for a sphere blend.
     pub comparison: Option<ComparisonReport>,
-    /// What figures and bounds of this surface rest on.
+    /// The basis of the figures and bounds of this surface.
     pub proof: &'static str,
-    /// Why an area or the volume is not known: it is not a number then, in JSON null.
+    /// Why an area or the volume is unknown: it is then NaN, in JSON null.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_known: Vec<String>,
 }
 
-/// A smooth mesh beside flat triangles and curved PN triangles over the same vertices and normals.
+/// A smooth mesh compared with flat triangles and curved PN triangles over the same vertices and normals.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -72,15 +73,15 @@ pub struct SmoothReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct ComparisonReport {
-    /// Largest jump of the normal across an edge that is no crease, radians: rounding.
+    /// Largest jump of the normal across an edge that is not a crease, in radians: rounding.
     pub jump: f64,
-    /// The same of the flat triangles.
+    /// The same for the flat triangles.
     pub flat_jump: f64,
-    /// The same of PN triangles.
+    /// The same for PN triangles.
     pub pn_jump: f64,
     /// Largest distance from the flat triangles.
     pub from_flat: f64,
-    /// Largest distance from the PN triangles, at the same places.
+    /// Largest distance from the PN triangles, at the same parameters.
     pub from_pn: f64,
 }
 
@@ -156,14 +157,14 @@ impl SmoothReport {
             mesh += &match normals {
                 "angle" => ", normals weighted by angles".to_owned(),
                 "sphere" => ", normals exact on spheres".to_owned(),
-                "file" => ", normals of the file".to_owned(),
+                "file" => ", normals from the file".to_owned(),
                 _ => ", normals as given".to_owned(),
             };
         }
         line("mesh", mesh)?;
         if self.free_edges > 0 {
             let corners = plural(self.border_corners, "corner");
-            line("border", format!("{}, smooth but for {corners}", plural(self.free_edges, "edge")))?;
+            line("border", format!("{}, smooth except for {corners}", plural(self.free_edges, "edge")))?;
         }
         if self.creases > 0 || self.crease_angle.is_some() {
             let above = self.crease_angle.map_or(String::new(), |angle| format!(" above {} rad", short(angle)));
@@ -177,7 +178,7 @@ impl SmoothReport {
         }
         line(
             "accuracy",
-            "meshes of it are checked by samples: it has no form of which a bound could be proved".to_owned(),
+            "meshes of it are checked by samples: it has no form for which a bound could be proved".to_owned(),
         )
     }
 }

@@ -40,29 +40,29 @@ pub struct SurfaceReport {
     pub closed: bool,
     /// Edges with one patch only.
     pub free_edges: usize,
-    /// Area of a surface that is one part; `None` where there are several: the sum of the two skins of a shell and its rims
-    /// is nobody's pane.
+    /// Area of a surface with one part; `None` if there are several: the sum of both skins of a shell and its rims is
+    /// rarely useful.
     pub area: Option<f64>,
-    /// Area of all patches together: what is painted.
+    /// Total area of all patches: what is painted.
     pub total_area: f64,
-    /// What creases divide the bodies into, the largest first: one part for a smooth surface; the skins and the rims of a
-    /// thick shell.
+    /// The parts into which creases divide the bodies, the largest first: one part for a smooth surface; the skins and
+    /// the rims of a thick shell.
     pub parts: Vec<PartReport>,
-    /// Enclosed volume, hollows taken out; `None` if a body is open.
+    /// Enclosed volume without voids; `None` if a body is open.
     pub volume: Option<f64>,
-    /// Why an area or the volume is not known: it is not a number then, in JSON null.
+    /// Why an area or the volume is unknown: it is then NaN, in JSON null.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_known: Vec<String>,
     /// How the patches meet.
     pub joints: SurfaceJointReport,
     /// Principal curvatures along the s-lines, in 1/length: negative where the surface bends away from its outer
-    /// side. Without a bound to one side or both where `singular` names parameters t.
+    /// side. Unbounded on one side or both if `singular` names parameters t.
     pub curvature_s: CurvatureRangeReport,
-    /// Principal curvatures along the t-lines; without a bound where `singular` names parameters s.
+    /// Principal curvatures along the t-lines; unbounded if `singular` names parameters s.
     pub curvature_t: CurvatureRangeReport,
     /// The nine real weights of every patch, before patches are cut so that all are positive.
     pub weights: RangeReport,
-    /// Largest real part of the quaternion quotient, a length: how far rounding takes patches of cyclides out of
+    /// Largest real part of the quaternion quotient, a length: how far rounding moves patches of cyclides out of
     /// three-space. `None` without such patches.
     pub residual: Option<f64>,
     /// Largest cosine between the two directions of the parameter lines of patches of cyclides. `None` without these:
@@ -70,8 +70,8 @@ pub struct SurfaceReport {
     pub orthogonality: Option<f64>,
     /// Patches with a singular point: a parameter line that shrinks to a point inside, or a side that is a node.
     pub singular: Vec<SingularPatchReport>,
-    /// Patches whose `f_s × f_t` is against the normal along which offsets are made: offsets beyond a focal set. Of a
-    /// thick shell, which has no offset, none.
+    /// Patches whose `f_s × f_t` is opposite to the normal along which offsets are made: offsets beyond a focal set.
+    /// Empty for a thick shell, which has no offset.
     pub flipped: Vec<PatchPlace>,
     /// Opposite borders of open nets that nearly coincide.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -79,18 +79,18 @@ pub struct SurfaceReport {
     /// The polyhedron whose edges and corners were rounded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub polyhedron: Option<Box<PolyhedronReport>>,
-    /// What is known of tubes of changing radius, one for each body.
+    /// Tubes of varying radius, one for each body.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tubes: Vec<TubeReport>,
     /// The blends of a tee, in the order of its branches.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub blends: Vec<TeeBlendReport>,
-    /// What it took to make a net circular.
+    /// The changes that made a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circular: Option<Box<CircularReport>>,
 }
 
-/// Patches of one body that hang together without a crease.
+/// Patches of one body that are connected without a crease.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -157,7 +157,7 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
     face
 }
 
-/// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
+/// How the vertices of a net were moved so that every quad is circular; lengths in model units, angles in radians.
 ///
 /// ```
 /// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
@@ -187,25 +187,26 @@ pub struct CircularReport {
     pub move_mean: f64,
     /// Index of the vertex that moved farthest, s fastest.
     pub farthest_vertex: usize,
-    /// Largest distance of a vertex from the surface given.
+    /// Largest distance of a vertex from the given surface.
     pub off_surface_max: f64,
-    /// Median angle between grid lines and curvature lines as given; `None` where there are none.
+    /// Median angle between grid lines and lines of curvature as given; `None` if there are none.
     pub angle_before: Option<f64>,
     /// The same as made.
     pub angle_after: Option<f64>,
-    /// How far each closed direction was from closing, and is; empty for an open grid.
+    /// How far each closed direction was, and is, from closing; empty for an open grid.
     pub closing: Vec<ClosingReport>,
-    /// How far a mesh was from closing round its extraordinary vertices, and is; `None` without such.
+    /// How far a mesh was, and is, from closing around its extraordinary vertices; `None` without such vertices.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub round: Option<RoundReport>,
-    /// How much of the shape is left; `None` for a flat grid.
+    /// How much of the shape remains; `None` for a flat grid.
     pub shape: Option<ShapeReport>,
-    /// Quads by index, s fastest, that no patch fits into: sides cross or have no length. A document with such quads is
-    /// refused by name, so that reports on what was built have none.
+    /// Indices, s fastest, of quads into which no patch fits: sides cross or have no length. A document with such quads
+    /// is rejected, so reports on built objects have none.
     pub rejected_quads: Vec<usize>,
 }
 
-/// How much of its shape a net made circular has kept: numbers free of scale (see `ShapeChange` of the kernel).
+/// How much of its shape a net has kept when it was made circular: dimensionless numbers (see `ShapeChange` of the
+/// kernel).
 ///
 /// ```
 /// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
@@ -225,16 +226,16 @@ pub struct ShapeReport {
     pub bending: Option<f64>,
     /// Thickness of the surface, after over before.
     pub thickness: Option<f64>,
-    /// Turn of the normals over their spread in the grid given.
+    /// Turn of the normals over their spread in the given grid.
     pub normal_turn: Option<f64>,
     /// Turn of the normals, rms, radians.
     pub turn: f64,
-    /// Part of the surface (0 to 1) in whose neighbourhood less than half of the humps and ripples is left.
+    /// Fraction of the surface (0 to 1) where less than half of the local humps and ripples remains.
     pub lost_relief: f64,
-    /// Mean angle of the lines given to the curvature lines, weighted by the difference of the curvatures, radians;
-    /// `None` for surfaces nearly flat, or flat but for noise.
+    /// Mean angle of the given lines to the lines of curvature, weighted by the difference of the curvatures, in
+    /// radians; `None` for surfaces that are nearly flat, or flat except for noise.
     pub across: Option<f64>,
-    /// What bends in the grid given is noise: a plane.
+    /// True if the bending of the given grid is only noise: a plane.
     pub noise: bool,
 }
 
@@ -282,7 +283,7 @@ pub struct SingularPatchReport {
     /// The patch.
     #[serde(flatten)]
     pub place: PatchPlace,
-    /// The parameters s whose t-line is one point; 0 or 1 for a side that is a node (the pole of a sphere is none).
+    /// The parameters s whose t-line is one point; 0 or 1 for a side that is a node (not for the pole of a sphere).
     pub s: Vec<f64>,
     /// The parameters t whose s-line is one point.
     pub t: Vec<f64>,

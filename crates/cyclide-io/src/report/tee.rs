@@ -20,15 +20,15 @@ use super::range::RangeReport;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct TeeBlendReport {
-    /// The radii of its balls, to a bound that is proved.
+    /// The radii of its balls, to a proved bound.
     pub radius: RangeReport,
-    /// The largest difference from the radius or the law that was asked for.
+    /// The largest difference from the requested radius or law.
     pub deviation: f64,
     /// Pieces of its loop.
     pub pieces: usize,
-    /// How near it comes to folding: 1 where the ball rolls straight, 0 where the blend would run through itself.
+    /// How close it comes to folding: 1 where the ball rolls straight, 0 where the blend would intersect itself.
     pub tightest: f64,
-    /// The angle round the branch at which that is, in radians.
+    /// The angle around the branch at which this occurs, in radians.
     pub tightest_at: f64,
 }
 
@@ -47,7 +47,7 @@ impl TeeBlendReport {
             [self.radius.min, self.radius.max, self.deviation, self.tightest, self.tightest_at]
                 .map(|x| ShortNumber(x).to_string());
         format!(
-            "radius {min} to {max} {units}, {off} off what was asked for, {} pieces, tightest {tightest} at {at} rad",
+            "radius {min} to {max} {units}, deviation {off} from the requested radius, {} pieces, tightest {tightest} at {at} rad",
             self.pieces
         )
     }

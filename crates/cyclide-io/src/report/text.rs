@@ -79,7 +79,7 @@ impl CurvesReport {
         if let Some(principal) = &self.principal {
             // A grid that is continued past the border is larger than the surface.
             facts.push(match principal.border {
-                "cover" => "all of the surface covered".to_owned(),
+                "cover" => "the whole surface covered".to_owned(),
                 _ => format!("{} % of the surface covered", short((1000.0 * principal.coverage).round() / 10.0)),
             });
         }
@@ -157,12 +157,12 @@ impl CurvesReport {
                 known.extend(of("root mean square", noise.map(|_| rms)));
                 known.extend(of("noise", noise));
                 known.extend(of("noise in z", noise_z));
-                known.extend(of("in z at most", deviation_z));
+                known.extend(of("deviation in z", deviation_z));
             }
             let known = if known.is_empty() { String::new() } else { format!(" ({})", known.join(", ")) };
             let polyline = short(fit.polyline_deviation);
             // One way only where points and curve do not advance together.
-            let from = if fit.monotone { "from the polyline" } else { "at most from the curve to the polyline" };
+            let from = if fit.monotone { "from the polyline" } else { "from the curve to the polyline only" };
             line("fit", format!("{made}: deviation {deviation} {units}{known}, {polyline} {units} {from}"))?;
         }
         Ok(())
@@ -247,13 +247,13 @@ impl SurfaceReport {
             line("circular", format!("{moved}, and up to {off} {units} off the surface, in {steps}"))?;
             if let (Some(before), Some(after)) = (c.angle_before, c.angle_after) {
                 let (before, after) = (short(before), short(after));
-                line("", format!("angle to the curvature lines {after} rad in the median, before {before} rad"))?;
+                line("", format!("angle to the curvature lines {after} rad (median), before {before} rad"))?;
             }
             for closing in &c.closing {
                 let [before, after, stretch] =
                     [closing.angle_before, closing.angle_after, closing.stretch_after].map(short);
-                let frame = format!("along {}: after a turn the frame is off by {after} rad", closing.direction);
-                line("closing", format!("{frame}, before by {before} rad; speeds are to {stretch}"))?;
+                let frame = format!("along {}: after one turn the frame is rotated by {after} rad", closing.direction);
+                line("closing", format!("{frame}, before by {before} rad; speeds agree to {stretch}"))?;
             }
             if let Some(round) = &c.round {
                 let [before, after] = [round.angle_before, round.angle_after].map(short);
@@ -261,7 +261,10 @@ impl SurfaceReport {
                     1 => "one extraordinary vertex".to_owned(),
                     count => format!("{count} extraordinary vertices"),
                 };
-                line("openings", format!("round {vertices} the frame is off by {after} rad, before by {before} rad"))?;
+                line(
+                    "openings",
+                    format!("around {vertices} the frame is rotated by {after} rad, before by {before} rad"),
+                )?;
             }
             if let Some(shape) = &c.shape {
                 line("shape", shape.to_string())?;
@@ -332,7 +335,7 @@ impl FileReport {
             None => String::new(),
         };
         let kept = match (self.deviation, self.exact) {
-            (None, true) => "names the others".to_owned(),
+            (None, true) => "index of the other files".to_owned(),
             (None, false) => "picture".to_owned(),
             _ => kept,
         };

@@ -6,14 +6,14 @@ use serde::Serialize;
 use super::warning::WarningReport;
 use crate::document::BuiltObject;
 
-/// The reason of warnings about places that are tighter than the radius asked for.
+/// The reason of warnings about parts of curves that are tighter than a given radius.
 ///
 /// ```
 /// assert_eq!(cyclide_io::TIGHTER_THAN_RADIUS, "tighter-than-radius");
 /// ```
 pub const TIGHTER_THAN_RADIUS: &str = "tighter-than-radius";
 
-/// A part of a curve that is tighter than the radius asked for, by its tightest point.
+/// A part of a curve that is tighter than a given radius, with its tightest point.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, Report};
@@ -39,13 +39,13 @@ pub struct TightPlaceReport {
     pub t: f64,
     /// The contour, from 0.
     pub contour: usize,
-    /// Station where the part begins; of a closed contour larger than `to` if it passes the start.
+    /// Station where the part begins; on a closed contour larger than `to` if the part contains the start.
     pub from: f64,
     /// Station where it ends.
     pub to: f64,
 }
 
-/// The places of an object's curves that are tighter than a radius.
+/// The parts of the curves of an object that are tighter than a radius.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, Report};
@@ -58,9 +58,9 @@ pub struct TightPlaceReport {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TightReport {
-    /// The radius asked for.
+    /// The given radius.
     pub radius: f64,
-    /// The places, along each contour.
+    /// The parts, along each contour.
     pub places: Vec<TightPlaceReport>,
 }
 

@@ -31,19 +31,19 @@ const SAMPLES: usize = 16;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct TorusReport {
-    /// Radius of the circle that the middle of the tube follows.
+    /// Radius of the center circle of the tube.
     pub major_radius: f64,
     /// Radius of the tube.
     pub minor_radius: f64,
-    /// Turns round the axis and round the tube of each closed contour; `null` for an open one, and left out where all are open.
+    /// Turns around the axis and around the tube of each closed contour; `null` for an open one, and omitted if all are open.
     #[serde(skip_serializing_if = "all_open")]
     pub winding: Vec<Option<[i64; 2]>>,
-    /// Largest distance from the torus of the rational curves that files hold: rounding.
+    /// Largest distance of the rational curves in files from the torus: rounding.
     pub off: f64,
     /// Largest distance by which points were moved onto the torus.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moved: Option<f64>,
-    /// The number of pieces of each type: between which families of circles they run.
+    /// The number of pieces of each type, by the families of circles between which they run.
     pub types: BTreeMap<String, usize>,
     /// How the segments between points were joined.
     pub segments: SegmentCounts,
@@ -51,7 +51,7 @@ pub struct TorusReport {
     pub type_changes: usize,
     /// Largest jump of the velocity at a joint, by the knots, relative to the velocity: rounding.
     pub velocity_jump: f64,
-    /// The least quality of a segment: near 0 the curve comes nearly to a stop, 1 is an arc of a circle at constant speed.
+    /// The least quality of a segment: near 0 the curve nearly stops, 1 is a circular arc at constant speed.
     pub quality: f64,
 }
 
@@ -73,15 +73,15 @@ pub struct TorusReport {
 pub struct SegmentCounts {
     /// By pieces of one type.
     pub direct: usize,
-    /// Cut in halves until each part had a type.
+    /// Halved until each part had a type.
     pub halved: usize,
-    /// By a way of arcs and lines in the plane of the torus.
+    /// By a path of arcs and lines in the parameter plane of the torus.
     pub detour: usize,
     /// By two pieces of two types.
     pub two_types: usize,
 }
 
-/// What became of curves that were laid flat with their torus.
+/// Curves that were unrolled with their torus.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -102,14 +102,14 @@ pub struct UnrolledReport {
     pub size: [f64; 2],
     /// How often the curve crosses the cuts of the torus.
     pub cuts: usize,
-    /// The least and the largest factor by which lengths round the axis are multiplied, along the curve. Round the tube the factor is
-    /// 1 on a belt, and the same as round the axis in the conformal map.
+    /// The least and the largest factor by which lengths around the axis are multiplied, along the curve. Around the tube the factor
+    /// is 1 on a belt, and the same as around the axis in the conformal map.
     pub stretch: [f64; 2],
     /// Length of the curve on the torus.
     pub length_on_torus: f64,
     /// Length of all its lines in the plane.
     pub length_in_plane: f64,
-    /// Distance within which arcs stand for the curve in the plane.
+    /// Distance within which arcs approximate the curve in the plane.
     pub tolerance: f64,
 }
 
@@ -162,13 +162,13 @@ impl TorusReport {
     /// The lines of the text.
     pub(super) fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
         let (major, minor, off) = (short(self.major_radius), short(self.minor_radius), short(self.off));
-        let mut text = format!("radii {major} {units} and {minor} {units}, the curve off it by {off} {units}");
+        let mut text = format!("radii {major} {units} and {minor} {units}, deviation of the curve {off} {units}");
         if let Some(moved) = self.moved.filter(|moved| *moved > 0.0) {
-            text += &format!(", its points by {} {units}", short(moved));
+            text += &format!(", of its points {} {units}", short(moved));
         }
         line("torus", text)?;
         if let [Some([axis, tube])] = self.winding[..] {
-            line("winding", format!("{} round the axis, {} round the tube", turns(axis), turns(tube)))?;
+            line("winding", format!("{} around the axis, {} around the tube", turns(axis), turns(tube)))?;
         }
         let types: Vec<String> = self.types.iter().map(|(word, count)| format!("{count} {word}")).collect();
         let changes = plural(self.type_changes, "change");
@@ -198,8 +198,8 @@ impl UnrolledReport {
         line("unrolled", format!("{} of {width} by {height} {units}, {cuts}, within {within} {units}", self.map))?;
         let [least, most] = self.stretch.map(short);
         let (on_torus, in_plane) = (short(self.length_on_torus), short(self.length_in_plane));
-        let lengths = format!("{on_torus} {units} on the torus are {in_plane} {units} in the plane");
-        line("stretch", format!("{least} to {most} round the axis; {lengths}"))
+        let lengths = format!("length {on_torus} {units} on the torus, {in_plane} {units} in the plane");
+        line("stretch", format!("{least} to {most} around the axis; {lengths}"))
     }
 }
 

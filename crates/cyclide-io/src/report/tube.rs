@@ -7,7 +7,7 @@ use super::range::RangeReport;
 use crate::document::TubeFacts;
 use crate::document::kinds::RadiusOf;
 
-/// What is known of a tube.
+/// The report on a tube.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -23,13 +23,13 @@ use crate::document::kinds::RadiusOf;
 pub struct TubeReport {
     /// The radii of its balls or sections.
     pub radius: RangeReport,
-    /// What has these: `sections` across its curve, or `balls`.
+    /// What the radii belong to: `sections` across its curve, or `balls`.
     pub radius_of: RadiusOf,
     /// Pieces that it consists of: arcs of balls, or of sections.
     pub arcs: usize,
     /// Its distance from the tube of the law along the curve.
     pub within: f64,
-    /// What that rests on: `exact`, `proved` or `sampled`.
+    /// The basis of that distance: `exact`, `proved` or `sampled`.
     pub proof: &'static str,
 }
 
@@ -61,8 +61,8 @@ impl TubeReport {
         };
         let pieces = match self.radius_of {
             RadiusOf::Balls => format!("{} arcs of balls", self.arcs),
-            RadiusOf::Sections if self.arcs == 1 => "1 piece of circles across its curve".to_owned(),
-            RadiusOf::Sections => format!("{} pieces of circles across its curve", self.arcs),
+            RadiusOf::Sections if self.arcs == 1 => "1 piece of cross-section circles".to_owned(),
+            RadiusOf::Sections => format!("{} pieces of cross-section circles", self.arcs),
         };
         format!("radius {min} to {max} {units}, {pieces}, {off}")
     }

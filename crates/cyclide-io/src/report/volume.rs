@@ -28,35 +28,36 @@ const PLACES: usize = 9;
 pub struct VolumeReport {
     /// Blocks.
     pub blocks: usize,
-    /// Volume of all blocks together: of one that folds, what its parts that run backwards cover is subtracted.
+    /// Total volume of all blocks; for a block that folds, the volume of its reversed parts is subtracted.
     pub volume: f64,
     /// Centroid of all blocks together.
     pub centroid: [f64; 3],
     /// Area of the faces of all blocks: those between two blocks count twice.
     pub area: f64,
-    /// Why volume and centroid or the area are not known: they are not numbers then, in JSON null.
+    /// Why volume and centroid or the area are unknown: they are then NaN, in JSON null.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_known: Vec<String>,
     /// Whether blocks fold: the worst of them.
     pub folds: FoldsReport,
-    /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 places of each block, corners and middles of its sides among them, and where it
-    /// [folds](Self::folds): negative where it is left-handed or folds. It is less and more between these places.
+    /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 points of each block, including corners and midpoints of its
+    /// sides, and where it [folds](Self::folds): negative if the block is left-handed or folds. Between these points it may be smaller or
+    /// larger.
     pub jacobian: RangeReport,
-    /// Largest cosine between two parameter lines at these places: zero, up to rounding.
+    /// Largest cosine between two parameter lines at these points: zero, up to rounding.
     pub orthogonality: f64,
-    /// Largest quotient of the speeds of two parameter lines at these places, but for those where a line is one point.
+    /// Largest quotient of the speeds of two parameter lines at these points, except where a line is one point.
     pub aspect_ratio: f64,
-    /// Length of the shortest side of a block that is no point.
+    /// Length of the shortest side of a block that is not a point.
     pub shortest_side: f64,
     /// Sides of blocks that are one point, as at the poles of spheres.
     pub point_sides: usize,
     /// The 27 real weights of every block, before blocks are cut so that all are positive.
     pub weights: RangeReport,
-    /// The cells that blocks are divided into, if they are.
+    /// The cells into which blocks are divided, if any.
     pub cells: Option<CellsReport>,
-    /// Parts with positive weights: hexahedra in files that hold volumes.
+    /// Parts with positive weights: hexahedra in files with volumes.
     pub parts: Option<usize>,
-    /// Largest real part of the quaternion quotient, a length: how far rounding takes blocks out of three-space.
+    /// Largest real part of the quaternion quotient, a length: how far rounding moves blocks out of three-space.
     pub residual: f64,
 }
 
@@ -79,7 +80,7 @@ pub enum FoldsReport {
         /// Where: s, t, u.
         at: [f64; 3],
     },
-    /// It is not decided of one, and none is known to.
+    /// It is undecided for one, and none is known to fold.
     Undecided {
         /// Which block, from 0.
         block: usize,
@@ -114,7 +115,8 @@ impl FoldsReport {
     }
 }
 
-/// The cells that blocks are divided into: hexahedra between the nodes of a structured grid. Counts and the worst of each figure.
+/// The cells into which blocks are divided: hexahedra between the nodes of a structured grid. Counts and the worst value of each
+/// measure.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -141,17 +143,17 @@ pub struct CellsReport {
     pub scaled_jacobian: f64,
     /// The cell that has it.
     pub worst: CellPlace,
-    /// Longest side over shortest, at most.
+    /// Largest ratio of the longest to the shortest side.
     pub aspect_ratio: f64,
-    /// The shortest side that is no point.
+    /// The shortest side that is not a point.
     pub shortest_side: f64,
     /// Inverted cells: the scaled Jacobian, or that of the block at a node, is not positive.
     pub inverted: usize,
     /// The first of these.
     pub first_inverted: Option<CellPlace>,
-    /// Cells with a side of one point.
+    /// Cells with a side of zero length.
     pub collapsed: usize,
-    /// The laws of the cells along s, t and u; none where only the places are known.
+    /// The laws of the cells along s, t and u; none if only the parameters are known.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<CellLawReport>,
 }
@@ -167,7 +169,7 @@ pub struct CellsReport {
 pub struct CellPlace {
     /// Its block, from 0.
     pub block: usize,
-    /// Its place in the block along s, t and u, from 0.
+    /// Its indices in the block along s, t and u, from 0.
     pub at: [usize; 3],
 }
 
@@ -221,7 +223,7 @@ impl CellsReport {
             text += &format!(", {} inverted (first: {})", self.inverted, first.text());
         }
         if self.collapsed > 0 {
-            text += &format!(", {} with a side of one point", self.collapsed);
+            text += &format!(", {} with a side of zero length", self.collapsed);
         }
         line("quality", text)
     }
@@ -324,13 +326,13 @@ impl VolumeReport {
         let jacobian = range(&self.jacobian);
         line(
             "cells",
-            format!("Jacobian {jacobian}, aspect ratio up to {}, at 9 x 9 x 9 places", short(self.aspect_ratio)),
+            format!("Jacobian {jacobian}, aspect ratio up to {}, at 9 x 9 x 9 points", short(self.aspect_ratio)),
         )?;
         line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;
         let points = match self.point_sides {
             0 => String::new(),
-            1 => ", 1 of one point".to_owned(),
-            count => format!(", {count} of one point each"),
+            1 => ", 1 of zero length".to_owned(),
+            count => format!(", {count} of zero length"),
         };
         line("sides", format!("from {} {units}{points}", short(self.shortest_side)))?;
         if let Some(cells) = &self.cells {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::document::Remark;
 
-/// A warning with its place in the input.
+/// A warning with its location in the input.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -19,7 +19,7 @@ use crate::document::Remark;
 pub struct WarningReport {
     /// Stable kebab-case name.
     pub reason: &'static str,
-    /// The sentence; it counts points after repeated ones were merged.
+    /// The message; its point numbers count points after repeated ones were merged.
     pub message: String,
     /// The contour, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]

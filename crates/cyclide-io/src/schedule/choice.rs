@@ -28,7 +28,7 @@ pub struct NotScheduled {
     pub name: String,
     /// The document's word for its construction.
     pub r#type: String,
-    /// Why it is not, or where its figures stand.
+    /// Why it is not scheduled, or where its figures are listed.
     pub why: String,
 }
 
@@ -105,10 +105,10 @@ pub(super) fn choose(
     let (mut chosen, mut others) = (Vec::new(), Vec::new());
     for built in objects {
         let (name, kind) = (&built.item.name, built.provenance.kind);
-        let no_net = || format!("`{kind}` makes no net of panels");
+        let no_net = || format!("`{kind}` is not a net of panels");
         let mut leave = |why: String| others.push(NotScheduled { name: name.clone(), r#type: kind.to_owned(), why });
         if !wanted(built) {
-            leave(if only.is_empty() { "construction geometry" } else { "not asked for by --object" }.to_owned());
+            leave(if only.is_empty() { "construction geometry" } else { "not selected by --object" }.to_owned());
             continue;
         }
         let skins = skins_of(built);
@@ -131,7 +131,7 @@ pub(super) fn choose(
             Some(OfPanels::OtherSide { of, distance, solid: true }) => match by_name(of) {
                 Some(source) if wanted(source) => {
                     leave(format!(
-                        "the solid between `{of}` and its offset: its figures stand with the panels of `{of}`"
+                        "the solid between `{of}` and its offset: its figures are listed with the panels of `{of}`"
                     ));
                 }
                 // The skin is construction geometry: the solid is what is built.
@@ -148,7 +148,7 @@ pub(super) fn choose(
                 leave(if by_name(of).is_some_and(|source| wanted(source) && !skins_of(source).is_empty()) {
                     format!("its arcs are the edges of `{of}`")
                 } else {
-                    format!("its arcs are the edges of `{of}`, which is not scheduled: --object {of} schedules it")
+                    format!("its arcs are the edges of `{of}`, which is not scheduled: add --object {of}")
                 });
             }
             _ => leave(no_net()),

@@ -13,9 +13,9 @@
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ScheduleError {
-    /// No object is a net of panels, or none that was asked for.
+    /// No object is a net of panels, or none of the selected ones.
     #[error(
-        "there is no net of panels to schedule: {why}; nets are `cyclidic-net`, `cyclide`, `cyclide-patch`, and an `offset` or `transform` of these [no-net]"
+        "there is no net of panels to schedule: {why}; nets are `cyclidic-net`, `cyclide`, `cyclide-patch`, and `offset` or `transform` of these [no-net]"
     )]
     NoNet {
         /// What the objects are instead.
@@ -23,17 +23,17 @@ pub enum ScheduleError {
     },
     /// Parts of two objects would have the same names.
     #[error(
-        "`{first}` and `{second}` would both have panels named `{name}-r00-c00`, …, as nets of several pieces count them: another name for one of them helps [name-taken]"
+        "`{first}` and `{second}` would both have panels named `{name}-r00-c00`, …, since nets with several pieces number their panels that way: rename one of them [name-taken]"
     )]
     NameTaken {
-        /// What the names would begin with.
+        /// The beginning of the names.
         name: String,
         /// The object that comes first.
         first: String,
         /// The other one.
         second: String,
     },
-    /// The kernel refused a thickness, the depth of beams, or a measure.
+    /// The kernel rejected a thickness, the depth of beams, or a measure.
     #[error("{object}: {source} [{}]", source.reason())]
     Geometry {
         /// The object.
@@ -41,7 +41,7 @@ pub enum ScheduleError {
         /// What the kernel said.
         source: cyclide::Error,
     },
-    /// A file that was made does not hold what it should: a fault of the program.
+    /// A file does not contain what it should: a bug in the program.
     #[error("{file}: {fault}")]
     Check {
         /// The file.

@@ -40,7 +40,7 @@ const AREA_LIMIT: f64 = 1e-11;
 /// Lengths of flat strips and of the edges of the parallel net agree to this part of them.
 const LENGTH_LIMIT: f64 = 1e-9;
 
-/// What is scheduled, and how.
+/// Options of a schedule.
 ///
 /// ```
 /// use cyclide_io::ScheduleOptions;
@@ -49,15 +49,15 @@ const LENGTH_LIMIT: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScheduleOptions {
-    /// Distance along the normals of the other side of all panels; without it that of the document's `offset` of each net.
+    /// Distance of the other side of all panels along the normals; default: that of the document's `offset` of each net.
     pub thickness: Option<f64>,
-    /// Distance along the normals to which beams reach from the edges; without it the thickness.
+    /// Depth of the beams from the edges along the normals; default: the thickness.
     pub beam_depth: Option<f64>,
-    /// Distance within which a panel is on a plane, sphere, cylinder or torus; without it a thousandth of the mean edge.
+    /// Distance within which a panel is on a plane, sphere, cylinder or torus; default: a thousandth of the mean edge.
     pub tolerance: Option<f64>,
-    /// Distance within which panels are alike; without it the tolerance.
+    /// Distance within which panels are congruent; default: the tolerance.
     pub congruent_within: Option<f64>,
-    /// Names of the objects; without any all nets that are no construction geometry.
+    /// Names of the objects; if empty, all nets except construction geometry.
     pub objects: Vec<String>,
 }
 
@@ -101,8 +101,8 @@ impl WorkshopSchedule {
     /// Measures the nets of a model.
     ///
     /// # Errors
-    /// [`ScheduleError::NoNet`]; [`ScheduleError::NameTaken`]; [`ScheduleError::Geometry`] of a thickness or depth that reaches a centre of curvature, and of
-    /// nets that hang together in nodes only.
+    /// [`ScheduleError::NoNet`]; [`ScheduleError::NameTaken`]; [`ScheduleError::Geometry`] for a thickness or depth that reaches a center of
+    /// curvature, and for nets that are connected only at nodes.
     pub fn new(units: Units, objects: &[BuiltObject], options: &ScheduleOptions) -> Result<Self, ScheduleError> {
         let (chosen, not_scheduled) = choice::choose(objects, &options.objects, options.thickness);
         if chosen.is_empty() {
@@ -128,7 +128,7 @@ impl WorkshopSchedule {
         Ok(Self { units, tolerance, congruent_within, nets, groups, not_scheduled })
     }
 
-    /// The objects that are not scheduled, with the reason of each.
+    /// The objects that are not scheduled, each with the reason.
     #[must_use]
     pub fn not_scheduled(&self) -> &[NotScheduled] {
         &self.not_scheduled
@@ -197,7 +197,7 @@ impl WorkshopSchedule {
         out + "\n}\n"
     }
 
-    /// The files by name, each read back and held against the nets.
+    /// The files by name, each read back and compared with the nets.
     ///
     /// # Errors
     /// [`ScheduleError::Check`]; [`ScheduleError::Geometry`] only beyond the range of the kernel's numbers.
@@ -235,7 +235,10 @@ impl WorkshopSchedule {
         for net in &self.nets {
             let sum: f64 = net.panels.iter().map(|panel| panel.measures.area).sum();
             if !((sum - net.area).abs() <= AREA_LIMIT * net.area) {
-                return Err(format!("{}: the panels have the area {sum}, the net {}", net.name, net.area));
+                return Err(format!(
+                    "{}: the total area of the panels is {sum}, that of the net {}",
+                    net.name, net.area
+                ));
             }
             for (index, edge) in net.edges.iter().enumerate() {
                 let (Some(strip), Some(offset), true) = (&edge.strip, &edge.offset, net.thickness == net.beam_depth)
@@ -245,7 +248,10 @@ impl WorkshopSchedule {
                 let far = strip.lengths()[usize::from(strip.heights()[1] > 0.0)];
                 let length = offset.length();
                 if !((far - length).abs() <= LENGTH_LIMIT * edge.arc.length().max(length)) {
-                    return Err(format!("{}: the strip is {far} long, the edge {length}", net.edge_id(index)));
+                    return Err(format!(
+                        "{}: the length of the strip is {far}, that of the edge {length}",
+                        net.edge_id(index)
+                    ));
                 }
             }
         }

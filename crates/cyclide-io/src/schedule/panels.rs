@@ -241,7 +241,7 @@ impl GroupTotals {
         });
         let mut lines = vec![
             ("moulds", format!("{}: {}", self.moulds, each.collect::<Vec<_>>().join(", "))),
-            ("classes", format!("{} of panels that are alike", self.classes)),
+            ("classes", format!("{} of congruent panels", self.classes)),
         ];
         if self.patterns > 0 {
             let text = format!("{} panels from flat sheets ({} {area})", self.patterns, short(self.pattern_area));

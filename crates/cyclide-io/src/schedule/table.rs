@@ -116,17 +116,17 @@ impl Table {
 
     /// Where a CSV file holds something else than the table, if it does.
     pub(super) fn csv_differs(&self, bytes: &[u8]) -> Option<String> {
-        let Ok(text) = std::str::from_utf8(bytes) else { return Some("it is no text".to_owned()) };
+        let Ok(text) = std::str::from_utf8(bytes) else { return Some("it is not text".to_owned()) };
         let mut lines = text.lines();
         if lines.next().map(fields).as_deref() != Some(&self.columns) {
-            return Some("line 1 has other columns".to_owned());
+            return Some("the columns in line 1 differ".to_owned());
         }
         for (number, row) in self.rows().enumerate() {
             let line = number + 2;
             let found = lines.next().map(fields).unwrap_or_default();
             let same = found.len() == row.len() && row.iter().zip(&found).all(|(cell, text)| cell.is_read_from(text));
             if !same {
-                return Some(format!("line {line} is not the row that was written"));
+                return Some(format!("line {line} differs from the row that was written"));
             }
         }
         lines.next().map(|_| "it has more lines than rows".to_owned())
@@ -136,7 +136,7 @@ impl Table {
     pub(super) fn json_differs(&self, found: &Value) -> Option<String> {
         let columns = found["columns"].as_array()?.iter().map(Value::as_str);
         if !columns.eq(self.columns.iter().map(|name| Some(name.as_str()))) {
-            return Some("the columns are others".to_owned());
+            return Some("the columns differ".to_owned());
         }
         let rows = found["rows"].as_array().map(Vec::as_slice).unwrap_or_default();
         let same = |row: &[Cell], found: &Value| {
@@ -144,10 +144,10 @@ impl Table {
             cells.len() == row.len() && row.iter().zip(cells).all(|(cell, value)| cell.is_value(value))
         };
         if rows.len() != self.rows().count() {
-            return Some("it has another number of rows".to_owned());
+            return Some("the number of rows differs".to_owned());
         }
         let other = self.rows().zip(rows).position(|(row, found)| !same(row, found));
-        other.map(|index| format!("row {index} is not the one that was written"))
+        other.map(|index| format!("row {index} differs from the one that was written"))
     }
 }
 

@@ -146,7 +146,7 @@ impl Totals {
         };
         let head = match (&self.object, self.columns_and_rows) {
             (Some(name), Some([columns, rows])) => format!("{name}: {rows} rows of {columns} panels"),
-            (Some(name), None) => format!("{name}: {} nets that join", self.pieces.len()),
+            (Some(name), None) => format!("{name}: {} connected nets", self.pieces.len()),
             _ => "all nets".to_owned(),
         };
         let mut out = format!("{head}\n");
@@ -161,7 +161,7 @@ impl Totals {
         for text in self.groups.lines(&area, short) {
             line(text.0, text.1);
         }
-        let border = format!("of these {} at the border ({} {length})", self.border.count, short(self.border.length));
+        let border = format!("{} of them at the border ({} {length})", self.border.count, short(self.border.length));
         line(
             "edges",
             format!("{}, length {} {length}; {border}; {} creases", self.edges, short(self.edge_length), self.creases),

@@ -105,9 +105,10 @@ fn neighbours_are_joined_and_what_differs_is_said() {
     let mut turned = two;
     let flipped = box_of(Point3::new(1.0, 0.0, 0.0)).permuted([0, 2, 1]).unwrap().reversed(1);
     turned.items[1].geometry = Geometry::Volumes(vec![flipped]);
-    for (format, words) in [(Format::Mfem, "are not joined to them"), (Format::Gismo, "are no interfaces")] {
+    for (format, words) in [(Format::Mfem, "without being joined to them"), (Format::Gismo, "without being interfaces")]
+    {
         let (_, note) = text(&turned, format);
-        assert!(note.starts_with("2 sides of patches touch others") && note.contains(words), "{note}");
+        assert!(note.starts_with("2 patch sides touch others") && note.contains(words), "{note}");
     }
 }
 
@@ -176,13 +177,13 @@ fn collapsed_corners_have_no_quality() {
 #[test]
 fn a_mesh_has_one_dimension_and_names_what_is_left_out() {
     let file = export(&curve_and_surfaces(), Format::Mfem, &ExportOptions::default()).unwrap();
-    let note = "only surfaces are in the file (an MFEM mesh has one dimension), without: slot";
+    let note = "only surfaces are written, since an MFEM mesh has one dimension; left out: slot";
     assert_eq!(file.notes, [note]);
     assert!(String::from_utf8(file.bytes).unwrap().contains("\ndimension\n2\n"));
     let mut model = curve_and_surfaces().with_volume("block", box_of(Point3::ORIGIN));
     model.items.rotate_right(1);
     let file = export(&model, Format::Mfem, &ExportOptions::default()).unwrap();
-    assert!(file.notes[0].starts_with("only volumes") && file.notes[0].ends_with("without: slot, s0, s1"));
+    assert!(file.notes[0].starts_with("only volumes") && file.notes[0].ends_with("left out: slot, s0, s1"));
     assert!(file_deviation(&model, Format::Mfem, &file).unwrap() < 1e-14);
     // G+Smo and VTU hold all of them, G+Smo the volume first.
     let content =
@@ -200,7 +201,7 @@ fn degrees_that_mfem_reads_wrongly_are_refused() {
     assert!(export(&face(10), Format::Mfem, &ExportOptions::default()).is_ok());
     let error = export(&face(11), Format::Mfem, &ExportOptions::default()).unwrap_err();
     assert_eq!(error.reason(), "not-in-format");
-    let start = "object face: MFEM cannot hold this: a degree above 10, which MFEM reads wrongly";
+    let start = "object face: MFEM cannot represent this: a degree above 10, which MFEM silently misreads";
     assert!(error.to_string().starts_with(start), "{error}");
     for format in [Format::Vtu, Format::Gismo] {
         let file = export(&face(11), format, &ExportOptions::default()).unwrap();
@@ -297,7 +298,7 @@ fn qualities_are_those_of_the_blocks() {
 
 #[test]
 fn damage_is_found_out() {
-    let unit = "a unit of the file is 1 mm long, one of the model 25.4 mm";
+    let unit = "the unit of the file is 1 mm, that of the model 25.4 mm";
     let mesh = Damage::new(layers(), Format::Mfem);
     assert_eq!(mesh.refused(&[("units in", "units mm")]), unit);
     assert_eq!(
@@ -306,9 +307,9 @@ fn damage_is_found_out() {
     );
     // Corners that are not those of the patches, and a side of the boundary with the attribute of another.
     assert!(
-        mesh.refused(&[("\n1 5 0 1 3 2 4 5 7 6\n", "\n1 5 1 0 3 2 4 5 7 6\n")]).contains("not those of the patches")
+        mesh.refused(&[("\n1 5 0 1 3 2 4 5 7 6\n", "\n1 5 1 0 3 2 4 5 7 6\n")]).contains("do not match the patches")
     );
-    assert!(mesh.refused(&[("\n5 3 ", "\n6 3 ")]).contains("not those of the patches"));
+    assert!(mesh.refused(&[("\n5 3 ", "\n6 3 ")]).contains("do not match the patches"));
     assert!(
         mesh.refused(&[("\nknotvectors\n3\n2 3 0 0 0 1 1 1\n", "\nknotvectors\n3\n2 3 0 0 0 2 2 2\n")])
             .contains("knots")
@@ -411,6 +412,6 @@ fn divided_blocks_are_plain_hexahedra() {
         assert!(wrong.bytes != file.bytes && exporter.deviation(Format::Vtu, &wrong).is_err());
     }
     let message = |model: &Model| export(model, Format::Vtu, &options).unwrap_err().to_string();
-    assert!(message(&layers()).contains("its blocks are not divided into cells: give it `cells`"));
-    assert!(message(&curve_and_surfaces()).contains("plain cells are those of blocks"));
+    assert!(message(&layers()).contains("its blocks are not divided into cells: set `cells`"));
+    assert!(message(&curve_and_surfaces()).contains("linear cells require blocks"));
 }

@@ -169,7 +169,8 @@ fn pictures_are_as_high_as_asked_for() {
             let picture = drawn(model, &[], &sized).0;
             assert_eq!((picture.width(), picture.height()), (width, height));
         }
-        for (height, message) in [(149, "150 to 10000"), (10_001, "150 to 10000"), (170, "leaves the drawing no room")]
+        for (height, message) in
+            [(149, "150 to 10000"), (10_001, "150 to 10000"), (170, "leaves no room for the drawing")]
         {
             let sized = ExportOptions { png_height: Some(height), ..ExportOptions::default() };
             let error = Exporter::new(model).unwrap().export(Format::Png, &sized).unwrap_err();
@@ -190,7 +191,7 @@ fn panels_in_sight_are_numbered() {
     let note = |model: &Model, options: &ExportOptions| drawn(model, &[], options).1.notes.join("\n");
     assert_eq!(
         note(&model, &labelled(1600, "top")),
-        "r03-c07 is row 3, column 7; 16 of 16 panels are numbered, 16 are in sight"
+        "r03-c07 is row 3, column 7; 16 of 16 panels are numbered, 16 are visible"
     );
     // Seen edge on there is no room.
     assert!(note(&model, &labelled(1600, "front")).contains("no panel is numbered"));
@@ -216,7 +217,7 @@ fn fields_show_mesh_directions_umbilics_and_grids() {
     model.items.push(Item::new("skin", vec![SurfaceObject::Net(net)]));
     let given = [Provenance { kind: "principal-grid", field: Some(field), ..Provenance::default() }];
     let (picture, file) = drawn(&model, &given, &options(PictureColour::Field, true));
-    assert_eq!(file.notes, ["left out of the picture of lines of curvature: skin"]);
+    assert_eq!(file.notes, ["omitted from the picture of the lines of curvature: skin"]);
     let (x, y, half) = MIDDLE;
     let place = |u: f64, v: f64| at(&picture, x + 0.5 * half * u, y - 0.5 * half * v);
     let [r, g, b] = place(0.5, 0.5);

@@ -32,7 +32,7 @@ fn dxf_groups_have_their_names_and_members() {
     let end = member + text[member..].match_indices('\n').nth(1).unwrap().0 + 1;
     let lost = [&text[..member], &text[end..]].concat();
     let message = dxf.bytes(|bytes| *bytes = lost.into_bytes()).unwrap_err().to_string();
-    assert!(message.contains("the members of groups are not the entities that say they are"), "{message}");
+    assert!(message.contains("the members of the groups differ from the entities that name these groups"), "{message}");
     // All of it gone: the arcs still hang together.
     let start = text[..group].rfind("  0\nGROUP\n").unwrap();
     let without: Vec<String> = text[..start]
@@ -76,7 +76,7 @@ fn csv_columns_are_those_of_the_curve() {
     assert_eq!(changed(1, 9, "0.5"), "curve 0, point 0: the curvature is 0.5 in the file, 0 in the model");
     assert_eq!(changed(1, 9, ""), "curve 0, point 0: the curvature is none in the file, 0 in the model");
     assert_eq!(changed(2, 2, "0.3"), "curve 0, point 1: the parameter is 0.3 in the file, 0.25 in the model");
-    assert!(changed(1, 8, "").contains("a part of the tangent is missing"));
+    assert!(changed(1, 8, "").contains("a component of the tangent is missing"));
 }
 
 #[test]
@@ -94,12 +94,12 @@ fn glb_materials_are_those_of_the_pictures() {
     );
     assert!(glb.refused_glb(set("/meshes/1/primitives/0/material".to_owned(), json!(2))).contains("is `s1, #"));
     let transparent = set("/materials/1/pbrMetallicRoughness/baseColorFactor/3".to_owned(), json!(0.5));
-    assert!(glb.refused_glb(transparent).contains("a material of another kind"));
-    assert!(glb.refused_glb(set("/materials/1/doubleSided".to_owned(), json!(false))).contains("another kind"));
+    assert!(glb.refused_glb(transparent).contains("an unexpected kind of material"));
+    assert!(glb.refused_glb(set("/materials/1/doubleSided".to_owned(), json!(false))).contains("unexpected kind"));
     let lit = glb.refused_glb(|json| drop(json["materials"][0].as_object_mut().unwrap().remove("extensions")));
-    assert!(lit.contains("another kind"), "{lit}");
+    assert!(lit.contains("unexpected kind"), "{lit}");
     let unsaid = glb.refused_glb(|json| drop(json.as_object_mut().unwrap().remove("extensionsUsed")));
-    assert!(unsaid.contains("KHR_materials_unlit is used and not there"), "{unsaid}");
+    assert!(unsaid.contains("KHR_materials_unlit is used but not declared"), "{unsaid}");
 }
 
 #[test]
@@ -123,15 +123,14 @@ fn glb_edges_are_those_of_the_patches() {
         let new: Vec<u8> = indices.iter().flat_map(|i| i.to_le_bytes()).collect();
         bytes[start..].copy_from_slice(&new);
     };
-    let wrong = "1 of the lines on the mesh of s1 are no edges of its patches, and 1 edges have none";
+    let wrong = "1 lines on the mesh of s1 are not edges of its patches, and 1 edges have no line";
     for change in [
         &(|i: &mut [u32]| i.copy_within(count - 4..count - 2, count - 2)) as &dyn Fn(&mut [u32]),
         &|i: &mut [u32]| i[count - 1] = i[0],
     ] {
         assert_eq!(glb.bytes(|bytes| words(bytes, change)).unwrap_err().to_string(), wrong);
     }
-    let all =
-        format!("0 of the lines on the mesh of s1 are no edges of its patches, and {} edges have none", count / 2);
+    let all = format!("0 lines on the mesh of s1 are not edges of its patches, and {} edges have no line", count / 2);
     let none = |json: &mut Value| drop(json["meshes"][1]["primitives"].as_array_mut().unwrap().pop());
     assert_eq!(glb.refused_glb(none), all);
     // Edges that nobody asked for.
@@ -148,7 +147,7 @@ fn glb_edges_are_those_of_the_patches() {
         let lines = json!({"attributes": {"POSITION": position}, "indices": indices, "material": material, "mode": 1});
         json["meshes"][1]["primitives"].as_array_mut().unwrap().push(lines);
     });
-    assert!(more.ends_with("are no edges of its patches, and 0 edges have none"), "{more}");
+    assert!(more.ends_with("are not edges of its patches, and 0 edges have no line"), "{more}");
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub fn bodies() -> Model {
 }
 
 /// The words of a message about a unit that is 1 mm in place of an inch.
-const UNIT: &str = "a unit of the file is 1 mm long, one of the model 25.4 mm";
+const UNIT: &str = "the unit of the file is 1 mm, that of the model 25.4 mm";
 
 #[test]
 fn step_says_its_unit_and_its_names() {
@@ -58,7 +58,7 @@ fn step_says_its_unit_and_its_names() {
     assert!(one.refused(&[("PRODUCT('cyclide','cyclide'", "PRODUCT('x','x'")]).contains("product 0 is `x`"));
     let step = Damage::new(bodies(), Format::Step);
     assert!(step.refused(&[("'s0'", "'s1'"), ("'s1'", "'s0'")]).starts_with("body 0 is `s1` in the file, `s0`"));
-    assert!(step.refused(&[("RADIAN", "DEGREE")]).contains("angles that are not in radians"));
+    assert!(step.refused(&[("RADIAN", "DEGREE")]).contains("angles not in radians"));
 }
 
 #[test]
@@ -97,8 +97,8 @@ fn svg_says_its_unit_and_its_groups() {
     let width = text.split_once(" width=\"").unwrap().1.split_once("mm\"").unwrap().0;
     let shrunk = format!("{}mm", width.parse::<f64>().unwrap() / 25.4);
     let message = svg.refused(&[(&format!("{width}mm"), &shrunk)]);
-    assert!(message.contains("by width and height a user unit is 1 mm, by the description 25.4 mm"), "{message}");
-    assert!(svg.refused(&[("user unit = 1 in", "user unit = 1 mm")]).contains("by the description 1 mm"));
+    assert!(message.contains("a user unit is 1 mm by width and height, but 25.4 mm by the description"), "{message}");
+    assert!(svg.refused(&[("user unit = 1 in", "user unit = 1 mm")]).contains("but 1 mm by the description"));
     assert_eq!(svg.refused(&[("<g id=\"slot\"", "<g id=\"sl\"")]), "group 0 is `sl` in the file, `slot` in the model");
     let titles = [("<title>slot<", "<title>other<"), ("<title>other<", "<title>slot<")];
     assert_eq!(svg.refused(&titles), "title of group 0 is `other` in the file, `slot` in the model");
@@ -106,7 +106,8 @@ fn svg_says_its_unit_and_its_groups() {
     // A drawing that is to scale says which, and is held to it.
     let far = Damage::new(Model { units: Units::Metre, ..twins() }, Format::Svg);
     assert!(
-        far.refused(&[("scale 1:500", "scale 1:50")]).contains("a user unit is 100 mm, by the description 1000 mm")
+        far.refused(&[("scale 1:500", "scale 1:50")])
+            .contains("a user unit is 100 mm by width and height, but 1000 mm by the description")
     );
 }
 
@@ -116,7 +117,7 @@ fn json_says_its_unit_names_and_knots() {
     assert_eq!(json.refused(&[("\"units\": \"in\"", "\"units\": \"mm\"")]), UNIT);
     assert_eq!(
         json.refused(&[("\"units\": \"in\",", "")]),
-        "the file does not say its unit, one of the model is 25.4 mm long"
+        "the file does not state its unit; that of the model is 25.4 mm"
     );
     let names = [("\"slot\"", "\"other\""), ("\"other\"", "\"slot\"")];
     assert_eq!(json.refused(&names), "object with curves 0 is `other` in the file, `slot` in the model");
@@ -131,10 +132,7 @@ fn json_says_its_unit_names_and_knots() {
         });
         assert!(changed.unwrap_err().to_string().contains("the knots of a patch of degree 2 are"), "{wrong}");
     }
-    assert_eq!(
-        json.refused(&[("\"outward\": true", "\"outward\": false")]),
-        "patch 0: its outer side is the other one"
-    );
+    assert_eq!(json.refused(&[("\"outward\": true", "\"outward\": false")]), "patch 0: its outer side is reversed");
 }
 
 /// The root stands behind the nodes of both objects.
@@ -148,9 +146,9 @@ fn glb_says_its_unit_and_its_nodes() {
         let scale =
             |v: f64| move |json: &mut serde_json::Value| json["nodes"][ROOT]["scale"] = serde_json::json!([v, v, v]);
         assert_eq!(glb.refused_glb(scale(0.001)), UNIT);
-        assert_eq!(glb.refused_glb(scale(1.0)), "a unit of the file is 1000 mm long, one of the model 25.4 mm");
+        assert_eq!(glb.refused_glb(scale(1.0)), "the unit of the file is 1000 mm, that of the model 25.4 mm");
         let turned = glb.refused_glb(|json| json["nodes"][ROOT]["rotation"][0] = serde_json::json!(0.5));
-        assert!(turned.contains("a root that does not just turn"), "{turned}");
+        assert!(turned.contains("a root that does more than turn"), "{turned}");
         let names = glb.refused_glb(|json| {
             json["nodes"][0]["name"] = serde_json::json!(second);
             json["nodes"][1]["name"] = serde_json::json!(first);

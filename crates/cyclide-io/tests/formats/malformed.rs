@@ -114,7 +114,7 @@ fn what_is_wrong_is_said_with_its_place() {
         (Format::Step, b"DATA;#1=A();#1=B();ENDSEC;", "#1 is defined twice"),
         (Format::Step, b"DATA;#1=GEOMETRIC_CURVE_SET('',(#7));ENDSEC;", "#7"),
         (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nMTEXT\n", "MTEXT at line 5"),
-        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n", "line 5: no value of code 40"),
+        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n", "line 5: no value with group code 40"),
         (Format::Dxf, b"x\n", "line 1"),
         (Format::Svg, b"<path class=\"contour\" d=\"M0 0 C\"", "command C"),
         (Format::Csv, b"a,b\n", "line 1"),
@@ -123,12 +123,12 @@ fn what_is_wrong_is_said_with_its_place() {
         (Format::Obj, b"v 1 2\n", "line 1"),
         (Format::Obj, b"v 1 2 3\nvn 0 0 1\nf 1//1 1//1 2//1\n", "line 3"),
         (Format::Stl, &[b'x'; 90], "byte 80"),
-        (Format::Ply, b"ply\nformat ascii 1.0\nend_header\n", "another list of elements"),
-        (Format::ThreeMf, b"PK\x03\x04", "the archive ends before it"),
+        (Format::Ply, b"ply\nformat ascii 1.0\nend_header\n", "an unexpected list of elements"),
+        (Format::ThreeMf, b"PK\x03\x04", "the archive is truncated"),
         (Format::Vtu, b"<VTKFile>", "version"),
         (Format::Mfem, b"MFEM NURBS mesh v1.0\ndimension\n4\n", "line 3"),
         (Format::Mfem, b"MFEM mesh v1.0\n", "the head"),
-        (Format::Gismo, b"<xml><Geometry type=\"Nurbs\">", "what it belongs to"),
+        (Format::Gismo, b"<xml><Geometry type=\"Nurbs\">", "to which it belongs"),
         (Format::Gismo, b"<svg>", "expected <xml>"),
     ];
     for (format, bytes, part) in cases {
@@ -142,5 +142,5 @@ fn what_is_wrong_is_said_with_its_place() {
 #[test]
 fn deep_lists_are_refused() {
     let deep = format!("DATA;#1=A({});ENDSEC;", "(".repeat(100_000));
-    assert!(read_back(Format::Step, deep.as_bytes()).unwrap_err().to_string().contains("deeper"));
+    assert!(read_back(Format::Step, deep.as_bytes()).unwrap_err().to_string().contains("levels deep"));
 }

@@ -187,10 +187,10 @@ fn formats_without_a_kind_say_what_is_left_out() {
     }
     let (curves, surfaces) = (m.items[..1].to_vec(), m.items[1..].to_vec());
     for (items, format, what) in [
-        (curves.clone(), Format::Stl, "object slot: STL cannot hold this: curves"),
-        (curves, Format::Ply, "object slot: PLY cannot hold this: curves"),
-        (surfaces.clone(), Format::Dxf, "object s0: DXF cannot hold this: surfaces"),
-        (surfaces, Format::Csv, "object s0: CSV cannot hold this: surfaces"),
+        (curves.clone(), Format::Stl, "object slot: STL cannot represent this: curves"),
+        (curves, Format::Ply, "object slot: PLY cannot represent this: curves"),
+        (surfaces.clone(), Format::Dxf, "object s0: DXF cannot represent this: surfaces"),
+        (surfaces, Format::Csv, "object s0: CSV cannot represent this: surfaces"),
     ] {
         let error = export(&Model { items, ..Model::default() }, format, &ExportOptions::default()).unwrap_err();
         assert_eq!((error.reason(), error.to_string().as_str()), ("not-in-format", what));
@@ -266,7 +266,7 @@ fn stl_far_from_the_origin_is_refused() {
     let square = cyclide::CyclidePatch::from_corners_and_frame(corners, cyclide::Vec3::X, cyclide::Vec3::Y).unwrap();
     let error = export(&surfaces(&[square]), Format::Stl, &with_tolerance(1e-9)).unwrap_err();
     let text = error.to_string();
-    assert!(text.ends_with("more than the tolerance 1e-9: allow a larger tolerance or write OBJ"), "{text}");
+    assert!(text.ends_with("more than the tolerance 1e-9: use a larger tolerance or write OBJ"), "{text}");
 }
 
 /// What is checked besides the distance (sides, normals, joined polygons) holds for whole cyclides of every kind, as

@@ -38,7 +38,7 @@ fn what_is_open_cannot_be_printed() {
     let model = surfaces(&[torus_part(Point3::ORIGIN)]);
     let error = export(&model, Format::ThreeMf, &with_tolerance(0.1)).unwrap_err();
     assert_eq!(error.reason(), "not-in-format");
-    let start = "object s0: 3MF cannot hold this: an open surface has no inside to be printed: make a solid of it";
+    let start = "object s0: 3MF cannot represent this: an open surface has no interior to print: make it a solid";
     assert!(error.to_string().starts_with(start), "{error}");
     // Of a model with a solid too: nobody misses half of what was asked for.
     let mixed = ring(Units::Millimetre).with_surface("open", torus_part(Point3::ORIGIN));
@@ -57,7 +57,7 @@ fn a_damaged_archive_is_refused() {
         assert!(message.starts_with("not readable at the container"), "{at}: {message}");
     }
     let cut = damage.bytes(|bytes| bytes.truncate(length / 2));
-    assert!(cut.unwrap_err().to_string().contains("ends before"));
+    assert!(cut.unwrap_err().to_string().contains("is truncated"));
 }
 
 #[test]

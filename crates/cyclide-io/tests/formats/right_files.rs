@@ -191,7 +191,8 @@ fn a_body_that_single_precision_swallows_is_refused_by_name() {
     let thin = json!({"type": "cyclide", "a": 8.427_978_978_381_96, "c": 5.772_069_795_024_742_5e-5,
         "mu": 2.565_579_062_553_178e-6, "center": [821.306_924_887_634_8, -1_407.285_969_194_662, -890.466_744_019_394_7],
         "axis": [-1.081_183_257_769_668_7, 1.019_775_529_414_729_5, -0.027_303_565_685_922_463]});
-    for (object, words) in [(spindle, "nothing of one of its bodies"), (thin, "nothing of a part of one of its bodies")]
+    for (object, words) in
+        [(spindle, "a body vanishes in single precision"), (thin, "a part of a body vanishes in single precision")]
     {
         let model = model(&json!({"a": object}));
         let refused = Exporter::new(&model).unwrap().export(Format::Stl, &ExportOptions::default());
@@ -263,7 +264,7 @@ fn drawings_below_the_rounding_of_their_place_are_refused() {
         let model = model(&json!({"a": {"type": "arc-spline", "points": points}}));
         let refused = Exporter::new(&model).unwrap().export(Format::Svg, &ExportOptions::default());
         let message = refused.err().unwrap().to_string();
-        assert!(message.contains("rounding of its place"), "{message}");
+        assert!(message.contains("rounding of its coordinates"), "{message}");
     }
     right(
         &json!({"a": {"type": "arc-spline", "points": [[0, 1e5], [1e-5, 1e5], [1e-5, 100_000.000_02]]}}),
@@ -298,7 +299,7 @@ fn curves_that_are_points_in_a_drawing_are_left_out_of_it() {
     let model = model(&objects);
     let exporter = Exporter::new(&model).unwrap();
     let mut file = exporter.export(Format::Svg, &ExportOptions::default()).unwrap();
-    let note = "curves that are points in the view along the z axis, to their tolerance, are left out: posts 0, posts 1, both 1";
+    let note = "curves that are points in the view along the z axis, within their tolerance, are left out: posts 0, posts 1, both 1";
     assert!(file.notes.iter().any(|n| n == note), "{:?}", file.notes);
     let text = String::from_utf8(file.bytes.clone()).unwrap();
     assert_eq!((text.matches("class=\"contour\"").count(), text.contains("posts")), (2, false));
@@ -337,7 +338,8 @@ fn a_tolerance_that_ruins_the_shape_is_named() {
     for (tolerance, named) in [(4.0, true), (1e300, true), (0.1, false)] {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
         let notes = &checked(&circle, &[Format::Csv], &options)[0].notes;
-        let says = |note: &String| note.starts_with("the file is off by") && note.ends_with("use a smaller tolerance");
+        let says =
+            |note: &String| note.starts_with("the file deviates by") && note.ends_with("use a smaller tolerance");
         assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
     }
 }
@@ -391,7 +393,7 @@ fn a_tolerance_that_rounding_exceeds_is_named() {
     for (tolerance, named) in [(1e-9, true), (1e-3, false)] {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
         let notes = &checked(&json!({"a": net}), &[Format::Glb], &options)[0].notes;
-        let says = |note: &String| note.starts_with("the tolerance") && note.contains("is not reached");
+        let says = |note: &String| note.starts_with("the tolerance") && note.contains("is not met");
         assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
     }
 }

@@ -263,7 +263,7 @@ fn what_has_no_name_to_be_drawn_is_named_in_a_note() {
     let name = "\u{6771}\u{4eac}";
     let m = model(vec![(name, vec![circle(1.0)]), ("\u{43c}\u{438}\u{440}", vec![circle(2.0)])]);
     let notes = export(&m, Format::Png, &ExportOptions::default()).unwrap().notes;
-    assert_eq!(notes, [format!("the picture has no letters for '{name}', which it calls object 1")]);
+    assert_eq!(notes, [format!("the font of the picture has no glyphs for '{name}', which is labeled object 1")]);
     assert!(export(&m, Format::Png, &options(|o| o.png_plain = true)).unwrap().notes.is_empty());
 }
 
@@ -342,13 +342,13 @@ fn combs_do_not_lie_on_each_other() {
     let both = model(vec![("one", vec![spline(&flower(44))]), ("two", vec![spline(&near)])]);
     let (text, notes) = svg(&both);
     assert_eq!(comb_paths(&text, "teeth").len(), 1);
-    assert!(notes.iter().any(|note| note.contains("left out: two")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("omitted: two")), "{notes:?}");
     // Side by side: both, and no tooth of one crosses the other's curve or comb.
     let arcs = |y: f64, bulge: f64| {
         CurveObject::Arc(Arc::from_bulge([0.0, y, 0.0].into(), [100.0, y, 0.0].into(), Vec3::Z, bulge).unwrap())
     };
     let (text, notes) = svg(&model(vec![("upper", vec![arcs(50.0, 0.3)]), ("lower", vec![arcs(0.0, -0.3)])]));
-    assert!(notes.iter().all(|note| !note.contains("left out")), "{notes:?}");
+    assert!(notes.iter().all(|note| !note.contains("omitted")), "{notes:?}");
     let combs: Vec<Vec<(f64, f64)>> = comb_paths(&text, "tips").into_iter().map(numbers).collect();
     let lowest = |comb: &[(f64, f64)]| comb.iter().map(|p| p.1).fold(f64::MIN, f64::max);
     let highest = |comb: &[(f64, f64)]| comb.iter().map(|p| p.1).fold(f64::MAX, f64::min);

@@ -264,8 +264,8 @@ fn the_comparison_finds_what_readers_repair() {
         Err(ReadError::Body { detail, .. }) => detail,
         other => panic!("{other:?}"),
     };
-    assert_eq!(detail(read(flip("ADVANCED_FACE"))), "a face looks to the wrong side");
-    assert_eq!(detail(read(flip("ORIENTED_EDGE"))), "a loop does not run head to tail");
+    assert_eq!(detail(read(flip("ADVANCED_FACE"))), "a face has the wrong orientation");
+    assert_eq!(detail(read(flip("ORIENTED_EDGE"))), "the edges of a loop are not consecutive");
     assert!(matches!(read(flip("EDGE_CURVE")), Err(ReadError::Unsupported { .. })));
     // The complementary arc: the same circle about the opposite axis.
     let circle = line("CIRCLE");
@@ -278,23 +278,29 @@ fn the_comparison_finds_what_readers_repair() {
         numbers.split(',').map(|v| v.strip_prefix('-').map_or(format!("-{v}"), str::to_owned)).collect();
     let wrong = text.replace(axis_line, &format!("{axis}=DIRECTION('',({}));", negated.join(",")));
     assert_ne!(wrong, text);
-    assert_eq!(detail(read(wrong)), "a parameter curve has another range than its edge");
+    assert_eq!(detail(read(wrong)), "the range of a parameter curve differs from that of its edge");
     // A parameter curve that leaves its edge by 1e-6, one of the other face's, and none at all.
     let parameters = |l: &&str| l.contains("=CARTESIAN_POINT('',(0.") && l.matches(',').count() == 2;
     let inner = text.lines().filter(parameters).nth(3).unwrap();
     let (head, x) = inner.split_once("(0.").unwrap();
     let moved = format!("{head}(0.{}", x.replacen(&x[..6], &format!("{:06}", x[..6].parse::<u32>().unwrap() ^ 1), 1));
-    assert_eq!(detail(read(text.replace(inner, &moved))), "an edge leaves its face at equal parameters");
+    assert_eq!(
+        detail(read(text.replace(inner, &moved))),
+        "an edge and its curve on the face differ at equal parameters"
+    );
     let pcurve = line("PCURVE");
     let surface = pcurve.split("'',").nth(1).unwrap().split(',').next().unwrap();
     let elsewhere = pcurve.replacen(&format!("'',{surface},"), "'',#1,", 1);
-    assert_eq!(detail(read(text.replace(&pcurve, &elsewhere))), "an edge leaves its face at equal parameters");
+    assert_eq!(
+        detail(read(text.replace(&pcurve, &elsewhere))),
+        "an edge and its curve on the face differ at equal parameters"
+    );
     let bare = line("SURFACE_CURVE");
     let (number, circle) =
         (bare.split('=').next().unwrap(), bare.split("'',").nth(1).unwrap().split(',').next().unwrap());
     let bare = text.replace(&format!(",{number},.T.);"), &format!(",{circle},.T.);"));
     assert_ne!(bare, text);
-    assert_eq!(detail(read(bare)), "an edge leaves its face at equal parameters");
+    assert_eq!(detail(read(bare)), "an edge and its curve on the face differ at equal parameters");
     // A vertex moved by 1e-6.
     let vertex = line("VERTEX_POINT");
     let point = vertex.split("'',").nth(1).unwrap().trim_end_matches(");");
@@ -303,5 +309,8 @@ fn the_comparison_finds_what_readers_repair() {
     let moved = point_line.replacen(&format!("(({x},"), &format!("(({},", x + 1e-6), 1);
     let moved = moved.replacen(&format!("({x},"), &format!("({},", x + 1e-6), 1);
     assert_ne!(moved, point_line);
-    assert_eq!(detail(read(text.replace(point_line, &moved))), "a parameter curve has another range than its edge");
+    assert_eq!(
+        detail(read(text.replace(point_line, &moved))),
+        "the range of a parameter curve differs from that of its edge"
+    );
 }

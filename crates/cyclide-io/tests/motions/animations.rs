@@ -56,7 +56,7 @@ fn keys_keep_the_tolerance_or_are_refused() {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
         let error = Exporter::new(&model).unwrap().export(Format::Glb, &options).err().unwrap();
         assert_eq!(error.reason(), "animation-above-tolerance", "{error}");
-        assert!(error.to_string().contains(" off at 10"), "{error}");
+        assert!(error.to_string().contains(" deviates by ") && error.to_string().contains(" at 10"), "{error}");
     }
 }
 

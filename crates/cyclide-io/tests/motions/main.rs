@@ -97,24 +97,24 @@ fn refusals_are_at_their_place() {
         ),
         (motion(&format!(r#""kind": "conic", {TWO}"#)), "2 poses given, 3 needed"),
         (motion(&format!(r#""law": "eased", "duration": 0, {TWO}"#)), "duration"),
-        (motion(&format!(r#""choice": 1, {TWO}"#)), "only a `cubic`"),
+        (motion(&format!(r#""choice": 1, {TWO}"#)), "requires the kind `cubic`"),
         (
             motion(r#""law": "eased", "poses": [{"position": [0, 0]}, {"position": [0, 0], "rpy": [0, 0, 1]}]"#),
             "name a point that moves",
         ),
         (motion(&format!(r#""kind": "sclerp", {TWO}"#)) + r#", "t": {"type": "trajectory", "of": "m"}"#, "helices"),
-        (motion(&format!(r#""start": {{"rpy": [0, 0, 1]}}, {TWO}"#)), "`start` goes with `along`"),
-        (motion(r#""law": "eased""#), "one of both"),
-        (CABLE.to_owned() + &motion(&format!(r#""along": "cable", {TWO}"#)), "one of both"),
-        (CABLE.to_owned() + &motion(r#""along": "cable", "kind": "spline""#), "there is one way"),
+        (motion(&format!(r#""start": {{"rpy": [0, 0, 1]}}, {TWO}"#)), "`start` requires `along`"),
+        (motion(r#""law": "eased""#), "requires either"),
+        (CABLE.to_owned() + &motion(&format!(r#""along": "cable", {TWO}"#)), "requires either"),
+        (CABLE.to_owned() + &motion(r#""along": "cable", "kind": "spline""#), "there is only one"),
         (CABLE.to_owned() + &motion(r#""along": "cable", "start": {}"#), "`quaternion` or `rpy`"),
         (CABLE.to_owned() + &motion(r#""along": "cable", "start": {"quaternion": [0, 0, 0, 0]}"#), "is zero"),
         (CABLE.to_owned() + &motion(r#""along": "cabel""#), "did you mean `cable`"),
-        (motion(r#""along": "m""#), "made from itself"),
+        (motion(r#""along": "m""#), "refers to itself"),
         (
             r#""f": {"type": "circle-spline", "points": [[0, 0], [4, 1], [5, 4]]}, "#.to_owned()
                 + &motion(r#""along": "f""#),
-            "does not turn a body",
+            "does not define a rotation",
         ),
         (
             r#""c": {"type": "circle", "center": [0, 0], "radius": 2}, "r": {"type": "pipe", "of": "c", "radius": 1}, "#
@@ -123,7 +123,7 @@ fn refusals_are_at_their_place() {
         ),
         (
             motion(TWO) + r#", "t": {"type": "transform", "of": "m", "steps": [{"translation": [1, 0, 0]}]}"#,
-            "placed by its poses",
+            "positioned by its poses",
         ),
         (
             r#""c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "trajectory", "of": "c"}"#
@@ -168,7 +168,11 @@ fn units_of_columns_are_told_and_not_applied() {
     };
     assert!(remarks("x_mm,y_mm,z_mm\n0,0,0\n30,0,10\n").is_empty());
     let [(reason, message)] = &remarks("x_m,y_m,z_m\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
-    assert!(*reason == "units-differ" && message.contains("x_m, y_m, z_m speak of m, the model says mm"), "{message}");
+    assert!(
+        *reason == "units-differ"
+            && message.contains("the unit in the columns x_m, y_m, z_m is m, but that of the model is mm"),
+        "{message}"
+    );
     let [(reason, message)] = &remarks("x_um,y_um,z_um\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
     assert!(*reason == "unit-not-applied" && message.contains("it is ignored"), "{message}");
 }
@@ -317,7 +321,7 @@ fn closed_curves_report_by_how_much_the_body_does_not_close() {
     let (open, text) = of(false);
     assert!(open.is_none() && !text.contains("closes"), "{text}");
     let (closed, text) = of(true);
-    assert!(closed.unwrap() > 1e-3 && text.contains("comes back") && text.contains("against how it began"), "{text}");
+    assert!(closed.unwrap() > 1e-3 && text.contains("comes back") && text.contains("against its start"), "{text}");
 }
 
 #[test]
@@ -412,7 +416,10 @@ fn a_point_at_rest_has_no_path() {
     for point in ["[0, 0, 0]", "[0, 0, 7]"] {
         let path = format!(r#""t": {{"type": "trajectory", "of": "m", "point": {point}}}"#);
         let error = build(&format!("{turn}, {path}")).unwrap_err();
-        assert!(error.contains("objects.t.point: the point rests") && error.contains("[motion-at-rest]"), "{error}");
+        assert!(
+            error.contains("objects.t.point: the point is at rest") && error.contains("[motion-at-rest]"),
+            "{error}"
+        );
     }
     assert!(build(&format!(r#"{turn}, "t": {{"type": "trajectory", "of": "m", "point": [1e-9, 0, 7]}}"#)).is_ok());
 }

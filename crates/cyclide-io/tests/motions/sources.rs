@@ -91,8 +91,8 @@ fn matrices_of_other_programs_are_read_or_told() {
         assert!(end(flat).angle_to(rows) < 1e-15 && (end(flat).translation() - rows.translation()).length() < 1e-15);
     }
     for (matrix, says) in [
-        ("[0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 30, 2, 10, 1]", "column by column"),
-        ("[[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [30, 2, 10, 1]]", "column by column"),
+        ("[0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 30, 2, 10, 1]", "column-major order"),
+        ("[[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [30, 2, 10, 1]]", "column-major order"),
         ("[0, -1, 0, 1, 0, 0, 0, 0, 1]", "or 12 or 16 numbers row by row, not 9 numbers"),
         ("[[0, -1, 0, 30], 1, 2]", "not both"),
         ("[[0, -1, 0], [1, 0, 0], [0, 0, 1]]", "3 values are given, 4 are needed"),

@@ -71,9 +71,9 @@ fn times_follow_from_chords() {
         (
             r#""times": "chord", "poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0], "time": 1}]"#
                 .to_owned(),
-            "leave one of both out",
+            "remove one of the two",
         ),
-        (r#""times": "chord", "kind": "cubic", "poses": []"#.to_owned(), "leave `times` out"),
+        (r#""times": "chord", "kind": "cubic", "poses": []"#.to_owned(), "remove `times`"),
     ] {
         let error = build(&motion(&fields)).unwrap_err();
         assert!(error.contains(says), "{error}");
@@ -128,7 +128,7 @@ fn places_faster_than_limits_are_named() {
     let report = cyclide_io::Report::new(cyclide::Units::Millimetre, &built, None).with_speed_limits(&built, limits);
     let text = report.to_string();
     assert!(
-        text.contains("2 places faster than 5 mm/s or 100 rad/s")
+        text.contains("2 intervals faster than 5 mm/s or 100 rad/s")
             && report.objects["m"].warnings.iter().filter(|w| w.reason == "faster-than-limit").count() == 2,
         "{text}"
     );

@@ -105,7 +105,7 @@ fn clocks_and_frames_are_told() {
 #[test]
 fn animations_that_are_too_fast_say_what_helps() {
     let near = r#""poses": [{"position": [0, 0]}, {"position": [40, 0]}, {"position": [40.000000001, 0], "rpy": [0, 0, 1.5]}, {"position": [80, 0], "rpy": [0, 0, 1.5]}]"#;
-    for (law, advice) in [("constant-speed", "give an `arm`"), ("as-given", "")] {
+    for (law, advice) in [("constant-speed", "set or increase `arm`"), ("as-given", "")] {
         let fields = format!(r#""kind": "sclerp", "law": "{law}", {near}"#);
         let file = cyclide_io::Exporter::new(&crate::model(&motion(&fields)))
             .unwrap()
@@ -130,7 +130,7 @@ fn spikes_are_told_with_what_helps() {
     assert!(message.contains("rotates 103.13 times") && message.contains("use a spline"), "{message}");
     assert_eq!(advice(&spike.replace("conic", "spline")), None);
     if let Some(message) = advice(&format!(r#"{spike}, "law": "constant-speed""#)) {
-        assert!(message.contains("give an `arm`"), "{message}");
+        assert!(message.contains("set or increase `arm`"), "{message}");
     }
     assert_eq!(advice(&format!(r#"{spike}, "law": "constant-speed", "arm": 50"#)), None);
 }

@@ -58,7 +58,7 @@ fn rings_are_solids_with_a_report() {
         (r#""ring": {"radius": 30, "tube": 8}, "plate": {"radius": 60}, "blend": 90"#, "blend", "[ball-does-not-fit]"),
         (r#""ring": {"radius": 30, "tube": 8}, "plate": {"radius": 40}, "blend": 3"#, "plate", "[plate-too-small]"),
         (r#""ring": {"radius": 30, "tube": 8}, "plate": [90, 90], "blend": 3"#, "", "round `plate`"),
-        (r#""ring": {"radius": 30, "tube": 8}, "sphere": 30, "wall": 1, "blend": 3"#, "", "leave out `side`"),
+        (r#""ring": {"radius": 30, "tube": 8}, "sphere": 30, "wall": 1, "blend": 3"#, "", "remove `side`"),
         (r#""sphere": 30, "blend": 3"#, "", "a `tube` or a `ring`"),
         (
             r#""tube": {"radius": 10, "length": 90}, "ring": {"radius": 30, "tube": 8}, "sphere": 30, "blend": 3"#,
@@ -129,17 +129,17 @@ fn blends_that_are_none_are_refused_in_their_place() {
             "tolerance",
             "[tolerance-not-positive]",
         ),
-        (r#""tube": {"radius": 10, "length": 40}, "blend": 3"#, "", "needs a `sphere`"),
-        (r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "plate": [90, 90], "blend": 3"#, "", "leave out one"),
+        (r#""tube": {"radius": 10, "length": 40}, "blend": 3"#, "", "requires a `sphere`"),
+        (r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "plate": [90, 90], "blend": 3"#, "", "remove one"),
         (
             r#""tube": {"radius": 10, "length": 40}, "plate": [90, 90], "blend": 3, "side": "inside""#,
             "",
-            "leave out `plate`",
+            "remove `plate`",
         ),
         (
             r#""tube": {"radius": 10, "length": 40}, "plate": [90, 90], "thickness": 3, "wall": 1, "blend": 3"#,
             "",
-            "leave out `thickness`",
+            "remove `thickness`",
         ),
         (
             r#""tube": {"radius": 10, "length": 90}, "sphere": 40, "blend": 3, "wall": 1, "ends": "open""#,

@@ -75,12 +75,12 @@ fn necks_that_are_none_are_refused_in_their_place() {
             "wall",
             "[parameter-out-of-range]",
         ),
-        (r#""pipe_radius": 9, "ball_radius": 4, "height": 40"#.to_owned(), "n", "needs a `plate`"),
-        (format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "wall": 1"#), "n", "`wall` goes with"),
+        (r#""pipe_radius": 9, "ball_radius": 4, "height": 40"#.to_owned(), "n", "requires a `plate`"),
+        (format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "wall": 1"#), "n", "`wall` requires"),
         (
             format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "side": "inside""#),
             "n",
-            "leave out `plate`",
+            "remove `plate`",
         ),
         (r#""pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": 7"#.to_owned(), "n.plate", "expected two sides"),
     ] {

@@ -84,12 +84,12 @@ fn what_does_not_go_is_said() {
     let mesh = dome(5, 0.3);
     let refused = |fields: &str, mesh: &str| build(&net(fields), mesh).unwrap_err();
     let message = refused("", &mesh);
-    assert!(message.contains("[not-concircular]") && message.contains("`make_circular` moves"), "{message}");
+    assert!(message.contains("[not-concircular]") && message.contains("`make_circular`, which moves"), "{message}");
     assert!(message.contains("(points "), "{message}");
     for (fields, words) in [
-        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of one grid"),
-        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "leave `frame` out"),
-        (r#", "closed": [true, false]"#, "`closed` goes with a grid inline"),
+        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of a single grid"),
+        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "remove `frame`"),
+        (r#", "closed": [true, false]"#, "`closed` requires an inline grid"),
     ] {
         let message = refused(&format!("{fields}{CIRCULAR}"), &mesh);
         assert!(message.contains(words), "{message}");
@@ -225,9 +225,9 @@ fn what_goes_with_joined_grids() {
     let net =
         |fields: &str| format!(r#"{}, "n": {{"type": "cyclidic-net", "grid": {{"of": "g"}}{fields}}}"#, lattice(""));
     for (fields, words) in [
-        (r#", "closed": [true, false]"#, "`closed` goes with a grid inline"),
-        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "leave `frame` out"),
-        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of one grid"),
+        (r#", "closed": [true, false]"#, "`closed` requires an inline grid"),
+        (r#", "frame": [[1, 0, 0], [0, 1, 0]]"#, "remove `frame`"),
+        (r#", "openings": [[0, 0]]"#, "`openings` are columns and rows of a single grid"),
         ("", "not-concircular"),
     ] {
         let error = build(&net(fields), &monkey()).unwrap_err();

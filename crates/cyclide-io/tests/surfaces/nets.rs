@@ -15,13 +15,12 @@ fn quads_that_no_patch_fits_into_are_named_by_index() {
     let net =
         |rows: &str| build(&format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}], "make_circular": true}}"#));
     let message = net(&[row([0.0, 20.0, 40.0, 60.0]), row([110.0, 170.0, 130.0, 150.0])].join(",")).unwrap_err();
-    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, so no patch fits; \
-        no vertex was moved; points are given row by row, all rows in the same direction [crossing-quad]";
+    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, so no patch fits; no vertex was moved; points must be listed row by row, with all rows in the same direction [crossing-quad]";
     assert!(message.contains(words), "{message}");
     // A quad that crosses itself and has no circle: its corners are moved onto one, and it crosses itself still.
     let message = net("[[0,0,0],[1,0,0.1]],[[1,1,0],[0,1,0]]").unwrap_err();
     let words = "objects.n.grid[0][0]: quad 0: sides cross or have no length, so no patch fits; vertices were moved by up to 0.";
-    assert!(message.contains(words) && message.contains(" steps; points are given row by row"), "{message}");
+    assert!(message.contains(words) && message.contains(" steps; points must be listed row by row"), "{message}");
     assert!(!message.contains("NaN"), "{message}");
     // Of objects made by a program, the same without a place.
     let object =
@@ -83,7 +82,8 @@ fn nets_with_their_skins_and_edges() {
         let again = format!(r#"{}, "m": {{"type": "offset", "of": "t", "distance": 1}}"#, thick(distance));
         let error = build(&again).unwrap_err();
         assert!(
-            error.contains("`t` is of type `offset`: only these have an exact offset") && error.contains("not `thick`"),
+            error.contains("`t` is of type `offset`: only these have an exact offset")
+                && error.contains("without `thick`"),
             "{error}"
         );
     }

@@ -90,7 +90,7 @@ fn offsets_beyond_the_focal_set_and_on_it() {
             true,
             "quad 0: a solid between the surface and its offset at distance -1.5 would self-intersect: a center",
         ),
-        (0.0, true, "a solid between a surface and its offset needs a distance other than 0"),
+        (0.0, true, "a solid between a surface and its offset requires a nonzero distance"),
     ] {
         let message = build(&format!("{torus}{}", offset("r", "k", distance, thick))).unwrap_err();
         assert!(message.contains(&format!(": objects.k.distance: {words}")), "{message}");

@@ -40,7 +40,7 @@ fn pipes_follow_arcs_and_segments() {
         assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
     }
     let error = build(r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "v": {"type": "pipe", "of": "t", "radius": 1}"#);
-    assert!(error.unwrap_err().to_string().contains("only curves have a pipe about them"));
+    assert!(error.unwrap_err().to_string().contains("a pipe requires a curve"));
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn pipes_that_run_into_each_other_are_warned_of() {
     }
     let crossing = rods("[[0, -40, 30], [0, 40, 30]]", r#""radius": 20"#);
     assert_eq!(crossing.remarks[0].contour, Some(1));
-    assert!(crossing.remarks[0].message.contains("(30 from spine to spine)"), "{}", crossing.remarks[0].message);
+    assert!(crossing.remarks[0].message.contains("(distance of the spines 30)"), "{}", crossing.remarks[0].message);
 }
 
 #[test]

@@ -192,7 +192,7 @@ fn grids_in_steps_make_nets_and_solids() {
     for (more, words) in [
         (r#", "openings": [[2, 1]]"#, ["objects.n.openings[0]", "there is no quad in column 2, row 1"]),
         (r#", "openings": [[0, 1]]"#, ["objects.n.openings", "is not connected to the first one"]),
-        (r#", "closed": [true, false]"#, ["objects.n", "`null` goes with an open one"]),
+        (r#", "closed": [true, false]"#, ["objects.n", "`null` is for open grids"]),
         (r#", "make_circular": {"border": {"first_row": "g"}}"#, ["objects.n", "`g`"]),
     ] {
         let message = steps(more).map(|_| ()).unwrap_err();
@@ -229,12 +229,12 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             with(r#""edge_length": 0.7"#),
             &[r#""n": {"type": "cyclidic-net", "grid": {"of": "g", "piece": 1}}"#],
-            &["objects.n.grid.piece", "`g` has 1 grid(s), counted from 0: there is no grid 1"],
+            &["objects.n.grid.piece", "there is no grid 1: `g` has 1 grid(s), numbered from 0"],
         ),
         (
             with(r#""edge_length": 0.7"#),
             &[r#""c": {"type": "circle", "center": [0, 0], "radius": 1}"#, r#""n": {"type": "cyclidic-net", "grid": {"of": "c"}}"#],
-            &["objects.n.grid.of", "`c` is of type `circle`: a grid is laid by a `principal-grid`"],
+            &["objects.n.grid.of", "`c` is of type `circle`: grids come from a `principal-grid`"],
         ),
         (
             with(r#""edge_length": 0.7"#),

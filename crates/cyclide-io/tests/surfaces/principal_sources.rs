@@ -210,12 +210,12 @@ fn what_is_refused_is_shown_in_the_document_or_the_file() {
         (
             pole("[1, 1]", "[[[0, 0, 0], [0, 0, 0]], [[0, 1, 0], [1, 1, 0]]]"),
             "objects.g.nurbs.control_points",
-            "of the first row of control points is one point",
+            "of the first row of control points is a single point",
         ),
         (
             pole("[1, 1]", "[[[0, 0, 0], [1, 1, 0]], [[0, 2, 0], [1, 1, 0]]]"),
-            "a hole round it",
-            "where the rows of control points end is one point",
+            "split the surface near the pole",
+            "where the rows of control points end is a single point",
         ),
         (
             format!(r#""nurbs": {{{HYPAR}, {CLAMPED}}}, "mesh": {{"obj": "a.obj"}}, {edge}"#),

@@ -19,7 +19,7 @@ fn bridges_are_surfaces_or_solids_and_refused_in_their_place() {
         (
             r#""ellipses": [[10, 20], [20, 25]], "arcs": "full", "depth": 3"#,
             "objects.b",
-            "`depth` goes with half circles",
+            "`depth` requires half circles",
         ),
         (r#""ellipses": [[10, 20], [20, 15]], "arcs": "full""#, "objects.b.ellipses", "[ellipses-cross]"),
         (r#""ellipses": [[10, 20], [10, 25]]"#, "objects.b.ellipses", "[coincident-points]"),
@@ -60,7 +60,7 @@ fn surfaces_between_two_curves_and_what_refuses_them() {
             "the first curve has 1 piece(s), the second 4",
         ),
         (r#"{"type": "ruled", "rails": ["a", "two"]}"#, "objects.s.rails[1]", "has 2 contours"),
-        (r#"{"type": "ruled", "rails": ["solid", "a"]}"#, "objects.s.rails[0]", "is no curve"),
+        (r#"{"type": "ruled", "rails": ["solid", "a"]}"#, "objects.s.rails[0]", "is not a curve"),
         (r#"{"type": "ruled", "rails": ["a", "q"]}"#, "objects.s.rails[1]", "there is no object `q`"),
         (r#"{"type": "ruled", "rails": ["a", "a"]}"#, "objects.s.rails", "[coincident-points]"),
         (

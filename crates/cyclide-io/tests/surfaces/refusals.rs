@@ -36,7 +36,7 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             transform("o", r#"{"scale": {"factor": 2}, "translation": [1,0]}"#),
             "{",
-            "objects.a.steps[1]: one name is needed here: give each its own braces",
+            "objects.a.steps[1]: one name is expected here: put each into its own braces",
         ),
         (
             transform("o", r#"{"matrix": [[[1,0,0,0],[0]],[]]}"#),
@@ -64,11 +64,7 @@ fn what_is_refused_is_shown_at_its_place() {
             "\"c\"",
             "objects.a.of: `c` is of type `circle`: only a `torus-spline`",
         ),
-        (
-            with(r#""a": {"type": "offset", "of": "a", "distance": 1}"#),
-            "\"a\"",
-            "objects.a.of: `a` is made from itself",
-        ),
+        (with(r#""a": {"type": "offset", "of": "a", "distance": 1}"#), "\"a\"", "objects.a.of: `a` refers to itself"),
         (
             transform("o", r#"{"inversion": {"center": [4,0], "radius": 1}}"#),
             "",
@@ -107,7 +103,7 @@ fn long_chains_and_circles_of_references() {
     assert!((point(&built, 0.5, 0.5).distance(Point3::new(1.0, 0.0, 0.0)) - 3.999).abs() < 1e-12);
     let circle: Vec<String> = (0..2000).map(|i| link(i, (i + 1) % 2000)).collect();
     let message = build(&circle.join(", ")).unwrap_err();
-    assert!(message.contains("is made from itself"), "{message}");
+    assert!(message.contains("refers to itself"), "{message}");
 }
 
 #[test]

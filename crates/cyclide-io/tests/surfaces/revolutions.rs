@@ -59,7 +59,7 @@ fn revolutions_that_are_none_are_refused_in_their_place() {
     }
     let error =
         build(r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "v": {"type": "revolution", "of": "t"}"#).unwrap_err();
-    assert!(error.to_string().contains("only curves sweep a surface of revolution"), "{error}");
+    assert!(error.to_string().contains("a revolution requires a curve"), "{error}");
 }
 
 /// A whole turn typed in radians leaves a slit, which is asked about with its width; degrees, parts of a turn and the turn itself are meant.
@@ -77,7 +77,7 @@ fn turns_that_are_nearly_whole_are_asked_about() {
         [("6.2831853", "7.18e-9", "3.59e-8"), ("-6.2831853", "7.18e-9", "3.59e-8"), ("6.28", "0.0031853", "0.015927")]
     {
         let (message, place) = remarks(angle).unwrap();
-        assert!(message.contains(open) && message.contains(wide) && message.contains("leave `angle` out"), "{message}");
+        assert!(message.contains(open) && message.contains(wide) && message.contains("remove `angle`"), "{message}");
         assert_eq!(place, "objects.v.angle");
     }
     for angle in ["6.283185307179586", "6.27", "3", r#"{"degrees": 359.9}"#, r#"{"degrees": 360}"#] {

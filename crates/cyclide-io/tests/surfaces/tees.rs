@@ -38,7 +38,12 @@ fn tees_that_are_none_are_refused_in_their_place() {
         (r#"{"radius": 11, "length": 40, "blend": {"least": 2}}"#, "", "branches[0]", "[tee-blend-too-large]"),
         (BRANCH, r#", "wall": 9"#, "wall", "[parameter-out-of-range]"),
         (BRANCH, r#", "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
-        (r#"{"radius": 8, "length": 40, "blend": {"radius": 2, "flank": 3}}"#, "", "", "a blend is given by one of"),
+        (
+            r#"{"radius": 8, "length": 40, "blend": {"radius": 2, "flank": 3}}"#,
+            "",
+            "",
+            "a blend requires exactly one of",
+        ),
     ] {
         let error = tee(branches, rest).unwrap_err();
         assert!(error.contains(place) && error.contains(reason), "{error}");

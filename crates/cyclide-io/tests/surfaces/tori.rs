@@ -160,7 +160,7 @@ fn an_image_of_a_torus_is_named() {
     );
     let error = build(&inverted).unwrap_err();
     assert!(
-        error.contains("objects.k.torus") && error.contains("step 1 of the `transform` `i` is no similarity"),
+        error.contains("objects.k.torus") && error.contains("step 1 of the `transform` `i` is not a similarity"),
         "{error}"
     );
 }
@@ -376,7 +376,7 @@ fn two_types_make_the_loop_of_four_points() {
     assert_eq!((told.segments.two_types, report(&made).pieces, told.winding), (4, 8, vec![Some([0, 0])]));
     for (rest, message) in [
         (r#", "rates": [[1.4, 0], [0, -1.2], "free", [0, 1.2]]"#, "a direction at every point"),
-        (r#", "rates": [[1.4, 0], [0, -1.2], [-1.4, 0], [0, 1.2]], "winding": [1, 0]"#, "leave out `knots`"),
+        (r#", "rates": [[1.4, 0], [0, -1.2], [-1.4, 0], [0, 1.2]], "winding": [1, 0]"#, "remove `knots`"),
         (r#", "rates": [[1.4, 0], [0, 1.2], [1.4, 0], [0, 1.2]]"#, "[no-two-type-solution]"),
     ] {
         let error = spline(&format!("{fields}{rest}")).unwrap_err();
@@ -413,18 +413,18 @@ fn what_is_refused_is_shown_at_its_place() {
         assert!(error.contains(place) && error.contains(reason), "{fields}: {place} {reason}: {error}");
     }
     for (fields, message) in [
-        (r#""angles": [[0, 0]], "points": [[52, 0, 0]]"#, "is given by `points` or by `angles`"),
-        (r#""closed": true"#, "is given by `points` or by `angles`"),
-        (r#""angles": [[0, 0], [1, 0]], "winding": [1, 0]"#, "that of a closed curve"),
-        (r#""angles": [[0, 0], [1, 0]], "tolerance": 1"#, "`tolerance` goes with `points`"),
+        (r#""angles": [[0, 0]], "points": [[52, 0, 0]]"#, "requires either `points` or `angles`"),
+        (r#""closed": true"#, "requires either `points` or `angles`"),
+        (r#""angles": [[0, 0], [1, 0]], "winding": [1, 0]"#, "requires a closed curve"),
+        (r#""angles": [[0, 0], [1, 0]], "tolerance": 1"#, "`tolerance` requires `points`"),
         (
             r#""angles": [[0, 0], [1, 0]], "tangents": [[1, 0, 0], "free"]"#,
-            "tangent 0 is normal to the torus there: nothing of it runs along the torus",
+            "tangent 0 is normal to the torus there: it has no tangential component",
         ),
         (r#""angles": [[0, 0]], "closed": true"#, "[too-few-points]"),
         (
             r#""angles": [[0, 0], [1, 0]], "rates": [[1, 0], "free"], "tangents": ["free", "free"]"#,
-            "by `tangents` or by `rates`",
+            "require either `tangents` or `rates`",
         ),
     ] {
         let error = spline(fields).unwrap_err();

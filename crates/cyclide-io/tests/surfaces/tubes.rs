@@ -101,7 +101,7 @@ fn tubes_that_are_none_are_refused_in_their_place() {
         (r#""balls": [[0, 0, 0, 3], [2, 2, 0, 3], [4, 0, 0, 3]]"#, "balls[", "[tube-folds]"),
         (r#""balls": [[0, 0, 0, 3], [9, 0, 0, -1]]"#, "balls", "[radius-not-positive]"),
         (&format!(r#"{BALLS}, "wall": 1.5"#), "wall", "[parameter-out-of-range]"),
-        (&format!(r#"{BALLS}, "radius": 1"#), "", "a tube runs along a curve"),
+        (&format!(r#"{BALLS}, "radius": 1"#), "", "a tube requires either a curve"),
         (r#""of": "nothing""#, "", "nothing"),
     ] {
         let error = tube(fields).unwrap_err();
@@ -116,7 +116,7 @@ fn tubes_that_are_none_are_refused_in_their_place() {
             r#""radius_of": "balls", "radius": [{"at": 0, "radius": 0.1}, {"at": 0.02, "radius": 4}, {"at": 1, "radius": 0.1}]"#,
             "[radius-grows-too-fast]",
         ),
-        (r#""radius": [1, {"at": 0.5, "radius": 2}]"#, "either evenly spaced"),
+        (r#""radius": [1, {"at": 0.5, "radius": 2}]"#, "evenly spaced"),
         (r#""radius": [{"at": 0.5, "radius": 1}, {"at": 0.5, "radius": 2}]"#, "[empty-interval]"),
     ] {
         let error = along(rest);

@@ -145,7 +145,10 @@ fn is_drawn(item: cyclide::Item) {
 fn planes_agree_on_their_common_lines() {
     let text = planes(0.0).replace(r#""tu": [[[0.0, 0.0, 0.0]"#, r#""tu": [[[0.0, 0.1, 0.0]"#);
     let (reason, message) = refused(&format!(r#""g": {{"type": "cyclide-grid", {text}}}"#));
-    assert!(reason.as_deref() == Some("not-concircular") && message.contains("from that of `st`"), "{message}");
+    assert!(
+        reason.as_deref() == Some("not-concircular") && message.contains("must coincide with that of `st`"),
+        "{message}"
+    );
     let text = planes(0.0).replace(r#""st": [[[0.0, 0.0, 0.0], "#, r#""st": [["#);
     assert!(refused(&format!(r#""g": {{"type": "cyclide-grid", {text}}}"#)).1.contains("points along s"));
 }
@@ -204,9 +207,9 @@ fn cells_have_a_law_that_fits() {
     let wanted = [(0, 2.5), (1, 2.49), (5, 2.25), (9, 2.01), (10, 2.0)];
     assert!(wanted.iter().all(|(k, x)| (across[*k] - x).abs() < 1e-10), "{across:?}");
     for (cells, word) in [
-        (r#"[1, 1, {"count": 4, "ratio": 1.2, "first": 0.1}]"#, "give one of"),
-        (r#"[1, 1, {"count": 4, "law": "uniform", "ratio": 1.2}]"#, "give one of"),
-        (r#"[1, 1, {"count": 4, "law": "tanh"}]"#, "give one of"),
+        (r#"[1, 1, {"count": 4, "ratio": 1.2, "first": 0.1}]"#, "exactly one of"),
+        (r#"[1, 1, {"count": 4, "law": "uniform", "ratio": 1.2}]"#, "exactly one of"),
+        (r#"[1, 1, {"count": 4, "law": "tanh"}]"#, "exactly one of"),
         (r#"[1, 1, {"count": 4, "first": 0.6}]"#, "first cell"),
         (r#"[1, 1, {"count": 4, "law": "tanh", "first": 0.3}]"#, "first cell = 0.3"),
         (r#"[1, 1, {"count": 4, "ratio": 0}]"#, "ratio"),
@@ -251,9 +254,9 @@ fn what_is_said_of_parallel_cyclides_is_said_of_mu() {
         refused(&format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": {a}, "c": {c}, "mu": {mu:?}}}}}"#))
     };
     for ([a, c], mu, reason, words) in [
-        ([4.0, 1.0], [0.5, 4.5], "offset-not-regular", "w.whole.mu[1]: mu = 4.5: between it and mu = 0.5 "),
-        ([1.0, 0.5], [0.3, 1.5], "offset-not-regular", "w.whole.mu[1]: mu = 1.5: between it and mu = 0.3 "),
-        ([3.0, 0.0], [0.0, 1.0], "offset-not-regular", "w.whole.mu[0]: mu = 0: between it and mu = 1 "),
+        ([4.0, 1.0], [0.5, 4.5], "offset-not-regular", "w.whole.mu[1]: mu = 4.5: between this value and mu = 0.5 "),
+        ([1.0, 0.5], [0.3, 1.5], "offset-not-regular", "w.whole.mu[1]: mu = 1.5: between this value and mu = 0.3 "),
+        ([3.0, 0.0], [0.0, 1.0], "offset-not-regular", "w.whole.mu[0]: mu = 0: between this value and mu = 1 "),
         ([3.0, 0.0], [2.0, 1.0], "parameters-not-increasing", "w.whole.mu[1]: "),
     ] {
         let (found, message) = whole(a, c, mu);
@@ -287,13 +290,13 @@ fn numbers_that_ask_for_nothing_are_named() {
     let none = refused(&format!(r#"{wall}, "l": {{"type": "layers", "of": "w", "first": 0.1, "count": 0}}"#));
     assert!(none.0.as_deref() == Some("parameter-out-of-range") && none.1.contains("l.count: 0 layers"), "{}", none.1);
     let one = r#""w": {"type": "cyclide-grid", "whole": {"a": 3, "mu": [0.5, 1]}, "cells": [1, 1, {"count": 1, "first": 0.5}]}"#;
-    assert!(refused(one).1.contains("one cell is as long as its block"), "{}", refused(one).1);
+    assert!(refused(one).1.contains("a single cell is as long as its block"), "{}", refused(one).1);
     let twice = format!(
         r#"{wall}, "l": {{"type": "layers", "of": "w", "distances": [0, 0.1]}}, "s": {{"type": "coordinate-surfaces", "of": "l", "t": [0.2, 0.5, 0.2]}}"#
     );
     let (reason, message) = refused(&twice);
     assert!(
-        reason.as_deref() == Some("parameters-not-increasing") && message.contains("s.t[2]: t[2] = 0.2 is t[0] again"),
+        reason.as_deref() == Some("parameters-not-increasing") && message.contains("s.t[2]: t[2] = 0.2 equals t[0]"),
         "{message}"
     );
     // Falling values are other surfaces: each of four rows round the tube twice.
@@ -346,7 +349,10 @@ fn cells_that_rounding_inverts_say_so() {
     assert!(built.bodies.len() == 1 && built.remarks.iter().any(|remark| remark.reason == "no-effect"));
     let (reason, message) = refused(&lines("[1]"));
     assert_eq!(reason.as_deref(), Some("collapsed-side"), "{message}");
-    assert!(message.contains("x.s[0]") && message.contains("s = 1 is a line or a point of every block"), "{message}");
+    assert!(
+        message.contains("x.s[0]") && message.contains("s = 1 is not a surface but a line or a point of every block"),
+        "{message}"
+    );
 }
 
 /// The table of the cells holds the nodes of the grid, bit for bit: those that blocks share are one.
@@ -385,29 +391,41 @@ fn what_is_wrong_with_a_block_is_said_of_its_field() {
         (
             block(r#", "inside": [1, 0, 1]"#),
             "parameter-out-of-range",
-            "b.inside[1]: the last corner is where three positive weights put it, and 0 is none",
+            "b.inside[1]: the weights that determine the last corner must be positive, and 0 is not",
         ),
         (block(r#", "inside": [1, 2, -1]"#), "parameter-out-of-range", "b.inside[2]: "),
-        (block(r#", "inside": [1e308, 1e308, 1]"#), "parameter-out-of-range", "b.inside: the weights are too large"),
+        (
+            block(r#", "inside": [1e308, 1e308, 1]"#),
+            "parameter-out-of-range",
+            "b.inside: the sum of the weights is too large",
+        ),
         (
             block(r#", "frame": [[0,0,0], [0,1,0]]"#),
             "frame-not-orthonormal",
             "b.frame: the directions of the frame must not be zero",
         ),
         (block(r#", "frame": [[1,0,0], [0.1,1,0]]"#), "frame-not-orthonormal", "must be perpendicular"),
-        (layers(r#""distances": [0, 0.2, 0.1]"#), "parameters-not-increasing", "l.distances[2]: 0.1 is not above 0.2"),
-        (layers(r#""first": 0, "count": 3"#), "parameters-not-increasing", "l.first: a layer has a height"),
+        (
+            layers(r#""distances": [0, 0.2, 0.1]"#),
+            "parameters-not-increasing",
+            "l.distances[2]: 0.1 does not exceed 0.2",
+        ),
+        (
+            layers(r#""first": 0, "count": 3"#),
+            "parameters-not-increasing",
+            "l.first: the height of a layer must not be 0",
+        ),
         (
             layers(r#""first": 0.1, "growth": 1e-9, "count": 3"#),
             "parameters-not-increasing",
-            "l.growth: layer 2 is so thin",
+            "l.growth: layer 2 is too thin",
         ),
         (layers(r#""distances": [0, 1e-17, 0.2]"#), "below-rounding-of-place", "the layer has size 1e-17"),
         (layers(r#""first": 1e-12, "count": 2"#), "below-rounding-of-place", "l.first: "),
         (
             inverted("[0.4, 0.5, 0.5]"),
             "volume-through-infinity",
-            "the centre of the inversion is in the block, or nearer",
+            "the center of the inversion is in the block, or closer",
         ),
         (inverted("[0.4, 0.5, -1e-7]"), "volume-through-infinity", "near s = 0.4, t = 0.49999, u = "),
     ] {
@@ -415,9 +433,9 @@ fn what_is_wrong_with_a_block_is_said_of_its_field() {
         assert!(found.as_deref() == Some(reason) && message.contains(words), "{message}");
     }
     let (_, message) = refused(&block(r#", "cells": [2, 2, {"count": 2, "first": 0.1, "fine": "both"}]"#));
-    assert!(message.contains("b.cells[2]: two cells that are fine at both ends are equal"), "{message}");
+    assert!(message.contains("b.cells[2]: two cells refined at both ends are equal"), "{message}");
     let solid = r#""o": {"type": "offset", "of": "w", "distance": 0.1, "thick": true}, "l": {"type": "layers", "of": "o", "distances": [0, 0.1]}"#;
-    assert!(refused(&format!("{ring}, {solid}")).1.contains("the offset itself has, without `thick`"));
+    assert!(refused(&format!("{ring}, {solid}")).1.contains("the offset itself has layers without `thick`"));
     let huge =
         report(r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1e120,0,0], [0,1e120,0], [0,0,1e120]]}"#);
     assert!(huge.not_known.iter().any(|reason| reason.contains("volume = ")), "{:?}", huge.not_known);

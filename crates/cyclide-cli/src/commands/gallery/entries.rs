@@ -54,7 +54,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
-        text: "A mesh of 20 by 20 quads on a roof 66 m long, whose vertices move by half a metre on average so that every quad has a circle, and a second skin at an exact distance.",
+        text: "A mesh of 20 by 20 quads on a roof 66 m long. Its vertices move by half a meter on average so that every quad is circular; the second skin is an exact offset.",
         document: example!("roof.json"),
         inputs: &[input!("roof-20.obj")],
         formats: SURFACES,
@@ -64,7 +64,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "principal_grid",
         title: "A hypar along its lines of curvature",
-        text: "The mesh runs along the straight lines of a hypar, where quads with circles would lose its shape: a grid along the lines of curvature keeps it, and its vertices move by less than a millimetre.",
+        text: "The mesh follows the straight lines of a hypar, where circular quads would lose its shape. A grid along the lines of curvature preserves it, and its vertices move by less than a millimeter.",
         document: example!("principal_grid.json"),
         inputs: &[input!("hypar.obj")],
         formats: SURFACES,
@@ -74,7 +74,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "spline_tower",
         title: "A tower given as a B-spline surface",
-        text: "A waisted tower over ellipses, as CAD programs have it: a grid along its lines of curvature that is closed all round, and the skin of patches over the grid.",
+        text: "A waisted tower over ellipses, as exported by CAD programs: a closed grid along its lines of curvature, and the skin of patches over the grid.",
         document: example!("spline_tower.json"),
         inputs: &[],
         formats: SURFACES,
@@ -84,7 +84,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "canopy",
         title: "A canopy for a workshop",
-        text: "Glass panels 4 cm thick on a skin whose beams meet in straight lines: cyclide schedule lists its panels, edges, nodes and beams, with moulds, plans and flat patterns.",
+        text: "Glass panels 4 cm thick on a skin whose beams meet in straight node axes. cyclide schedule lists panels, edges, nodes and beams, with moulds, plans and flat patterns.",
         document: example!("canopy.json"),
         inputs: &[],
         formats: SURFACES,
@@ -93,8 +93,8 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "oculus",
-        title: "A dome round an extraordinary vertex",
-        text: "Five quads of the mesh meet at the top, where no net has a corner: they stay open, and five grids join to one smooth skin that closes round the opening, here as a shell 12 cm thick.",
+        title: "A dome around an extraordinary vertex",
+        text: "Five quads of the mesh meet at the top, where a net cannot have a corner. They stay open, and five grids join to one smooth skin around the opening, here as a shell 12 cm thick.",
         document: example!("oculus.json"),
         inputs: &[input!("oculus.obj")],
         formats: SURFACES,
@@ -104,7 +104,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "two_umbilics",
         title: "A free form with two umbilics",
-        text: "Lines of curvature part at two places of this B-spline surface. Six quads of one mesh meet at each and stay open; thirteen grids round them share their borders, without a crease: one roof of 563 panels, 10 cm thick.",
+        text: "The lines of curvature of this B-spline surface have two singularities. Six quads of one mesh meet at each and stay open; the thirteen grids around them share their borders without a crease: one roof of 563 panels, 10 cm thick.",
         document: example!("two_umbilics.json"),
         inputs: &[],
         formats: SURFACES,
@@ -114,7 +114,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "lines_of_curvature",
         title: "Lines of curvature of an ellipsoid",
-        text: "The cap of an ellipsoid as a mesh: crosses along its two directions of curvature, the two umbilics where there are none, and the grids between them that nets follow.",
+        text: "The cap of an ellipsoid as a mesh: crosses along its principal directions, the two umbilics where these are undefined, and the grids between them on which nets are built.",
         document: example!("lines_of_curvature.json"),
         inputs: &[input!("ellipsoid_cap.obj")],
         formats: CURVES,
@@ -124,7 +124,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "patch",
         title: "A patch with its parameter circles",
-        text: "Four corners on one circle and one frame: every parameter line is a circular arc and a line of curvature.",
+        text: "Four concyclic corners and one frame: every parameter line is a circular arc and a line of curvature.",
         document: example!("patch.json"),
         inputs: &[],
         formats: SURFACES,
@@ -154,7 +154,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "closed_skins",
         title: "Closed skins",
-        text: "A tower and a ring of any shape: the vertices of their meshes move until every quad has a circle and the skins close all round without a seam. The tower has a wall of 0.3 m, exact everywhere.",
+        text: "A tower and a ring of free form: the vertices of their meshes move until every quad is circular and the skins close without a seam. The tower has a wall of 0.3 m, exact everywhere.",
         document: example!("closed_skins.json"),
         inputs: &[input!("tower.obj"), input!("undulating.obj")],
         formats: SURFACES,
@@ -164,7 +164,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "handle",
         title: "Triply curved handle",
-        text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, made thick to a closed solid.",
+        text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, thickened to a closed solid.",
         document: example!("handle.json"),
         inputs: &[],
         formats: SURFACES,
@@ -174,7 +174,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "vase",
         title: "Vase",
-        text: "A fair profile through twelve points turned about its axis: a closed solid of exact rational faces, its foot and lip plane.",
+        text: "A fair profile through twelve points, revolved about its axis: a closed solid of exact rational faces with a plane foot and lip.",
         document: example!("vase.json"),
         inputs: &[],
         formats: SURFACES,
@@ -184,7 +184,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "dodecahedron",
         title: "Rounded dodecahedron",
-        text: "The convex hull of twenty points, and the same with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
+        text: "The convex hull of twenty points, and the same hull with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
         document: example!("dodecahedron.json"),
         inputs: &[],
         formats: SURFACES,
@@ -204,7 +204,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "pipe",
         title: "Pipe with eight bends",
-        text: "A run of segments and arcs with a wall, of cylinders and tori alone, and a closed frame of rods with mitred corners.",
+        text: "A hollow run of segments and arcs, made only of cylinders and tori, and a closed frame of rods with mitred corners.",
         document: example!("pipe.json"),
         inputs: &[],
         formats: SURFACES,
@@ -214,7 +214,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "roof_pipe",
         title: "A pipe through a roof",
-        text: "A rolling ball rounds the corner between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate to one solid.",
+        text: "A rolling-ball fillet between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate into one solid.",
         document: example!("roof_pipe.json"),
         inputs: &[],
         formats: SURFACES,
@@ -224,7 +224,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "tubes",
         title: "Tubes of changing radius",
-        text: "A cable that thins, a horn with a wall, a knot of changing width and a handle through four balls: chains of Dupin cyclides that are tangent all round.",
+        text: "A tapering cable, a hollow horn, a knot of varying width and a handle through four balls: chains of Dupin cyclides that join tangentially.",
         document: example!("tubes.json"),
         inputs: &[],
         formats: SURFACES,
@@ -234,7 +234,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "sections",
         title: "Sections along paths",
-        text: "A hollow rail with mitred corners, a bar that is twisted by half a turn, and springs of round wire and of a ribbon along helices: solids with planes, cylinders and exact edges where they have them.",
+        text: "A hollow rail with mitred corners, a bar twisted by half a turn, and springs of round wire and of ribbon along helices: solids with planes, cylinders and exact edges where possible.",
         document: example!("sections.json"),
         inputs: &[],
         formats: SURFACES,
@@ -244,7 +244,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "pick_and_place",
         title: "Pick and place",
-        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through nine poses, as an animation; the path of its tip and what its fingers run over are exact.",
+        text: "A gripper takes parts from a tray and puts them down upside down: one smooth rational motion through nine poses, as an animation. The path of its tip and the surface swept by its fingers are exact.",
         document: example!("pick_and_place.json"),
         inputs: &[],
         formats: MOVING,
@@ -254,7 +254,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "welding_seam",
         title: "Linear moves of a robot",
-        text: "A torch welds two seams: straight from pose to pose, turned at constant speed, and past the poses on blends of 4 mm, as an animation with the paths of its tip and of the hose behind it.",
+        text: "A torch welds two seams: straight from pose to pose with a constant rate of rotation, and past the poses on blends of 4 mm, as an animation with the paths of its tip and of the hose behind it.",
         document: example!("welding_seam.json"),
         inputs: &[],
         formats: MOVING,
@@ -264,7 +264,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "tee",
         title: "Tees of pipes",
-        text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, three branches on one hollow pipe, three round it at one place, and an equal cross, whose blends meet in points. Exact rational faces, one solid each.",
+        text: "Branches joined to a main pipe by rolling-ball fillets: an upright branch whose ball is larger at the inner corners, a lateral at 45 degrees, three branches on one hollow pipe, three around it at one position, and an equal cross whose blends meet in points. Exact rational faces, one solid each.",
         document: example!("tee.json"),
         inputs: &[],
         formats: SURFACES,
@@ -274,7 +274,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "crossing",
         title: "Pipes that pass each other",
-        text: "Blended by a ball of one radius: two hollow pipes with one bore, the same askew, a rail that lies on a bar, and two pipes that do not touch, which the blend joins as a bridge. Exact envelopes of balls, one solid each.",
+        text: "Joined by rolling-ball fillets of constant radius: two hollow pipes with one bore, the same with skew axes, a rail that lies on a bar, and two pipes that do not touch, with the blend as a bridge. Exact envelopes of balls, one solid each.",
         document: example!("crossing.json"),
         inputs: &[],
         formats: SURFACES,
@@ -283,8 +283,8 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "crossing_laws",
-        title: "Balls that change as they roll",
-        text: "A bridge of two pipes by balls of a closed spline through four of them, two bores with a ball that is larger at the sides, a notch with a rounded edge, and what two pipes have in common.",
+        title: "Rolling balls of varying radius",
+        text: "A bridge between two pipes along a closed spline through four balls, two bores with a ball that is larger at the sides, a notch with a rounded edge, and the intersection of two pipes.",
         document: example!("crossing_laws.json"),
         inputs: &[],
         formats: SURFACES,
@@ -293,8 +293,8 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "ball_centers",
-        title: "Centres of balls",
-        text: "The surface of the centres of all balls that touch two pipes, a closed spline on it, and the blend that its balls make. Exact: a patch of degree (2, 2), a curve of degree 4, canals of degree (12, 2).",
+        title: "Centers of balls",
+        text: "The surface of the centers of all balls that touch two pipes, a closed spline on it, and the blend generated by its balls. Exact: a patch of degree (2, 2), a curve of degree 4, canal surfaces of degree (12, 2).",
         document: example!("ball_centers.json"),
         inputs: &[],
         formats: SURFACES,
@@ -304,7 +304,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "contact_blend",
         title: "Tubes and a ring on a sphere and on plates",
-        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, a ring on a round plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
+        text: "Joined by rolling-ball fillets of constant radius: a hollow strut off the center of a spherical node, a cone that leans on a plate, a ring on a round plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
         document: example!("contact_blend.json"),
         inputs: &[],
         formats: SURFACES,
@@ -314,7 +314,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "ellipse_bridge",
         title: "Bridge of two ellipses",
-        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring. Beside it whole circles on the same chords.",
+        text: "Vertical half circles on the chords between two ellipses, and walls tangent to them: a solid ring. Next to it, whole circles on the same chords.",
         document: example!("ellipse_bridge.json"),
         inputs: &[],
         formats: SURFACES,
@@ -324,7 +324,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "ruled",
         title: "Surfaces of lines and of circles",
-        text: "A hyperboloid, turned from a segment and ruled between two circles; a vault of arcs over two rails; the neck of a leaning pipe with arcs in planes along it. All exact.",
+        text: "A hyperboloid, once revolved from a segment and once ruled between two circles; a vault of arcs over two rails; the neck of a leaning pipe with arcs in planes along it. All exact.",
         document: example!("ruled.json"),
         inputs: &[],
         formats: SURFACES,
@@ -334,7 +334,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "circles_in_space",
         title: "Circles, spheres and planes",
-        text: "The null cone with its points of one scale; circles on a sphere that turn into each other about two points; a circle spline through points of a sphere, which stays on it; a circle that meets a plane.",
+        text: "The null cone with its points of one scale; circles on a sphere that rotate into each other about two points; a circle spline through points of a sphere, which lies on the sphere; a circle that meets a plane.",
         document: example!("circles_in_space.json"),
         inputs: &[],
         formats: SURFACES,
@@ -344,7 +344,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "spherical_cube",
         title: "A spherical and a cyclidic cube",
-        text: "Eight points of a sphere, the four of every face of a cube on a circle: the last one follows from the others, by a theorem of Miquel. Beside it the block of these corners, whose faces are patches of Dupin cyclides.",
+        text: "Eight points of a sphere, with the four points of every face of a cube on a circle: the last point follows from the others by Miquel's theorem. Next to it, the block with these corners, whose faces are patches of Dupin cyclides.",
         document: example!("spherical_cube.json"),
         inputs: &[],
         formats: SURFACES,
@@ -364,7 +364,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "block",
         title: "Three families in a block",
-        text: "A block of four corners: its coordinate surfaces are patches of Dupin cyclides, cross at right angles everywhere, and all lines are circles.",
+        text: "A block from four corners: its coordinate surfaces are patches of Dupin cyclides that cross at right angles everywhere, and all parameter lines are circles.",
         document: example!("block.json"),
         inputs: &[],
         formats: SURFACES,
@@ -374,7 +374,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "boundary_layers",
         title: "Layers over a wall",
-        text: "Eight blocks between offsets of a patch, each higher than the one below: an orthogonal grid for flow or heat, exact in VTU.",
+        text: "Eight blocks between offsets of a patch, each higher than the one below: an orthogonal grid for flow or heat problems, exact in VTU.",
         document: example!("boundary_layers.json"),
         inputs: &[],
         formats: VOLUMES,
@@ -384,7 +384,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "tube_grid",
         title: "A grid in the wall of a bent tube",
-        text: "The inner skin and the walls between 96 blocks, which fill the space between two Dupin cyclides without a gap: all of them cross at right angles. Each has 160 cells for solvers.",
+        text: "The inner skin and the walls between 96 blocks, which fill the space between two Dupin cyclides without gaps. All of them cross at right angles; each block has 160 cells for solvers.",
         document: example!("tube_grid.json"),
         inputs: &[],
         formats: SURFACES,
@@ -394,7 +394,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "trefoil",
         title: "A trefoil on a torus",
-        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it, and a thicker rod alone; two Villarceau circles through one point.",
+        text: "The torus knot with two turns around the axis and three around the tube, exactly on the torus, with a rod along it, and a thicker rod alone; two Villarceau circles through one point.",
         document: example!("trefoil.json"),
         inputs: &[],
         formats: SURFACES,
@@ -404,7 +404,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "torus_circles",
         title: "The circles of a torus",
-        text: "Round the axis and round the tube, and the two families of Villarceau circles, whose radius is that of the middle circle: four through every point.",
+        text: "Parallels, meridians and the two families of Villarceau circles, whose radius is that of the center circle: four circles through every point.",
         document: example!("torus_circles.json"),
         inputs: &[],
         formats: SURFACES,
@@ -424,7 +424,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "four_point_loop",
         title: "A loop through four points",
-        text: "Four points with directions, along parallels and meridians in turn, and two quartics of two types for each quarter; beside it four points and the spline that chooses its directions and types. Both lie on the torus exactly.",
+        text: "Four points with directions along parallels and meridians in turn, and two quartics of two types for each quarter; next to it, four points and the spline that chooses its directions and types. Both lie exactly on the torus.",
         document: example!("four_point_loop.json"),
         inputs: &[],
         formats: SURFACES,
@@ -434,7 +434,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "winding",
         title: "Filament on a core",
-        text: "One closed thread, 5 times round the axis and 87 times round the tube: 7.7 m of it, exactly on the torus.",
+        text: "One closed thread of 7.7 m, 5 times around the axis and 87 times around the tube, exactly on the torus.",
         document: example!("winding.json"),
         inputs: &[],
         formats: SURFACES,
@@ -444,7 +444,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "o_ring",
         title: "Marks on a moulded ring",
-        text: "A raised mark and a sunk line along curves of a torus, each a solid of a given width between two heights, to be fused to the ring or cut from it.",
+        text: "A raised mark and an engraved line along curves of a torus, each a solid of given width between two heights, to be fused to the ring or cut from it.",
         document: example!("o_ring.json"),
         inputs: &[],
         formats: SURFACES,
@@ -453,7 +453,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "o_ring_pattern",
-        title: "The marks laid flat",
+        title: "The marks unrolled",
         text: "The same curves with their torus unrolled to a rectangle: longitude by meridian angle, each as a length.",
         document: example!("o_ring_pattern.json"),
         inputs: &[],
@@ -464,7 +464,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "stone",
         title: "A scan made smooth",
-        text: "A smooth surface through the vertices of a scan of 500 triangles: the tangent plane is continuous, and its meshes are closed to the bit.",
+        text: "A smooth surface through the vertices of a scan of 500 triangles: the tangent plane is continuous, and its meshes are watertight.",
         document: example!("stone.json"),
         inputs: &[input!("stone.ply")],
         formats: MESHES,
@@ -473,7 +473,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "scan",
-        title: "The same stone scanned finely",
+        title: "The same stone, scanned finely",
         text: "A smooth surface through the 2,502 vertices of 5,000 triangles.",
         document: example!("scan.json"),
         inputs: &[input!("stone-5000.ply")],
@@ -484,7 +484,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "sphere_blend",
         title: "A blend of spheres over a triangle",
-        text: "Spheres through the corners of a triangle, one for each of them, and the patch that leaves each corner along the sphere of that.",
+        text: "Three spheres through the corners of a triangle, one for each corner, and the patch that is tangent at each corner to its sphere.",
         document: example!("sphere_blend.json"),
         inputs: &[],
         formats: MESHES,
@@ -494,7 +494,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "track",
         title: "Race track",
-        text: "A closed fair spline through 44 points, curvature without jumps or needless swings; beside it the fewest arcs near 301 surveyed ones.",
+        text: "A closed fair spline through 44 points, without curvature jumps or unnecessary undulations; next to it, the fewest arcs near 301 surveyed points.",
         document: example!("track.json"),
         inputs: &[input!("track.csv"), input!("survey.csv")],
         formats: CURVES,
@@ -504,7 +504,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "survey",
         title: "Surveyed line, fair",
-        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every eight of them.",
+        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every eight points.",
         document: example!("survey.json"),
         inputs: &[input!("survey.csv")],
         formats: CURVES,
@@ -524,7 +524,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "cable",
         title: "Cable in space",
-        text: "A route through points with heights, with the directions at its ends given.",
+        text: "A route through points in space with given end directions.",
         document: example!("cable.json"),
         inputs: &[input!("cable.csv")],
         formats: CURVES,
@@ -534,7 +534,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "gallery",
         title: "Every kind of curve",
-        text: "Arcs, bends, biarcs, splines and fits of arcs, fair, circle and Möbius splines, NURBS, quotients of quaternions: every type but those on a torus, which have pictures of their own; one wave as a circle spline, which wavers, and fair; a spline and its inversion.",
+        text: "Arcs, bends, biarcs, arc splines and fits, fair, circle and Möbius splines, NURBS, quotients of quaternions: every type except those on a torus, which have their own pictures; one wave as a circle spline, which wavers, and as a fair spline; a spline and its inversion.",
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,
@@ -544,7 +544,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "arcs",
         title: "Arcs from weights",
-        text: "Two points and two quaternion weights are an arc; its centre; two arcs with one tangent; and the subdivision of an arc, one square root a point, into 3, 5, 9 and 33 points at equal distances.",
+        text: "Two points and two quaternion weights define an arc; its center; two arcs with a common tangent; and the subdivision of an arc into 3, 5, 9 and 33 equidistant points, with one square root per point.",
         document: example!("arcs.json"),
         inputs: &[],
         formats: CURVES,
@@ -554,7 +554,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "qb_curves",
         title: "Quotients of quaternion polynomials",
-        text: "The rational curve of degree 4 through five points, at parameters of three kinds; three points with tangents at both ends; a Möbius spline and its image under an inversion, which is the Möbius spline of the mapped points.",
+        text: "The rational curve of degree 4 through five points, with three choices of parameters; three points with tangents at both ends; a Möbius spline and its image under an inversion, which is the Möbius spline of the mapped points.",
         document: example!("qb_curves.json"),
         inputs: &[],
         formats: CURVES,
@@ -563,8 +563,8 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "circle_blends",
-        title: "Curves of blended circles",
-        text: "A circle spline and its points, the same of order 1 and 2, inversions that are not wanted beside the fair spline that has none, and four points of one circle in crossing order.",
+        title: "Curves blended from circles",
+        text: "A circle spline and its points, the same with orders 1 and 2, unwanted inversions next to the fair spline without them, and four points of one circle in crossing order.",
         document: example!("circle_blends.json"),
         inputs: &[],
         formats: CURVES,
@@ -574,7 +574,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "inverted_spline",
         title: "A NURBS curve turned inside out",
-        text: "A closed rational cubic as another program would have it, its knots not clamped, and its image under an inversion: exact, of degree 6, with positive weights.",
+        text: "A closed rational cubic with unclamped knots, as other programs write it, and its image under an inversion: exact, of degree 6, with positive weights.",
         document: example!("inverted_spline.json"),
         inputs: &[],
         formats: CURVES,

@@ -44,8 +44,8 @@ pub fn html(shown: &[Shown]) -> String {
 <body>
 <header>
 <h1>cyclide</h1>
-<p>Curves and surfaces made of circles. Every picture is a model that you can turn here or open in CAD, and a
-document that you can change and build again. Measures are those of the models; deviations those of the files, read back.</p>
+<p>Curves and surfaces made of circles. Every picture is a model that you can rotate here or open in CAD, and a
+document that you can edit and build again. Measures are those of the models; deviations are those of the files, read back.</p>
 </header>
 <main>
 {cards}</main>
@@ -210,7 +210,7 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         if smooth > 0 {
             let angle = surfaces.iter().map(|s| s.joints.angle).fold(0.0, f64::max);
             let normals =
-                if angle > 0.0 { format!("within {} rad", ShortNumber(angle)) } else { "equal to the bit".to_owned() };
+                if angle > 0.0 { format!("within {} rad", ShortNumber(angle)) } else { "bitwise equal".to_owned() };
             figures.push(("joints", format!("{smooth}, normals {normals}")));
         }
     }

@@ -405,7 +405,7 @@
       this.canvas.tabIndex = 0;
       this.canvas.setAttribute("role", "img");
       this.canvas.setAttribute("aria-label", `${stage.dataset.title}: drag or use the arrow keys to turn it`);
-      this.canvas.title = "Drag to turn, drag with Shift or the right button to move, scroll or pinch to come nearer, double click for the whole";
+      this.canvas.title = "Drag to rotate, drag with Shift or the right button to pan, scroll or pinch to zoom, double-click to fit";
       this.gl = this.canvas.getContext("webgl2", { antialias: true });
       if (!this.gl) throw new Error("this browser has no WebGL2");
       const [azimuth, elevation] = stage.dataset.eye.split(",").map((degrees) => (degrees * Math.PI) / 180);
@@ -563,7 +563,7 @@
       name();
     } catch (error) {
       stage.dataset.state = "failed";
-      stage.querySelector(".note").textContent = `It cannot be turned: ${error.message}.`;
+      stage.querySelector(".note").textContent = `The model cannot be displayed: ${error.message}.`;
     }
   };
 

@@ -35,7 +35,7 @@ pub(crate) fn lines_deviation(
     let mut deviations = Vec::with_capacity(written.len());
     for (index, line) in written.iter().enumerate() {
         let curve =
-            line.place.curve(bodies).ok_or(ReadError::Lines { detail: "one stands for no line of the model" })?;
+            line.place.curve(bodies).ok_or(ReadError::Lines { detail: "one corresponds to no line of the model" })?;
         let curve =
             curve.map_err(|source| ReadError::Geometry { place: format!("line {index} of surfaces"), source })?;
         deviations.push(match if line.is_drawn() { read.next() } else { None } {
@@ -62,12 +62,12 @@ fn check_places(bodies: &[BodyOf<'_>], written: &[DrawnLine]) -> Result<(), Read
         })
     });
     if !of_model.eq(edges) {
-        return Err(ReadError::Lines { detail: "they are not all edges of the model, once and in order" });
+        return Err(ReadError::Lines { detail: "they are not the edges of the model, each once and in order" });
     }
     let ranks: Option<Vec<_>> = circles.iter().map(LinePlace::rank).collect();
     match ranks {
         Some(ranks) if ranks.windows(2).all(|pair| pair[0] < pair[1]) => Ok(()),
-        _ => Err(ReadError::Lines { detail: "parameter lines are not inner ones in order" }),
+        _ => Err(ReadError::Lines { detail: "the parameter lines are not inner lines in order" }),
     }
 }
 

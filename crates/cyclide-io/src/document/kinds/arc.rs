@@ -101,7 +101,7 @@ impl Builder<'_> {
     pub(in crate::document) fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
         let ArcSpec { through, from, to, tangent, end_tangent, weights, bulge, normal, .. } = *spec;
         if normal.is_some() && bulge.is_none() {
-            return Err(self.unfit("`normal` goes with `bulge` only"));
+            return Err(self.unfit("`normal` requires `bulge`"));
         }
         let [from, to] = [from, to].map(|end| end.map(Coordinates::point));
         let arc = match (through, from, to, tangent, end_tangent, weights, bulge) {
@@ -119,7 +119,7 @@ impl Builder<'_> {
             }
             _ => {
                 return Err(self.unfit(
-                    "an arc is given by `through` (three points), or by `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
+                    "an arc requires `through` (three points), or `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
                 ));
             }
         };

@@ -126,7 +126,7 @@ impl Builder<'_> {
         match (&spec.points, &spec.of) {
             (Some(points), None) => self.each_contour(points, spec.closed, |at| arc_fit(spec, at)),
             (None, Some(of)) => self.arc_fit_of(spec, of),
-            _ => Err(self.unfit("an arc-fit has `points`, or a curve that it is `of`: one of both")),
+            _ => Err(self.unfit("an arc-fit requires either `points` or `of` (a curve)")),
         }
     }
 
@@ -134,12 +134,12 @@ impl Builder<'_> {
     fn arc_fit_of(&mut self, spec: &ArcFitSpec, of: &str) -> Result<Vec<(CurveObject, ContourFacts)>> {
         if spec.closed || spec.target != FitTarget::default() {
             return Err(self.unfit(
-                "`closed` and `target` go with `points`: a curve is closed or not, and arcs keep to all of it",
+                "`closed` and `target` require `points`: with `of`, the curve itself is open or closed, and the arcs follow all of it",
             ));
         }
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves()).to_vec();
         if curves.is_empty() {
-            return Err(self.wrong_source(&format!("`{of}` has no curve, and arcs are fitted to points or to a curve")));
+            return Err(self.wrong_source(&format!("`{of}` has no curve: arcs are fitted to points or to a curve")));
         }
         let several = curves.len() > 1;
         let mut made = Vec::with_capacity(curves.len());
@@ -148,15 +148,15 @@ impl Builder<'_> {
                 // The places of its own polyline say nothing to anybody.
                 cyclide::Error::Fit(FitError::NoG1SplineInTube { .. }) => {
                     let words = format!(
-                        "no arcs that meet smoothly were found within {} of the curve: a larger tolerance, or arcs by halving, as `-o FILE.dxf` has them of the \
-                         curve itself",
+                        "no smoothly joined arcs were found within {} of the curve: use a larger tolerance, or write \
+                         the curve itself with `-o FILE.dxf`, which approximates it with arcs by bisection",
                         ShortNumber(spec.tolerance)
                     );
                     self.refused_in_words(["tolerance".into()], e.reason(), words)
                 }
                 cyclide::Error::Number(NumberError::TooManyPieces { .. }) => {
                     let words = format!(
-                        "a polyline a tenth of {} from the curve has more than {MOST_VERTICES} vertices, and arcs are searched along one: a larger tolerance",
+                        "the search for arcs needs a polyline within a tenth of {} of the curve, which has more than {MOST_VERTICES} vertices: use a larger tolerance",
                         ShortNumber(spec.tolerance)
                     );
                     self.refused_in_words(["tolerance".into()], e.reason(), words)
@@ -174,8 +174,8 @@ impl Builder<'_> {
             };
             if let Some(first) = corners.first() {
                 let message = match corners.iter().map(count).sum() {
-                    1_usize => "a corner of the curve is kept".to_owned(),
-                    count => format!("{count} corners of the curve are kept"),
+                    1_usize => "a corner of the curve is preserved".to_owned(),
+                    count => format!("{count} corners of the curve are preserved"),
                 };
                 let place = self.place_of([Step::from("of")]);
                 self.remark(first.reason(), of_contour, None, place, message);

@@ -59,7 +59,7 @@ impl Builder<'_> {
         let source = self.sources.first().and_then(|source| source.facts.blends()?.centers.as_deref());
         source.ok_or_else(|| {
             self.wrong_source(
-                "only a `pipe-tee`, a `pipe-crossing` and a `contact-blend` are made with balls (of an image take those of its original, and map these)",
+                "only a `pipe-tee`, a `pipe-crossing` and a `contact-blend` have balls (for a transformed one, use the centers of the original and transform them)",
             )
         })
     }

@@ -71,7 +71,7 @@ impl Builder<'_> {
             }
             _ => {
                 return Err(self.unfit(
-                    "a circle is given by `center` and `radius` (and `normal`), or by `through` (three points) alone",
+                    "a circle requires either `center` and `radius` (and optionally `normal`) or only `through` (three points)",
                 ));
             }
         };

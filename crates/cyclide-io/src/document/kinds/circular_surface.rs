@@ -67,7 +67,7 @@ impl Kind for CircularSurfaceSpec {
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
-            "the curves meet, or are {} apart in one place, and an arc joins points that are more than {} apart",
+            "the curves meet or come within {} of each other, but an arc requires points more than {} apart",
             ShortNumber(*distance),
             ShortNumber(*limit)
         ))

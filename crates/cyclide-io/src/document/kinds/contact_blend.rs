@@ -168,7 +168,7 @@ impl Builder<'_> {
         let made = match (spec.tube, spec.ring) {
             (Some(tube), None) => tube_blend(spec, tube).and_then(|blend| blend.made()),
             (None, Some(ring)) => self.ring_blend(spec, ring)?.made(),
-            _ => return Err(self.unfit("what is blended is a `tube` or a `ring`: give one of them")),
+            _ => return Err(self.unfit("a contact-blend requires either a `tube` or a `ring`")),
         };
         let made = made.map_err(|e| self.refused(&e, None))?;
         let centers = Some(Box::new(made.centers));
@@ -181,19 +181,19 @@ impl Builder<'_> {
         let inside = spec.side == NeckSide::Inside;
         let of_tubes = inside || spec.ends != TeeEnds::Flat || spec.wall.is_some() || spec.tolerance.is_some();
         let refusal = if spec.ring.is_some() && of_tubes {
-            "a `ring` is filled, and its ball outside and of one radius: leave out `side`, `ends`, `wall` and `tolerance`"
+            "a `ring` is solid, with a ball of constant radius outside: remove `side`, `ends`, `wall` and `tolerance`"
         } else if spec.wall.is_some() && spec.ends == TeeEnds::Open {
-            "a `wall` makes a solid: its ends are `flat`, with a ring round the bore, or `closed`"
+            "a `wall` makes a solid, whose ends are `flat`, with a ring around the bore, or `closed`"
         } else if spec.sphere.is_some() && (spec.plate.is_some() || spec.thickness.is_some()) {
-            "the tube is blended with a `sphere`, or with a `plate` of a `thickness`: leave out one of them"
+            "the tube is blended either with a `sphere` or with a `plate` that has a `thickness`: remove one of them"
         } else if inside && (spec.plate.is_some() || spec.thickness.is_some()) {
-            "a blend inside ends the tube at the plane: leave out `plate` and `thickness`"
+            "a blend inside ends the tube at the plane: remove `plate` and `thickness`"
         } else if !inside && spec.sphere.is_none() && spec.plate.is_none() {
-            "a blend outside needs a `sphere`, or a `plate` round the tube"
+            "a blend outside requires a `sphere` or a `plate` around the tube"
         } else if spec.wall.is_some() && spec.thickness.is_some() {
-            "with a `wall` the plate is as thick as that: leave out `thickness`"
+            "the thickness of the plate equals the `wall`: remove `thickness`"
         } else if spec.thickness.is_some() && spec.ends == TeeEnds::Open {
-            "a `thickness` makes a solid: its end is `flat`"
+            "a `thickness` makes a solid, whose end is `flat`"
         } else {
             return Ok(());
         };
@@ -207,7 +207,7 @@ impl Builder<'_> {
             Some(BlendBase::Sphere { radius }) => RingBlend::on_sphere(ring, radius, spec.blend),
             Some(BlendBase::Plane(PlateShape::Disk(radius))) => RingBlend::on_plate(ring, radius, spec.blend),
             _ => {
-                return Err(self.unfit("a `ring` stands on a `sphere`, or on a round `plate` such as {\"radius\": 60}"));
+                return Err(self.unfit("a `ring` requires a `sphere` or a round `plate` such as {\"radius\": 60}"));
             }
         };
         let blend =

@@ -72,10 +72,8 @@ impl Builder<'_> {
         for (field, values) in [("s", &spec.s), ("t", &spec.t), ("u", &spec.u)] {
             let again = |k: usize| values[..k].iter().position(|x| x.total_cmp(&values[k]).is_eq());
             if let Some((k, before)) = (0..values.len()).find_map(|k| Some((k, again(k)?))) {
-                let words = format!(
-                    "{field}[{k}] = {} is {field}[{before}] again: the surfaces would lie on each other",
-                    values[k]
-                );
+                let words =
+                    format!("{field}[{k}] = {} equals {field}[{before}]: the surfaces would coincide", values[k]);
                 let place = [Step::from(field), Step::from(k)];
                 return Err(self.refused_in_words(place, "parameters-not-increasing", words));
             }
@@ -96,14 +94,16 @@ impl Builder<'_> {
         }
         if spec.outer {
             if ![&spec.s, &spec.t, &spec.u].into_iter().all(Vec::is_empty) {
-                return Err(self.unfit("`outer` is the boundary of all blocks: leave out `s`, `t` and `u`"));
+                return Err(self.unfit("`outer` is the boundary of all blocks: remove `s`, `t` and `u`"));
             }
             let bodies = CyclideVolume::outer_bodies(volumes).map_err(|e| self.refused(&e, None))?;
             return Ok(bodies.into_iter().map(SurfaceObject::Body).collect());
         }
         let lists = [("s", &spec.s), ("t", &spec.t), ("u", &spec.u)];
         if lists.iter().all(|(_, values)| values.is_empty()) {
-            return Err(self.unfit("`s`, `t` or `u` says which surfaces, `outer` asks for the boundary"));
+            return Err(
+                self.unfit("either `s`, `t` or `u` for surfaces inside, or `outer` for the boundary is required")
+            );
         }
         let (mut surfaces, mut names) = (Vec::new(), Vec::new());
         for (axis, (field, values)) in lists.iter().enumerate().filter(|(_, (_, values))| !values.is_empty()) {
@@ -121,8 +121,9 @@ impl Builder<'_> {
             let lines: Vec<usize> = (0..values.len()).filter(|k| no_surface(values[*k])).collect();
             for index in &lines {
                 let x = values[*index];
-                let words =
-                    format!("{field} = {x} is a line or a point of every block, at an axis or a pole: no surface");
+                let words = format!(
+                    "{field} = {x} is not a surface but a line or a point of every block, at an axis or a pole"
+                );
                 let place = [Step::from(*field), Step::from(*index)];
                 if lines.len() == values.len() {
                     return Err(self.refused_in_words(place, "collapsed-side", words));

@@ -69,7 +69,7 @@ impl Kind for CyclideSpec {
     fn torus(&self, at: &Builder<'_>, name: &str) -> Option<Result<Torus>> {
         if self.c != 0.0 {
             let c = self.c;
-            return Some(Err(at.no_torus(format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0"))));
+            return Some(Err(at.no_torus(format!("`{name}` is a `cyclide` with `c` = {c}: a torus requires `c` = 0"))));
         }
         let made = frame_of_axes(self.center, self.axis, self.x_direction)
             .and_then(|frame| Torus::new(frame, self.a, self.mu));

@@ -136,8 +136,8 @@ impl Builder<'_> {
         let grid = match (&spec.planes, &spec.whole) {
             (Some(planes), None) => self.grid_of_planes(planes, spec.frame.unwrap_or_default())?,
             (None, Some(whole)) if spec.frame.is_none() => self.grid_of_cyclide(whole)?,
-            (None, Some(_)) => return Err(self.unfit("`frame` goes with `planes`: a cyclide has its own")),
-            _ => return Err(self.unfit("give either `planes` or `whole`")),
+            (None, Some(_)) => return Err(self.unfit("`frame` requires `planes`: a cyclide has its own frame")),
+            _ => return Err(self.unfit("either `planes` or `whole` is required")),
         };
         Ok(grid.blocks().collect())
     }
@@ -145,7 +145,7 @@ impl Builder<'_> {
     fn grid_of_cyclide(&self, spec: &WholeCyclideSpec) -> Result<CyclideGrid> {
         let mu = spec.mu.as_slice();
         let [first, .., outer] = *mu else {
-            return Err(self.unfit("`mu` of `whole` has the radii of two tubes at least"));
+            return Err(self.unfit("`mu` of `whole` requires the radii of at least two tubes"));
         };
         let place = |k: usize| [Step::from("whole"), Step::from("mu"), Step::from(k)];
         if let Some(k) = (1..mu.len()).find(|&k| !(mu[k] > mu[k - 1])) {
@@ -168,7 +168,7 @@ impl Builder<'_> {
             let off = |k: &usize| (mu[*k] - base - distance).abs();
             let k = (0..mu.len()).min_by(|j, k| off(j).total_cmp(&off(k))).unwrap_or_default();
             let words = format!(
-                "mu = {}: between it and mu = {base} are centres of curvature, at which blocks would fold; they lie at mu from 0 to c = {} and from a = {} on",
+                "mu = {}: between this value and mu = {base} there are centers of curvature, where blocks would fold; they are at mu from 0 to c = {} and from a = {} upward",
                 mu[k], spec.c, spec.a
             );
             self.refused_in_words(place(k), e.reason(), words)
@@ -204,7 +204,8 @@ impl Builder<'_> {
         for (name, row, column, wanted, given, of) in along_s.chain(along_t).chain(along_u) {
             let distance = given.point().distance(wanted.point());
             if !(distance <= ONE_POINT * size) {
-                let message = format!("this point is {distance:.3e} from that of `{of}`, with which it is one");
+                let message =
+                    format!("this point must coincide with that of `{of}`, but its distance from it is {distance:.3e}");
                 let place = ["planes".into(), name.into(), row.into(), column.into()];
                 return Err(self.refused_in_words(place, "not-concircular", message));
             }

@@ -67,7 +67,7 @@ impl Kind for CyclidePatchSpec {
         match error {
             cyclide::Error::Patch(PatchError::FrameNotOrthonormal { .. }) => Some(frame_words(self.frame)),
             cyclide::Error::Patch(PatchError::CrossingQuad { .. }) => Some(format!(
-                "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
+                "{error}; corners are listed row by row, (0,0), (1,0), (0,1), (1,1): are the last two swapped?"
             )),
             _ => None,
         }

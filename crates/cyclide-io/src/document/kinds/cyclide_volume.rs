@@ -93,7 +93,7 @@ impl Builder<'_> {
         let turn = TURNS.iter().find(|turn| builds(turn))?;
         let order = turn.map(|k| k.to_string()).join(", ");
         Some(format!(
-            "; corners on the axis of a wedge are given twice, and the first of all is not one of them: give the corners in the order {order}"
+            "; corners on the axis of a wedge are listed twice, but the first corner must not be one of them: list the corners in the order {order}"
         ))
     }
 
@@ -102,7 +102,9 @@ impl Builder<'_> {
         let corners: Vec<Point3> = spec.corners.iter().map(|c| c.point()).collect();
         let for_four = [("inside", spec.inside.is_some()), ("turn", spec.turn.is_some())];
         if let Some((field, _)) = for_four.into_iter().find(|(_, given)| *given && corners.len() != 4) {
-            return Err(self.unfit(&format!("`{field}` goes with four corners: others determine the block")));
+            return Err(
+                self.unfit(&format!("`{field}` requires four corners: seven or eight corners determine the block"))
+            );
         }
         let refused = |e: cyclide::Error| self.refused(&e, None);
         let cube = match *corners.as_slice() {
@@ -134,14 +136,14 @@ impl Builder<'_> {
                 if !(distance <= LAST_CORNER * size + rounding_of_last(&cube, size)) {
                     let [x, y, z] = follows.to_array();
                     let words = format!(
-                        "the last corner is {distance:.3e} from ({x}, {y}, {z}), the only one that is on the circles of its three faces: leave it out"
+                        "the last corner is {distance:.3e} from ({x}, {y}, {z}), the only point on the circles of its three faces: remove it"
                     );
                     let place = [Step::from("corners"), Step::from(7)];
                     return Err(self.refused_in_words(place, "not-concircular", words));
                 }
                 cube
             }
-            _ => return Err(self.unfit("`corners` are 4, 7 or 8")),
+            _ => return Err(self.unfit("`corners` must be 4, 7 or 8 points")),
         };
         let made = CyclideVolume::new(&cube, volume_frame(spec.frame));
         made.map_err(|e| self.refused_frame(spec.frame, &e).unwrap_or_else(|| refused(e)))
@@ -159,10 +161,10 @@ impl Builder<'_> {
             return Some(self.refused_in_words(
                 [field],
                 error.reason(),
-                "the weights are too large together".to_owned(),
+                "the sum of the weights is too large".to_owned(),
             ));
         };
-        let words = format!("the last corner is where three positive weights put it, and {} is none", inside[k]);
+        let words = format!("the weights that determine the last corner must be positive, and {} is not", inside[k]);
         Some(self.refused_in_words([field, Step::from(k)], error.reason(), words))
     }
 }

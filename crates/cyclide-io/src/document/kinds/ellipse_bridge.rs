@@ -82,7 +82,7 @@ impl Kind for EllipseBridgeSpec {
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
-            "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
+            "the ellipses touch: their semi-axes in one direction differ by {}; the difference must exceed {}",
             ShortNumber(*distance),
             ShortNumber(*limit)
         ))
@@ -94,7 +94,7 @@ impl Builder<'_> {
     pub(in crate::document) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
         let [first, second] = spec.ellipses;
         if spec.arcs == BridgeArcs::Full && spec.depth.is_some() {
-            return Err(self.unfit("whole circles are a solid by themselves: `depth` goes with half circles"));
+            return Err(self.unfit("`depth` requires half circles: whole circles bound a solid by themselves"));
         }
         let bridge = EllipseBridge::new(first, second).map_err(|e| self.refused(&e, None))?;
         let body = match spec.arcs {

@@ -186,11 +186,11 @@ impl Kind for FairFitSpec {
         let heights_auto = self.tolerance_z.is_some_and(|z| z.within().is_none());
         if self.noise.is_some() && !auto {
             return Err(
-                at.unfit("`noise` goes with `\"tolerance\": \"auto\"`: with a number as tolerance that decides")
+                at.unfit("`noise` requires `\"tolerance\": \"auto\"`: a number as tolerance determines the fit alone")
             );
         }
         if self.tolerance_z.is_some() && heights_auto != auto {
-            return Err(at.unfit("`tolerance` and `tolerance_z` are two numbers, or both `\"auto\"`"));
+            return Err(at.unfit("`tolerance` and `tolerance_z` must both be numbers or both be `\"auto\"`"));
         }
         at.each_contour(&self.points, self.closed, |at| fair_fit(self, at)).map(Shape::Curves)
     }
@@ -245,10 +245,14 @@ pub(in crate::document) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Mad
 
 pub(in crate::document) fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     let no_fits = spec.max_fits == Some(0);
-    let none_taken_out = "with `max_fits` 0 no nodes are taken out";
+    let none_taken_out = "with `max_fits` 0 no nodes are removed";
     let auto = spec.tolerance.within().is_none();
     found(&[
-        ("centre", spec.centre != 0.0 && auto, "with the tolerance `auto` the curve keeps to the middle of the points"),
+        (
+            "centre",
+            spec.centre != 0.0 && auto,
+            "with the tolerance `auto` the curve already follows the middle of the points",
+        ),
         ("fix_ends", spec.fix_ends && spec.closed, NO_ENDS),
         ("nodes", spec.nodes.is_some() && no_fits, none_taken_out),
         ("budget", spec.budget.is_some() && no_fits, none_taken_out),

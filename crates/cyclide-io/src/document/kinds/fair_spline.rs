@@ -281,11 +281,11 @@ pub(in crate::document) fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_
     let ends = spec.ends != FairEndsSpec::default();
     let tests = [
         ("tension", spec.tension != 0.0 && same(&|s| s.tension = 0.0), "with 0 the curve is the same"),
-        ("tight", spec.tight.is_some() && same(&|s| s.tight = None), "no corner stands beside a straight run"),
+        ("tight", spec.tight.is_some() && same(&|s| s.tight = None), "there is no corner beside a straight run"),
         (
             "straight",
             spec.straight != StraightWord::Auto && same(&|s| s.straight = StraightWord::Auto),
-            "no run of points on a line stands beside a corner",
+            "there is no run of collinear points beside a corner",
         ),
         ("ends", ends && spec.closed, NO_ENDS),
         (

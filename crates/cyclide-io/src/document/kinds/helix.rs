@@ -91,12 +91,12 @@ impl Builder<'_> {
             (Some(pitch), None, Some(turns)) => (pitch, turns),
             (None, Some(height), Some(turns)) => (height / turns, turns),
             (Some(pitch), Some(height), None) if pitch != 0.0 => (pitch, height / pitch),
-            _ => return Err(self.unfit("a helix has two of `pitch`, `height` and `turns`, and a pitch that is not 0 where the turns follow from it")),
+            _ => return Err(self.unfit("a helix requires two of `pitch`, `height` and `turns`, and a nonzero pitch if the turns follow from it")),
         };
         if !(turns > 0.0 && turns.is_finite()) {
             let field = if spec.turns.is_some() { "turns" } else { "height" };
             let message = format!(
-                "a helix turns by {turns}: more than 0 turns are needed; left-handed ones have `\"hand\": \"left\"`"
+                "the number of turns is {turns}: it must be positive; left-handed helices have `\"hand\": \"left\"`"
             );
             return Err(Error::Input(self.diagnostic([field.into()], &message)));
         }

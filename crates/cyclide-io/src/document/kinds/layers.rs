@@ -74,7 +74,7 @@ impl Builder<'_> {
         let layers = match (&spec.distances, spec.count) {
             (Some(distances), _) => distances.len().saturating_sub(1),
             (None, Some(count)) if !(1..=MOST_LAYERS).contains(&count) => {
-                let words = format!("{count} layers: there are 1 to {MOST_LAYERS}");
+                let words = format!("{count} layers: the count must be from 1 to {MOST_LAYERS}");
                 return Err(self.refused_in_words([Step::from("count")], "parameter-out-of-range", words));
             }
             (None, Some(count)) => count as usize,
@@ -96,7 +96,7 @@ impl Builder<'_> {
             (None, Some(first), Some(count)) => {
                 let growth = spec.growth.unwrap_or(1.0);
                 if !(growth > 0.0 && growth.is_finite()) {
-                    return Err(self.unfit("`growth` is above 0"));
+                    return Err(self.unfit("`growth` must be positive"));
                 }
                 let mut distances = vec![0.0];
                 let (mut sum, mut height) = (0.0, first);
@@ -111,7 +111,11 @@ impl Builder<'_> {
                 }
                 distances
             }
-            _ => return Err(self.unfit("give either `distances`, or `first` and `count` with or without `growth`")),
+            _ => {
+                return Err(
+                    self.unfit("either `distances`, or `first` and `count` with an optional `growth`, are required")
+                );
+            }
         };
         self.check_layers_rise(spec, &distances)?;
         let field = if spec.distances.is_some() { "distances" } else { "first" };
@@ -126,7 +130,7 @@ impl Builder<'_> {
                 SurfaceObject::Layout(layout) => CyclideGrid::layers_of_layout(layout, &distances),
                 SurfaceObject::Body(_) | SurfaceObject::Triangles(_) => {
                     let solid = matches!(surface, SurfaceObject::Body(_)) && source.provenance.kind == "offset";
-                    let remedy = if solid { "; the offset itself has, without `thick`" } else { "" };
+                    let remedy = if solid { "; the offset itself has layers without `thick`" } else { "" };
                     return Err(self.wrong_source(&format!(
                         "only a `cyclide-patch`, a `cyclidic-net` or a `cyclide` has layers{remedy}"
                     )));
@@ -148,14 +152,16 @@ impl Builder<'_> {
         let (place, words) = match spec.first {
             None => (
                 vec![Step::from("distances"), Step::from(k)],
-                format!("{here} is not above {before}: distances rise, from the lowest surface to the highest"),
+                format!(
+                    "{here} does not exceed {before}: distances must increase, from the lowest surface to the highest"
+                ),
             ),
-            Some(0.0) => (vec![Step::from("first")], "a layer has a height: it is not 0".to_owned()),
+            Some(0.0) => (vec![Step::from("first")], "the height of a layer must not be 0".to_owned()),
             Some(_) => {
                 let number = if here > 0.0 { k - 1 } else { distances.len() - 1 - k };
                 (
                     vec![Step::from("growth")],
-                    format!("layer {number} is so thin that the distance {before} is not changed by it"),
+                    format!("layer {number} is too thin to change the distance {before} in double precision"),
                 )
             }
         };

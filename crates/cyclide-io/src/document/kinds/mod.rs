@@ -118,7 +118,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// A commented document with an object of this type, to start from; `None` if there is no such type.
+            /// A commented starter document with an object of this type; `None` if the type does not exist.
             #[must_use]
             pub fn starter(word: &str) -> Option<&'static str> {
                 match word {
@@ -249,7 +249,7 @@ kinds! {
         /// The surface swept by a curve of a moving body.
         swept_surface: SweptSurface(SweptSurfaceSpec) = "swept-surface",
     }
-    "Made from other objects" {
+    "Derived from other objects" {
         /// A parallel surface, or the solid between it and the original.
         offset: Offset(OffsetSpec) = "offset",
         /// The image of an object under a chain of maps.

@@ -154,7 +154,7 @@ pub(in crate::document) fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Cont
         (
             "tangents",
             by_directions && spec.tangents.is_some(),
-            "with `g1` the curve takes the directions of its circles",
+            "with `g1` the curve uses the directions of its circles",
         ),
         ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
     ])

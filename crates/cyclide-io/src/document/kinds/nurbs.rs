@@ -105,7 +105,7 @@ impl Builder<'_> {
         if !are_clamped(spec) {
             let (from, to) = curve.domain();
             let message = format!(
-                "the knots are not clamped: the curve is the part from {} to {}, clamped by exact knot insertion ({} control points)",
+                "the knots are not clamped: the curve from {} to {} is used, clamped by exact knot insertion ({} control points)",
                 ShortNumber(from),
                 ShortNumber(to),
                 curve.control_points().len()
@@ -130,7 +130,7 @@ pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String>
         matches!(error, cyclide::Error::Number(NumberError::CountDiffers { what: cyclide::ErrorItem::Knot, .. }));
     is_count.then(|| {
         format!(
-            "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
+            "{error}: the number of knots is that of the control points + degree + 1 (if a program omits the first and the last knot, repeat them)"
         )
     })
 }

@@ -75,7 +75,7 @@ impl Kind for OffsetSpec {
         use cyclide::{Error as E, ErrorItem as I};
         let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }));
         (is_of_distance && self.distance == 0.0)
-            .then(|| "a solid between a surface and its offset needs a distance other than 0".to_owned())
+            .then(|| "a solid between a surface and its offset requires a nonzero distance".to_owned())
     }
 
     fn of_panels(&self) -> Option<OfPanels> {
@@ -99,7 +99,7 @@ impl Builder<'_> {
     /// The parallel surfaces, or the solids between.
     pub(in crate::document) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
         let source = self.surface_source("only surfaces have an offset")?;
-        let other = "only these have an exact offset: `cyclide`, `cyclide-patch`, `cyclidic-net`, and an `offset` or `transform` of one that is not `thick`; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
+        let other = "only these have an exact offset: `cyclide`, `cyclide-patch`, `cyclidic-net`, and an `offset` or `transform` of one without `thick`; walls of objects made from curves or meshes are defined there: both sides of a profile, the `wall` of a pipe, a larger `radius`";
         let made = source.item.surfaces().iter().map(|surface| {
             let made = if spec.thick { surface.thick(spec.distance) } else { surface.offset(spec.distance) };
             made.ok_or_else(|| self.wrong_source(other))?.map_err(|e| self.refused(&e, None))
@@ -140,7 +140,7 @@ impl Builder<'_> {
     pub(in crate::document) fn parallel_curves(&self, spec: &OffsetSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
         if spec.thick {
             return Err(
-                self.wrong_source_at([Step::from("thick")], "only surfaces have a solid between them and their offset")
+                self.wrong_source_at([Step::from("thick")], "only a surface can be made a solid with its offset")
             );
         }
         let splines = self.splines_of_source("has a parallel curve, and only surfaces have an offset")?;

@@ -78,7 +78,7 @@ impl Builder<'_> {
     pub(in crate::document) fn pipe(&mut self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
-            return Err(self.wrong_source("only curves have a pipe about them"));
+            return Err(self.wrong_source("a pipe requires a curve"));
         }
         let refused = |e: cyclide::Error| self.refused(&e, None);
         let mut pipe = Pipe::new(spec.radius).map_err(refused)?.with_ends(spec.ends);
@@ -103,7 +103,7 @@ impl Builder<'_> {
         let idle = idle_in_pipe(spec, curves, spines.iter().all(|spine| spine.is_closed()));
         if let Some(([first, second], distance)) = meeting {
             let message = format!(
-                "the pipes of the contours {first} and {second} run into each other ({} from spine to spine): each is a body of its own, and volume and area count what they share twice; fuse them in CAD",
+                "the pipes of contours {first} and {second} intersect (distance of the spines {}): they are separate bodies, and volume and area count their intersection twice; fuse them in CAD",
                 ShortNumber(distance)
             );
             self.remark("pipes-meet", Some(second), None, None, message);
@@ -131,7 +131,7 @@ impl Builder<'_> {
             let spine = fit.lower_to_arcs(arcs).ok()?.form;
             pipe.body(&spine).ok()?;
             Some(format!(
-                "; if its points are measured, a smooth curve near them bears the pipe: make `{name}` a `\"type\": \"fair-fit\", \"tolerance\": {}`, and give the pipe the `\"tolerance\": {}`",
+                "; if its points are measured, use a smooth curve near them: make `{name}` a `\"type\": \"fair-fit\", \"tolerance\": {}`, and set `\"tolerance\": {}` for the pipe",
                 ShortNumber(tolerance),
                 ShortNumber(arcs)
             ))
@@ -149,7 +149,7 @@ pub(in crate::document) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject],
             !closed && spec.ends == PipeEnds::Open && spec.wall.is_some(),
             "a wall ends in rings; without `wall` the tube is open",
         ),
-        ("tolerance", of_arcs && spec.tolerance.is_some(), "the curve is made of arcs and segments already"),
+        ("tolerance", of_arcs && spec.tolerance.is_some(), "the curve already consists of arcs and segments"),
     ])
 }
 

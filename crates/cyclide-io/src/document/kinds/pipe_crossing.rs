@@ -181,7 +181,7 @@ impl Builder<'_> {
     pub(in crate::document) fn pipe_crossing(&mut self, spec: &PipeCrossingSpec) -> Result<Vec<SurfaceObject>> {
         if spec.wall.is_some() && spec.ends == TeeEnds::Open {
             return Err(
-                self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bores, or `closed`")
+                self.unfit("a `wall` makes a solid, whose ends are `flat`, with rings around the bores, or `closed`")
             );
         }
         let values = self.crossing_radii(spec)?;
@@ -203,7 +203,7 @@ impl Builder<'_> {
                 Ok(vec![[0.0, first], [turn, second], [PI, first], [PI + turn, second]])
             }
             (None, None, Some(values)) => Ok(values.iter().map(|value| [value.angle.turn(), value.radius]).collect()),
-            _ => Err(self.unfit("a law of the radius is given by `first` with `second`, or by `values`")),
+            _ => Err(self.unfit("a radius law requires `first` with `second`, or `values`")),
         }
     }
 }

@@ -232,7 +232,7 @@ impl Builder<'_> {
     pub(in crate::document) fn pipe_tee(&mut self, spec: &PipeTeeSpec) -> Result<Vec<SurfaceObject>> {
         if spec.wall.is_some() && spec.ends == TeeEnds::Open {
             return Err(
-                self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`")
+                self.unfit("a `wall` makes a solid, whose ends are `flat`, with rings around the bore, or `closed`")
             );
         }
         let TeeMainSpec { radius, taper, ends } = spec.main;
@@ -282,7 +282,7 @@ impl Builder<'_> {
                 Ok(TeeBlend::Angles { values, tolerance: *tolerance })
             }
             _ => Err(self.unfit(
-                "a blend is given by one of `radius`, `least`, `crotch` with `flank`, and `values`; all but `least` take a `tolerance`",
+                "a blend requires exactly one of `radius`, `least`, `crotch` with `flank`, and `values`; all except `least` allow a `tolerance`",
             )),
         }
     }

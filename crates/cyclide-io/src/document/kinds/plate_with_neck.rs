@@ -151,13 +151,13 @@ impl Builder<'_> {
     pub(in crate::document) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
         let side = spec.side;
         if side == NeckSide::Inside && spec.plate.is_some() {
-            return Err(self.unfit("a neck inside a pipe has the floor of the pipe for its plate: leave out `plate`"));
+            return Err(self.unfit("a neck inside a pipe uses the floor of the pipe as its plate: remove `plate`"));
         }
         if side == NeckSide::Outside && spec.plate.is_none() {
-            return Err(self.unfit("a neck outside a pipe needs a `plate`: `[80, 60]` or `{\"radius\": 40}`"));
+            return Err(self.unfit("a neck outside a pipe requires a `plate`: `[80, 60]` or `{\"radius\": 40}`"));
         }
         if spec.wall.is_some() && spec.thickness.is_none() {
-            return Err(self.unfit("`wall` goes with `thickness`, which makes a solid"));
+            return Err(self.unfit("`wall` requires `thickness`, which makes a solid"));
         }
         let slope = spec.slope.map_or(0.0, Angle::radians);
         let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, spec.variant);

@@ -79,7 +79,7 @@ impl Builder<'_> {
     pub(in crate::document) fn revolution(&mut self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
-            return Err(self.wrong_source("only curves sweep a surface of revolution"));
+            return Err(self.wrong_source("a revolution requires a curve"));
         }
         let axis = spec.axis.map_or(Vec3::Z, Coordinates::vector);
         let center = spec.center.unwrap_or_default().point();
@@ -112,7 +112,7 @@ impl Builder<'_> {
             return;
         }
         let message = format!(
-            "the angle {angle} is a whole turn but for {} radians, and leaves a slit about {} wide where the curve is farthest from the axis: if a whole turn is meant, leave `angle` out",
+            "the angle {angle} differs from a full turn by {} radians, which leaves a slit about {} wide where the curve is farthest from the axis: for a full turn, remove `angle`",
             ShortNumber(open),
             ShortNumber(open * radius)
         );

@@ -165,7 +165,7 @@ impl Builder<'_> {
             NormalsSpec::File | NormalsSpec::Given(_) => {
                 if crease_angle.is_some() {
                     return Err(self.unfit(
-                        "`crease_angle` goes with the normals \"angle\" and \"sphere\": where normals are given, creases are where a vertex has several",
+                        "`crease_angle` requires the normals \"angle\" or \"sphere\": given normals define creases where a vertex has several",
                     ));
                 }
                 let word = if spec.normals == NormalsSpec::File { "file" } else { "given" };
@@ -175,7 +175,7 @@ impl Builder<'_> {
         let surface = SmoothMesh::new(&mesh.points, &mesh.triangles, normals);
         let surface = surface.map_err(|e| self.refused_smooth(&given, &mesh, &e))?;
         if is_inside_out(&mesh) && surface.is_closed() {
-            let message = "the triangles are clockwise seen from outside: the outer side is inside".to_owned();
+            let message = "the triangles are clockwise seen from outside, so the surface is inside out".to_owned();
             self.remark("inside-out", None, None, given.file.clone(), message);
         }
         let warnings = surface.warnings().into_iter().map(|warning| in_given_numbers_warning(&mesh, warning));
@@ -190,14 +190,14 @@ impl Builder<'_> {
             (Some(file), None, None) => self.polygon_file(file)?,
             (None, Some(vertices), Some(triangles)) => self.listed_polygons(vertices, triangles, "triangles")?,
             _ => {
-                return Err(
-                    self.unfit("a mesh is given by exactly one of `mesh` (a file), or `vertices` with `triangles`")
-                );
+                return Err(self.unfit("a mesh requires either `mesh` (a file), or `vertices` with `triangles`"));
             }
         };
         match (&spec.normals, &spec.mesh) {
             (NormalsSpec::Given(_), Some(_)) => {
-                return Err(self.unfit("a list of `normals` goes with `vertices`: of a file take \"file\""));
+                return Err(
+                    self.unfit("a list of `normals` requires `vertices`: for the normals of a file use \"file\"")
+                );
             }
             (NormalsSpec::Given(normals), None) => {
                 let (given_count, needed) = (normals.len(), given.mesh.points.len());
@@ -215,7 +215,7 @@ impl Builder<'_> {
             }
             (NormalsSpec::File, file) if given.mesh.corner_normals.is_empty() => {
                 let why = match file {
-                    None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
+                    None => "there is no file: list a normal for each of `vertices`, or use \"angle\" or \"sphere\"",
                     Some(file) => file.format.entry().without_normals,
                 };
                 return Err(Error::Input(self.diagnostic(["normals".into()], why)));
@@ -257,11 +257,11 @@ impl Builder<'_> {
         let place = given.file.clone();
         let (cut, collapsed) = (mesh.cut, mesh.collapsed);
         if cut.count > 0 {
-            let message = format!("{} polygons of more than three corners are cut into triangles", cut.count);
+            let message = format!("{} polygons with more than three corners are divided into triangles", cut.count);
             self.remark("polygons-cut", None, Some(cut.first), place.clone(), message);
         }
         if collapsed.count > 0 {
-            let message = format!("{} polygons are left out: their corners are at two places at most", collapsed.count);
+            let message = format!("{} polygons are ignored: they have at most two distinct corners", collapsed.count);
             self.remark("polygons-without-area", None, Some(collapsed.first), place.clone(), message);
         }
         if mesh.turned.count > 0 {
@@ -276,7 +276,7 @@ impl Builder<'_> {
             self.remark("vertices-merged", None, None, place.clone(), merged_vertices(mesh.merged));
         }
         if mesh.unused > 0 {
-            let message = format!("{} vertices belong to no triangle and are left out", mesh.unused);
+            let message = format!("{} vertices belong to no triangle and are ignored", mesh.unused);
             self.remark("vertices-unused", None, None, place, message);
         }
     }
@@ -286,7 +286,7 @@ impl Builder<'_> {
         let (reason, polygon, message) = match bad {
             BadPolygons::Uncut { polygon, corners } => {
                 let message = format!(
-                    "polygon {polygon} of {corners} corners cannot be cut into triangles: it crosses itself, is not nearly plane, or has more than 256 corners"
+                    "polygon {polygon} with {corners} corners cannot be divided into triangles: it intersects itself, is not nearly plane, or has more than 256 corners"
                 );
                 ("polygon-not-simple", polygon, message)
             }
@@ -342,13 +342,13 @@ impl Builder<'_> {
 
 /// What is said of vertices that became one with another.
 pub(in crate::document) fn merged_vertices(count: usize) -> String {
-    format!("{count} vertices are at the place of another: they are one")
+    format!("{count} vertices coincide with another and were merged")
 }
 
 /// What is said of faces that were turned over.
 pub(in crate::document) fn turned_faces(count: usize, first: &str) -> String {
     format!(
-        "{count} face(s) run the other way round than most of their neighbours and are turned over; the first is {first}"
+        "{count} face(s) have the opposite orientation to most of their neighbors and were reversed; the first is {first}"
     )
 }
 

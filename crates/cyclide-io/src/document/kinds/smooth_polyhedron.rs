@@ -140,7 +140,7 @@ impl Builder<'_> {
             (Some(file), None, None, None) => self.polyhedron_file(file),
             (None, Some(source), None, None) => {
                 if spec.hull {
-                    return Err(self.unfit("`hull` goes with `mesh`, or with `vertices` and `faces`: of `points` the hull is taken"));
+                    return Err(self.unfit("`hull` requires `mesh`, or `vertices` and `faces`: for `points` the hull is always used"));
                 }
                 let points = match source {
                     PointSource::Inline(lists) => inline_points(lists),
@@ -154,7 +154,7 @@ impl Builder<'_> {
                 for (index, corners) in faces.iter().enumerate() {
                     if let Some(place) = corners.iter().position(|v| *v as usize >= count) {
                         let words = format!(
-                            "face {index} names vertex {}, but there are {count} vertices, counted from 0",
+                            "face {index} refers to vertex {}, but there are {count} vertices, numbered from 0",
                             corners[place]
                         );
                         let steps: [Step; 3] = ["faces".into(), index.into(), place.into()];
@@ -167,7 +167,7 @@ impl Builder<'_> {
                 Ok(Mesh { points, faces, flatness: None, field: "faces", file: None })
             }
             _ => Err(self.unfit(
-                "a polyhedron is given by exactly one of `mesh` (a file), `points` (their convex hull), or `vertices` with `faces`",
+                "a polyhedron requires exactly one of `mesh` (a file), `points` (their convex hull), or `vertices` with `faces`",
             )),
         }
     }
@@ -219,11 +219,11 @@ impl Builder<'_> {
             )
         );
         if mesh.faces.is_none() && is_shape {
-            words += "; the hull of the points has no faces in planes within this `flatness`: take a larger one, the rounding of the points";
+            words += "; the hull of the points has no plane faces within this `flatness`: set it to the rounding of the points";
         } else if few_digits {
-            words += "; where coordinates have few digits, give their rounding as `flatness`";
+            words += "; if the coordinates have few digits, set `flatness` to their rounding";
         } else if matches!(error, KernelError::Polyhedron(PolyhedronError::NotConvex { .. })) {
-            words += "; `\"hull\": true` takes the convex hull";
+            words += "; or use `\"hull\": true` for the convex hull";
         }
         let steps: Vec<Step> = match *error {
             KernelError::Number(

@@ -70,7 +70,7 @@ impl Builder<'_> {
             }
             (None, Some(normals)) => (SphereBlend::from_normals(corners, normals.map(Coordinates::vector)), "normals"),
             _ => {
-                let needed = "a sphere blend has exactly one of `control` (a point of each sphere) and `normals`";
+                let needed = "a sphere blend requires exactly one of `control` (a point of each sphere) and `normals`";
                 return Err(self.unfit(needed));
             }
         };

@@ -65,7 +65,7 @@ impl Builder<'_> {
         if rational > 0 {
             let all = arcs.len() + rational;
             let message = format!(
-                "{rational} of {all} edges are rational curves of a higher degree and are left out: a support structure is of arcs and segments"
+                "{rational} of {all} edges are rational curves of higher degree and are left out: a support structure consists of arcs and segments"
             );
             self.remark("rational-edges-left-out", None, None, None, message);
         }

@@ -114,11 +114,11 @@ impl Builder<'_> {
     pub(in crate::document) fn sweep(&mut self, spec: &SweepSpec) -> Result<Vec<SurfaceObject>> {
         let paths = self.sources[0].item.curves().to_vec();
         if paths.is_empty() {
-            return Err(self.wrong_source("a path is a curve"));
+            return Err(self.wrong_source("a path must be a curve"));
         }
         let contours = self.sources[1].item.curves().to_vec();
         if contours.is_empty() {
-            let message = format!("`{}` has no curve: a section is one", spec.section);
+            let message = format!("`{}` has no curve: a section must be a curve", spec.section);
             return Err(Error::Input(self.diagnostic(["section".into()], &message)));
         }
         let section = contours.iter().map(CurveObject::exact_pieces).collect::<cyclide::Result<Vec<_>>>();
@@ -128,7 +128,7 @@ impl Builder<'_> {
         let turns = twist / std::f64::consts::TAU;
         if closed && (turns - turns.round()).abs() > WHOLE {
             let message =
-                format!("the path is closed, and the section comes back turned by {turns} of a turn: give whole turns");
+                format!("the path is closed, but the section returns rotated by {turns} of a turn: use whole turns");
             return Err(Error::Input(self.diagnostic(["twist".into()], &message)));
         }
         let tolerance = spec.tolerance.unwrap_or_else(|| TOLERANCE * size(&section));
@@ -155,7 +155,7 @@ impl Builder<'_> {
             if let Some((lengths, point)) = sweep.meeting() {
                 let ([from, to], [x, y, z]) = (lengths.map(ShortNumber), point.to_array().map(ShortNumber));
                 let message = format!(
-                    "the section may run into itself near ({x}, {y}, {z}), {from} and {to} along the path: what it shares counts twice; take a smaller section, or move the path apart"
+                    "the sweep may intersect itself near ({x}, {y}, {z}), at {from} and {to} along the path: volume and area count the intersection twice; use a smaller section, or increase the distance between these parts of the path"
                 );
                 self.remark("sweep-meets-itself", (paths.len() > 1).then_some(contour), None, None, message);
             }
@@ -181,36 +181,36 @@ impl Builder<'_> {
             E::Profile(ProfileError::SectionNotPlane { .. }) if spec.in_place => (
                 "section",
                 format!(
-                    "{error}: with `in_place` the section lies across the path at its start; turn it there, or draw it in the plane z = 0 without `in_place`"
+                    "{error}: with `in_place` the section must be perpendicular to the path at its start; rotate it there, or draw it in the plane z = 0 without `in_place`"
                 ),
             ),
             E::Profile(ProfileError::SectionNotPlane { .. }) => (
                 "section",
                 format!(
-                    "{error}: a section is drawn in the plane z = 0, where its origin runs on the path; with `\"in_place\": true` across the path at its start"
+                    "{error}: a section is drawn in the plane z = 0, with its origin on the path; with `\"in_place\": true`, in its position at the start of the path"
                 ),
             ),
             E::Profile(ProfileError::SectionMeetsItself { .. }) => ("section", error.to_string()),
             E::Tube(TubeError::Folds { piece, .. }) => (
                 "of",
                 format!(
-                    "the bend in piece {piece} of the path is narrower than the section reaches to its inner side: take wider bends, or move or turn the section"
+                    "the bend in piece {piece} of the path is tighter than the extent of the section on its inner side: use wider bends, or move or rotate the section"
                 ),
             ),
             E::Pipe(PipeError::MitreDoesNotFit { piece, needed, length }) => (
                 "of",
                 format!(
-                    "segment {piece} of the path has the length {length}, and the section needs more than {needed} in the mitres at its ends: take a smaller section or longer segments"
+                    "segment {piece} of the path has the length {length}, but the mitres at its ends require more than {needed}: use a smaller section or longer segments"
                 ),
             ),
             E::Pipe(PipeError::CornerNotMitred { joint, turn, limit, .. }) => (
                 "of",
                 format!(
-                    "the path has a corner of {turn} rad before piece {joint}: corners between segments are mitred, up to {limit} rad; round it (polyline with radius)"
+                    "the path has a corner of {turn} rad before piece {joint}: only corners between segments can be mitred, up to {limit} rad; round it (polyline with radius)"
                 ),
             ),
             E::Curve(CurveError::NoFrame { .. }) => {
-                ("frame", format!("{error}; take the frame `rotation-minimizing`, or another `up`"))
+                ("frame", format!("{error}; use the frame `rotation-minimizing`, or another `up`"))
             }
             E::Number(NumberError::ParameterOutOfRange { .. } | NumberError::TooManyPieces { .. }) => {
                 ("tolerance", error.to_string())

@@ -69,7 +69,7 @@ impl Builder<'_> {
         let motion = self.motion_source()?.motion().clone();
         let contours = self.sources[1].item.curves().to_vec();
         if contours.is_empty() {
-            let message = format!("`{}` has no curve: a profile is a curve", spec.profile);
+            let message = format!("`{}` has no curve: a profile must be a curve", spec.profile);
             return Err(Error::Input(self.diagnostic(["profile".into()], &message)));
         }
         let form = motion.to_rational().map_err(|e| self.refused_at(["of".into()], &e))?;
@@ -82,7 +82,7 @@ impl Builder<'_> {
             let swept = swept.map_err(|e| match e {
                 cyclide::Error::Motion(MotionError::AtRest { length, limit }) => {
                     let words = format!(
-                        "the motion is at rest: the profile moves by {}, which must be above {}, and runs over no surface",
+                        "the motion is at rest: the profile moves by {}, which must exceed {} to sweep a surface",
                         ShortNumber(length),
                         ShortNumber(limit)
                     );
@@ -92,7 +92,7 @@ impl Builder<'_> {
             })?;
             if let Some((lean, time)) = lean.filter(|(lean, _)| *lean > ACROSS) {
                 let message = format!(
-                    "the profile lies {} degrees off the plane across its path at the time {}: it is swept as it is turned by the motion; a section that stays across its path is a `sweep`",
+                    "the profile deviates by {} degrees from the plane normal to its path at the time {}: the motion alone determines its orientation; for a section that stays normal to its path use a `sweep`",
                     ShortNumber(lean.to_degrees()),
                     ShortNumber(time)
                 );

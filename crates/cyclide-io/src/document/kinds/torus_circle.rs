@@ -134,8 +134,8 @@ impl Builder<'_> {
                 Ok((at, torus.distance(through.point()).abs()))
             }
             (None, Some(at)) if spec.tolerance.is_none() => Ok((place(torus, at), 0.0)),
-            (None, Some(_)) => Err(self.unfit("`tolerance` goes with `through`: angles are on the torus")),
-            _ => Err(self.unfit("a circle of a torus is given by a point: `through` or `at`")),
+            (None, Some(_)) => Err(self.unfit("`tolerance` requires `through`: angles are always on the torus")),
+            _ => Err(self.unfit("a circle of a torus requires a point: `through` or `at`")),
         }
     }
 

@@ -75,7 +75,7 @@ impl Builder<'_> {
         let torus = self.torus(&spec.torus)?;
         let [one, other] = spec.families.map(CircleFamily::from);
         let Some(kind) = QuarticType::between(one, other) else {
-            let message = "a quartic runs along two different families of circles";
+            let message = "a quartic requires two different families of circles";
             return Err(Error::Input(self.diagnostic([Step::from("families")], message)));
         };
         // The type has its families in their order: the ratio is that of the second one given.

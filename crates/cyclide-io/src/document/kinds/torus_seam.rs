@@ -89,7 +89,7 @@ impl Builder<'_> {
         if let Some(([first, second], point)) = seam.first_meeting(&splines, tolerance).map_err(refused)? {
             let [x, y, z] = point.to_array().map(ShortNumber);
             let message = format!(
-                "the seams of the contours {first} and {second} run through each other at {x}, {y}, {z}: each is a body of its own, and volume and area count what they share twice; fuse them in CAD"
+                "the seams of contours {first} and {second} intersect at {x}, {y}, {z}: they are separate bodies, and volume and area count their intersection twice; fuse them in CAD"
             );
             let place = self.place_of([Step::from("width")]);
             self.remark("seams-meet", Some(second), None, place, message);

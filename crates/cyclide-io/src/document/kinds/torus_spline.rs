@@ -144,7 +144,7 @@ impl<'de> Deserialize<'de> for WindingSpec {
         impl CellVisitor {
             const WHAT: &'static str = "a whole number of turns, or a pair of them";
             fn turns<E: serde::de::Error>(turns: Option<i32>) -> Result<Cell, E> {
-                turns.map(Cell::Turns).ok_or_else(|| E::custom("more turns than anybody winds"))
+                turns.map(Cell::Turns).ok_or_else(|| E::custom("too many turns"))
             }
         }
         impl<'de> Visitor<'de> for CellVisitor {
@@ -220,14 +220,14 @@ impl Kind for TorusSplineSpec {
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         match error {
             cyclide::Error::Point(PointError::ZeroTangent { index }) if is_given(self, *index) => {
-                Some(format!("tangent {index} is normal to the torus there: nothing of it runs along the torus"))
+                Some(format!("tangent {index} is normal to the torus there: it has no tangential component"))
             }
             // Angles a whole turn apart are one place.
             cyclide::Error::Point(PointError::CoincidentPoints { .. })
                 if !self.closed && self.winding.is_none() && self.angles.is_some() =>
             {
                 Some(format!(
-                    "{error}; from a place once round to the same place leads a `winding`, as `[[1, 0]]`, or `closed`"
+                    "{error}; for a turn that returns to the same point use `winding`, as in `[[1, 0]]`, or `closed`"
                 ))
             }
             _ => None,
@@ -254,7 +254,7 @@ impl Builder<'_> {
                 let origin = Origin::Document { nested: false, field };
                 self.each_contour_of(Points { kept: vec![Vec::new()], lists, origin }, spec.closed, construct)
             }
-            _ => Err(self.unfit("a `torus-spline` is given by `points` or by `angles`")),
+            _ => Err(self.unfit("a `torus-spline` requires either `points` or `angles`")),
         }?;
         let moved = made.iter().filter_map(|(_, facts)| facts.moved).fold(0.0, f64::max);
         self.warn_of_move(moved, &torus, "points");
@@ -267,15 +267,15 @@ impl Builder<'_> {
         let is_directed = spec.tangents.as_ref().is_some_and(|all| all.iter().all(|FreeOr(given)| given.is_some()))
             || spec.rates.as_ref().is_some_and(|all| all.pairs.iter().all(Option::is_some));
         let message = if spec.tangents.is_some() && spec.rates.is_some() {
-            "directions are given by `tangents` or by `rates`"
+            "directions require either `tangents` or `rates`, not both"
         } else if matches!(spec.winding, Some(WindingSpec::Total(_))) && !spec.closed {
-            "a pair of turns is that of a closed curve: set `closed`, or give a list of pairs, one for each step"
+            "a single pair of turns requires a closed curve: set `closed`, or use a list of pairs, one for each step"
         } else if spec.angles.is_some() && spec.tolerance.is_some() {
-            "`tolerance` goes with `points`: angles are on the torus"
+            "`tolerance` requires `points`: angles are always on the torus"
         } else if two_types && !(spec.closed && is_directed) {
-            "the method `two-types` makes closed curves with a direction at every point: set `closed`, and give `tangents` or `rates`"
+            "the method `two-types` requires closed curves with a direction at every point: set `closed`, and `tangents` or `rates`"
         } else if two_types && (spec.knots.is_some() || spec.winding.is_some() || spec.loops) {
-            "the method `two-types` goes the shortest way with the knots 0, 1, 2, …: leave out `knots`, `winding` and `loops`"
+            "the method `two-types` takes the shortest path with the knots 0, 1, 2, …: remove `knots`, `winding` and `loops`"
         } else {
             return Ok(());
         };
@@ -285,7 +285,7 @@ impl Builder<'_> {
 
 pub(in crate::document) fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     let none_repeated = || merge_repeated(&mut at.list.clone(), spec.closed).kept.len() == at.kept.len();
-    found(&[("loops", spec.loops && none_repeated(), "no point repeats its neighbour")])
+    found(&[("loops", spec.loops && none_repeated(), "no point coincides with its neighbor")])
 }
 
 /// One contour of a spline.
@@ -387,7 +387,7 @@ mod tests {
             ("[1]", "`winding` is a pair of turns"),
             ("[1,2,3]", "`winding` is a pair of turns"),
             ("[1.5,2]", "expected a whole number of turns"),
-            ("[3000000000,2]", "more turns"),
+            ("[3000000000,2]", "too many turns"),
             ("[[1,2,3]]", "trailing characters"),
         ] {
             let error = parse(text).unwrap_err();

@@ -72,7 +72,7 @@ impl Builder<'_> {
                 [place.into()],
                 error.reason(),
                 format!(
-                    "the point rests: its path is {} long, which must be above {}",
+                    "the point is at rest: the length of its path is {}, which must exceed {}",
                     ShortNumber(length),
                     ShortNumber(limit)
                 ),

@@ -183,7 +183,9 @@ impl<'de> Visitor<'de> for LawVisitor {
             }
         }
         if !even.is_empty() && !at.is_empty() {
-            return Err(serde::de::Error::custom("radii are either evenly spaced or all have their place `at`"));
+            return Err(serde::de::Error::custom(
+                "either all radii or none must have a position `at`; without it they are evenly spaced",
+            ));
         }
         let steps = even.len().saturating_sub(1).max(1) as f64;
         let spaced = even.into_iter().enumerate().map(|(k, radius)| [k as f64 / steps, radius]);
@@ -277,7 +279,7 @@ impl Builder<'_> {
             }
             _ => {
                 return Err(self.unfit(
-                    "a tube runs along a curve: `of` and `radius` (within a `tolerance`), or through `balls` (which may be `closed`)",
+                    "a tube requires either a curve `of` with a `radius` (and optionally a `tolerance`), or `balls` (optionally `closed`)",
                 ));
             }
         };
@@ -299,7 +301,7 @@ impl Builder<'_> {
         let bodies = bodies.map_err(|e| self.refused(&e, None))?;
         if let Some(([first, second], distance)) = Made::first_meeting(&tubes) {
             let message = format!(
-                "the tubes of the contours {first} and {second} run into each other ({} from centre to centre): each is a body of its own, and volume and area count what they share twice; fuse them in CAD",
+                "the tubes of contours {first} and {second} intersect (distance of the centers {}): they are separate bodies, and volume and area count their intersection twice; fuse them in CAD",
                 ShortNumber(distance)
             );
             self.remark("pipes-meet", Some(second), None, None, message);
@@ -312,7 +314,7 @@ impl Builder<'_> {
     fn remark_on_rims(&mut self, spec: &TubeSpec, tube: &Tube) {
         if spec.ends == PipeEnds::Flat && tube.rim_depth() > RIM * tube.radii()[1] {
             let message = format!(
-                "the rims of the wall are along its normals, and as the radius changes at an end they are parts of cones, {} deep: cut them in CAD, or let the radius stay before the end",
+                "the rims of the wall are along its normals, so a radius that changes at an end makes them conical, {} deep: cut them in CAD, or keep the radius constant near the end",
                 ShortNumber(tube.rim_depth())
             );
             self.remark("rims-not-flat", None, None, None, message);
@@ -323,7 +325,7 @@ impl Builder<'_> {
     fn tubes_along(&self, spec: &TubeSpec, values: &[[f64; 2]]) -> Result<Vec<(Made, Exactness)>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
-            return Err(self.wrong_source("only curves have a tube along them"));
+            return Err(self.wrong_source("a tube requires a curve"));
         }
         let refused = |e: cyclide::Error| self.refused(&e, None);
         let law = RadiusLaw::new(values).map_err(refused)?;
@@ -345,7 +347,11 @@ pub(in crate::document) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Id
     let equal = |pair: &[[f64; 2]]| pair[0][1].total_cmp(&pair[1][1]).is_eq();
     let constant = spec.radius.as_ref().is_some_and(|law| law.values.windows(2).all(equal));
     found(&[
-        ("radius_of", constant && spec.radius_of.is_some(), "sections and balls of one radius are the same tube"),
+        (
+            "radius_of",
+            constant && spec.radius_of.is_some(),
+            "with a constant radius, sections and balls give the same tube",
+        ),
         ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
         (
             "ends",

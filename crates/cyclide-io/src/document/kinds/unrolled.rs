@@ -76,7 +76,7 @@ impl Kind for UnrolledSpec {
 impl Builder<'_> {
     /// Curves of a torus laid flat.
     pub(in crate::document) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
-        let splines = self.splines_of_source("is laid flat with its torus")?;
+        let splines = self.splines_of_source("can be unrolled with its torus")?;
         let torus = *splines[0].torus();
         let size = spec.map.size(&torus);
         let mut options = UnrollOptions::new(spec.tolerance.unwrap_or(FLAT * size[0]));
@@ -104,7 +104,7 @@ impl Builder<'_> {
                 if count == 1 { one.to_owned() } else { format!("{count} {more}") }
             };
             let message = format!(
-                "the curve crosses the cuts of the torus {} and is {} in the plane: lines end at its border",
+                "the curve crosses the cuts of the torus {} and is {} in the plane: lines end at the border",
                 counted(cuts, "once", "times"),
                 counted(lines, "one line", "lines")
             );

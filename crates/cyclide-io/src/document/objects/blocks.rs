@@ -23,7 +23,7 @@ impl Builder<'_> {
             segment: None,
             needed: count,
             cap: MOST_BLOCKS,
-            remedy: "make fewer and larger blocks, and divide these by `cells`",
+            remedy: "use fewer and larger blocks, and divide them with `cells`",
         });
         Err(self.refused_at([Step::from(field)], &error))
     }
@@ -62,7 +62,7 @@ impl Builder<'_> {
             volume.to_body().map_err(|e| {
                 let which = if volumes.len() > 1 { format!("block {index}: ") } else { String::new() };
                 let words =
-                    format!("{which}{e}: the block is flat up to rounding, or its corners are nearly on one circle");
+                    format!("{which}{e}: the block is flat to rounding, or its corners are nearly on one circle");
                 match e.reason() {
                     "not-a-shell" => self.refused_in_words([], e.reason(), words),
                     _ => self.refused(&e, None),

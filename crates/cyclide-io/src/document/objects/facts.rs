@@ -8,7 +8,7 @@ use cyclide_grids::{CircularMeshReport, PrincipalGridReport};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a construction knows of its object besides the geometry, by what it is.
+/// Facts about an object from its construction, besides the geometry.
 ///
 /// ```
 /// use cyclide_io::{Document, Facts};
@@ -35,7 +35,7 @@ pub enum Facts {
     Tubes(Vec<TubeFacts>),
     /// Of a smooth mesh.
     SmoothMesh(SmoothChoice),
-    /// Of a curve of a torus that was laid flat.
+    /// For a curve on a torus that was unrolled.
     Unrolled(UnrolledPlane),
     /// Of blocks that are divided.
     Cells(CellFacts),
@@ -112,7 +112,7 @@ impl NetFacts {
 pub struct BlendFacts {
     /// Each of them.
     pub blends: Vec<TeeBlendFacts>,
-    /// Where the balls of these are; an image has none of its own.
+    /// The centers of the balls; an image has none of its own.
     pub centers: Option<Box<BallCenters>>,
 }
 
@@ -126,7 +126,7 @@ pub struct BlendFacts {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellFacts {
-    /// The laws by which they are divided along s, t and u, with what was found for a first cell.
+    /// The laws by which they are divided along s, t and u, with the parameter found for a first cell.
     pub laws: [Grading; 3],
     /// The quality of the cells.
     pub quality: GridQuality,
@@ -215,7 +215,7 @@ pub struct TubeFacts {
     pub within: Exactness,
 }
 
-/// What became of a curve of a torus when it was laid flat, over all its contours.
+/// A curve on a torus that was unrolled, over all its contours.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -233,11 +233,11 @@ pub struct UnrolledPlane {
     pub size: [f64; 2],
     /// How often the curve was cut.
     pub cuts: usize,
-    /// The least and the largest factor by which the map multiplies lengths round the axis, on the curve.
+    /// The least and the largest factor by which the map multiplies lengths around the axis, on the curve.
     pub stretch: [f64; 2],
     /// Length of the curve on the torus, and of all lines in the plane.
     pub lengths: [f64; 2],
-    /// Distance within which arcs stand for the curve in the plane.
+    /// Distance within which arcs approximate the curve in the plane.
     pub tolerance: f64,
 }
 

@@ -23,7 +23,7 @@ pub const NO_EFFECT: &str = "no-effect";
 
 pub(in crate::document) const NO_ENDS: &str = "a closed curve has no ends";
 
-pub(in crate::document) const NO_CORNER: &str = "no point turns by more";
+pub(in crate::document) const NO_CORNER: &str = "the curve turns by no more at any point";
 
 /// Part of a curve's size that rounding may move it by.
 const ROUNDING: f64 = 1e-12;

@@ -33,7 +33,7 @@ use kind::{Kind, OfPanels, Shape};
 use references::{References, State};
 use remark::Remark;
 
-/// An object made by its construction, with what is known about it besides its geometry.
+/// A built object, with facts about it besides its geometry.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -102,10 +102,10 @@ type Read<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
 
 impl<'a> ModelBuilder<'a> {
     /// Builder of a document's objects. Files are looked up relative to `folder` and read by `read`; the name `-`, for
-    /// standard input, is handed on as it is.
+    /// standard input, is passed on unchanged.
     ///
     /// # Errors
-    /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
+    /// [`Error::Input`] at a name that no object has, or that refers back to the object itself.
     pub fn new(document: &'a Document, folder: &'a Path, read: Read<'a>) -> Result<Self> {
         let references = References::new(document)?;
         let (made, walked) = (vec![None; document.objects.len()], references.nothing_made());
@@ -176,8 +176,7 @@ impl<'a> ModelBuilder<'a> {
 impl Document {
     /// Builds all objects of a document that refers to no files, in its order. [`ModelBuilder`] reads files, and builds objects one by one.
     ///
-    /// # Errors
-    /// As [`ModelBuilder::new`] and [`ModelBuilder::build`]; a file that is referred to is not found.
+    /// # Errors Like [`ModelBuilder::new`] and [`ModelBuilder::build`]; a referenced file is not found.
     pub fn build(&self) -> Result<Vec<BuiltObject>> {
         let no_files = |_: &Path| Err(io::ErrorKind::NotFound.into());
         let mut builder = ModelBuilder::new(self, Path::new(""), &no_files)?;

@@ -74,11 +74,11 @@ impl Builder<'_> {
             let meet = if closed || self.kind.keeps_repeated_points() {
                 None
             } else if list.ends_meet() {
-                Some("the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be")
+                Some("the last point repeats the first, but the curve is not closed: set `closed` if it should be")
             } else if list.ends_are_neighbours() {
                 Some(
-                    "the last point is as near to the first as neighbouring points are, but the curve is not closed: set \
-                     `closed` if it is meant to be",
+                    "the last point is as close to the first as neighboring points are, but the curve is not closed: \
+                     set `closed` if it should be",
                 )
             } else {
                 None
@@ -119,8 +119,8 @@ impl Builder<'_> {
                 let given = points.kept[contour].get(*first).copied();
                 let place = given.map(|i| self.place(&points, contour, i));
                 let message = format!(
-                    "{marked} {} marked as corners, which this kind of curve does not keep: `fair-spline`, `circle-spline`, \
-                     `moebius-spline`, `arc-fit` and `fair-fit` do",
+                    "{marked} {} marked as corners, which this kind of curve does not support; `fair-spline`, \
+                     `circle-spline`, `moebius-spline`, `arc-fit` and `fair-fit` do",
                     if marked == 1 { "point is" } else { "points are" }
                 );
                 self.remark(NO_EFFECT, Some(contour), given, place, message);
@@ -161,11 +161,11 @@ impl Builder<'_> {
         {
             let place = match found {
                 InputKind::Mesh => {
-                    ": the field `grid` of a `cyclidic-net` reads it, `mesh` of a `smooth-mesh` or a `smooth-polyhedron` too"
+                    ": use it in the field `grid` of a `cyclidic-net`, or `mesh` of a `smooth-mesh` or `smooth-polyhedron`"
                 }
-                InputKind::PolygonMesh => ": the field `mesh` of a `smooth-mesh` or a `smooth-polyhedron` reads it",
+                InputKind::PolygonMesh => ": use it in the field `mesh` of a `smooth-mesh` or `smooth-polyhedron`",
                 InputKind::PointGrid => {
-                    ": a `cyclidic-net` reads it as a mesh (OBJ); choose `columns` if it is a curve"
+                    ": a `cyclidic-net` reads it as a mesh (OBJ); select `columns` if it is a curve"
                 }
                 InputKind::PointsJson => ": write it into the document, as `points`",
                 _ => "",

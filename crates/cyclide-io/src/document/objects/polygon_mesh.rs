@@ -35,8 +35,7 @@ impl Builder<'_> {
             let scale = 1000.0 / units.in_millimetres();
             mesh.points.iter_mut().for_each(|p| *p = Point3::ORIGIN + p.to_vec() * scale);
             let (factor, symbol, format) = (ShortNumber(scale), units.symbol(), format.word().to_uppercase());
-            let message =
-                format!("{format} counts in metres: coordinates are multiplied by {factor} to be in {symbol}");
+            let message = format!("{format} is in meters: coordinates are multiplied by {factor} for {symbol}");
             self.remark("unit-of-file", None, None, Some(file.to_owned()), message);
         }
         mesh

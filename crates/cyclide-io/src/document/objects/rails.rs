@@ -54,8 +54,8 @@ impl Builder<'_> {
             contours => {
                 let BuiltObject { item, provenance, .. } = self.sources[k];
                 let (name, kind, count) = (&item.name, provenance.kind, contours.len());
-                let what = if count == 0 { "is no curve".to_owned() } else { format!("has {count} contours") };
-                let message = format!("`{name}` is of type `{kind}` and {what}: a rail is one curve");
+                let what = if count == 0 { "is not a curve".to_owned() } else { format!("has {count} contours") };
+                let message = format!("`{name}` is of type `{kind}` and {what}: a rail must be one curve");
                 Err(Error::Input(self.diagnostic(["rails".into(), k.into()], &message)))
             }
         };

@@ -49,7 +49,7 @@ impl References {
         let mut state = vec![State::New; references.of.len()];
         for index in 0..references.of.len() {
             references.walk(index, &mut state, &mut |_| {}).map_err(|(index, place)| {
-                let message = format!("`{}` is made from itself", document.objects[index].0);
+                let message = format!("`{}` refers to itself", document.objects[index].0);
                 refused(document, index, place, &message)
             })?;
         }

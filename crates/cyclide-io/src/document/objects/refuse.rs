@@ -133,7 +133,7 @@ fn corner_angle_words(angle: Angle, radians: f64) -> String {
             "a corner angle of {radians} radians is outside 0 to 3.1416 (half a turn; degrees are written `{{\"degrees\": 30}}`)"
         ),
         Angle::Radians(_) => format!(
-            "a corner angle of {radians} radians is more than half a turn (3.1416): if degrees are meant, write `{{\"degrees\": {radians}}}` or {}",
+            "a corner angle of {radians} radians exceeds half a turn (3.1416): for degrees, write `{{\"degrees\": {radians}}}` or {}",
             ShortNumber(radians.to_radians())
         ),
     }

@@ -19,7 +19,7 @@ use crate::error::hints::words_of_warning;
 pub struct Remark {
     /// Stable kebab-case name.
     pub reason: &'static str,
-    /// Which contour, from 0, where it is about one.
+    /// The contour, from 0, if it concerns one.
     pub contour: Option<usize>,
     /// Which point (or the segment that starts there), from 0, as the input counts them.
     pub index: Option<usize>,
@@ -27,7 +27,7 @@ pub struct Remark {
     pub place: Option<String>,
     /// The sentence.
     pub message: String,
-    /// The warning with its measures, where it is one of the kernel.
+    /// The warning of the kernel with its measures, if any.
     pub warning: Option<Warning>,
 }
 
@@ -65,7 +65,7 @@ impl Builder<'_> {
     /// Asks whether an angle of more than a turn is meant in degrees, and says how these are written.
     pub(in crate::document) fn ask_about_turns(&mut self, angle: f64, place: Option<String>, remedy: &str) {
         let turns = ShortNumber(angle / std::f64::consts::TAU);
-        let message = format!("the angle {angle} is taken as radians, {turns} turns: if degrees are meant, {remedy}");
+        let message = format!("the angle {angle} is interpreted as radians, {turns} turns: for degrees, {remedy}");
         self.remark("more-than-a-turn", None, None, place, message);
     }
 
@@ -76,7 +76,7 @@ impl Builder<'_> {
         let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
         if let Some((_, hint)) = other.next() {
             let message = format!(
-                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
+                "the unit in the columns {} is {}, but that of the model is {}; coordinates are not converted",
                 names.join(", "),
                 hint.symbol(),
                 units.symbol()

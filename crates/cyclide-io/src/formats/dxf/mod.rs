@@ -73,10 +73,13 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     skeleton::closing(&mut tags, &content);
     let mut notes = Vec::new();
     if in_space {
-        notes.push("curves in space are LINE and ARC entities, which many 2D programs show wrongly".to_owned());
+        notes.push(
+            "curves in space are written as LINE and ARC entities, which many 2D programs display incorrectly"
+                .to_owned(),
+        );
     }
     if splines {
-        notes.push("rational SPLINE entities: many programs that cut or draw ignore their weights".to_owned());
+        notes.push("rational SPLINE entities: many cutting and drawing programs ignore their weights".to_owned());
     }
     Ok(written.exported(tags.into_bytes(), notes))
 }
@@ -141,7 +144,11 @@ impl Entities {
             if chain.pieces().iter().any(|p| matches!(p, ChainPiece::Spline(_))) {
                 if self.version == DxfVersion::R12 {
                     let object = contour.object.to_owned();
-                    return Err(ExportError::NotInFormat { object, format: "DXF R12", detail: "it has no SPLINE" });
+                    return Err(ExportError::NotInFormat {
+                        object,
+                        format: "DXF R12",
+                        detail: "this version has no SPLINE entity",
+                    });
                 }
                 self.promise = Promise::of_chain(&lowered);
                 self.splines = true;

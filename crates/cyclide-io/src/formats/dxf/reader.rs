@@ -73,7 +73,7 @@ impl<'a> Groups<'a> {
     /// The names with the numbers of members, which are the entities that say so.
     fn names(&self, said: &HashMap<&str, Vec<&str>>) -> Result<Vec<FileName>, ReadError> {
         if *said != self.members {
-            let detail = "the members of groups are not the entities that say they are";
+            let detail = "the members of the groups differ from the entities that name these groups";
             return Err(ReadError::syntax("the section OBJECTS", detail));
         }
         let members = |handle: &str| self.members.get(handle).map_or(0, Vec::len);
@@ -232,7 +232,7 @@ impl<'a> Entity<'a> {
 
     fn real(&self, code: u16) -> Result<f64, ReadError> {
         let tag = self.tags.iter().find(|t| t.code == code);
-        tag.ok_or_else(|| ReadError::syntax(self.place(), format!("no value of code {code}")))?.real()
+        tag.ok_or_else(|| ReadError::syntax(self.place(), format!("no value with group code {code}")))?.real()
     }
 
     fn int(&self, code: u16) -> Result<usize, ReadError> {
@@ -299,7 +299,7 @@ impl<'a> Curves<'a> {
             "LWPOLYLINE" => {
                 let (x, y, bulge) = (entity.all(10)?, entity.all(20)?, entity.all(42)?);
                 if x.len() != y.len() || x.len() != bulge.len() || x.len() != entity.int(90)? {
-                    return Err(ReadError::syntax(entity.place(), "vertices are incomplete"));
+                    return Err(ReadError::syntax(entity.place(), "incomplete vertices"));
                 }
                 let vertices = (0..x.len()).map(|i| [x[i], y[i], bulge[i]]).collect();
                 let (ocs, closed) = (entity.ocs()?, entity.int(70)? % 2 == 1);
@@ -319,7 +319,8 @@ impl<'a> Curves<'a> {
             "VERTEX" => {
                 let vertex = [entity.real(10)?, entity.real(20)?, entity.real(42)?];
                 let polyline = self.polyline.as_mut();
-                let polyline = polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a VERTEX of no POLYLINE"))?;
+                let polyline =
+                    polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a VERTEX outside a POLYLINE"))?;
                 if entity.layer() != polyline.layer {
                     return Err(ReadError::syntax(entity.place(), "a VERTEX is on another layer than its POLYLINE"));
                 }
@@ -328,7 +329,8 @@ impl<'a> Curves<'a> {
             }
             "SEQEND" => {
                 let polyline = self.polyline.take();
-                let polyline = polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a SEQEND of no POLYLINE"))?;
+                let polyline =
+                    polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a SEQEND outside a POLYLINE"))?;
                 self.push(&polyline, entity)
             }
             "LINE" => {
@@ -421,12 +423,12 @@ fn read_arc(entity: &Entity<'_>) -> Result<Arc, ReadError> {
 fn read_spline(entity: &Entity<'_>) -> Result<NurbsCurve, ReadError> {
     let (x, y, z) = (entity.all(10)?, entity.all(20)?, entity.all(30)?);
     if x.len() != y.len() || x.len() != z.len() {
-        return Err(ReadError::syntax(entity.place(), "control points are incomplete"));
+        return Err(ReadError::syntax(entity.place(), "incomplete control points"));
     }
     let points = (0..x.len()).map(|i| Point3::new(x[i], y[i], z[i])).collect();
     let degree = entity.int(71)?;
     if degree > x.len() {
-        return Err(ReadError::syntax(entity.place(), "the degree is larger than the number of points"));
+        return Err(ReadError::syntax(entity.place(), "the degree exceeds the number of control points"));
     }
     NurbsCurve::new(degree, entity.all(40)?, points, entity.all(41)?).map_err(|e| entity.geometry(e))
 }

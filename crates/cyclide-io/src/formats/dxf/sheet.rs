@@ -108,7 +108,8 @@ impl Sheet {
             let (found, expected) = (pair.0.map(str::to_owned), pair.1.map(str::to_owned));
             return Err(ReadError::Name { of: LAYER, number, found, expected });
         }
-        let other = |what: &str, index: usize| ReadError::syntax(format!("{what} {index}"), "it is not what was drawn");
+        let other =
+            |what: &str, index: usize| ReadError::syntax(format!("{what} {index}"), "it differs from what was drawn");
         if drawing.curves.len() != self.lines.len() {
             return Err(other("line", drawing.curves.len().min(self.lines.len())));
         }

@@ -101,7 +101,7 @@ impl Tag<'_> {
 
     pub(super) fn int(&self) -> Result<usize, ReadError> {
         let v = self.value.parse();
-        v.map_err(|_| ReadError::syntax(self.place(), format!("'{}' is not a count", self.value)))
+        v.map_err(|_| ReadError::syntax(self.place(), format!("'{}' is not a non-negative integer", self.value)))
     }
 }
 
@@ -114,7 +114,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Vec<Tag<'_>>, ReadError> {
         let place = || format!("line {}", i + 1);
         let code = code.trim().parse();
         let code = code.map_err(|_| ReadError::syntax(place(), "expected a group code"))?;
-        let (_, value) = lines.next().ok_or_else(|| ReadError::syntax(place(), "a code without a value"))?;
+        let (_, value) = lines.next().ok_or_else(|| ReadError::syntax(place(), "a group code without a value"))?;
         tags.push(Tag { code, value: value.trim(), line: i + 1 });
     }
     Ok(tags)

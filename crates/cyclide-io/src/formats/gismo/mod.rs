@@ -58,7 +58,7 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let touching: usize = multi_patches.iter().filter(|multi| multi.dimension > 1).map(|multi| multi.touching).sum();
     let note = (touching > 0).then(|| {
         format!(
-            "{touching} sides of patches touch others and are no interfaces: weights or parameters differ there, or more than two meet"
+            "{touching} patch sides touch others without being interfaces: weights or parameters differ there, or more than two sides meet"
         )
     });
     let names: Vec<&str> = job.model.items.iter().map(|item| item.name.as_str()).collect();

@@ -30,7 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         patches.push(patch(element).map_err(|detail| ReadError::syntax(place, detail))?);
     }
     if !patches.windows(2).all(|w| w[0].dimension() >= w[1].dimension()) {
-        return Err(ReadError::syntax("Geometry", "patches are not ordered by their dimension"));
+        return Err(ReadError::syntax("Geometry", "patches are not sorted by dimension"));
     }
     let multi =
         multi_patches(head).ok_or_else(|| ReadError::syntax("MultiPatch", "expected ranges and lists of numbers"))?;
@@ -43,7 +43,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         )
     };
     if !MultiPatch::all(&patches).iter().map(numbers).eq(multi) {
-        return Err(ReadError::syntax("MultiPatch", "interfaces and boundary are not those of the patches"));
+        return Err(ReadError::syntax("MultiPatch", "interfaces and boundary do not match the patches"));
     }
     let mut content = FileContent { labels: labels(head), ..FileContent::default() };
     add_patches(&mut content, patches)?;
@@ -80,10 +80,10 @@ fn multi_patches(head: &str) -> Option<Vec<Lists>> {
 }
 
 fn patch(element: &str) -> Result<SplinePatch, &'static str> {
-    let (tag, rest) = element.split_once('>').ok_or("its tag has no end")?;
+    let (tag, rest) = element.split_once('>').ok_or("its tag is not closed")?;
     let number = |name| {
         let tag = attribute(tag, name).and_then(|text| text.parse::<usize>().ok()).filter(|tag| *tag <= MOST_TAG);
-        tag.ok_or("it does not say what it belongs to")
+        tag.ok_or("it does not name the object to which it belongs")
     };
     let tags =
         Tags { object: number("object")?, part: number("part")?, shell: number("shell")?, flag: number("flag")? };
@@ -91,31 +91,31 @@ fn patch(element: &str) -> Result<SplinePatch, &'static str> {
         Some("Nurbs") => 1,
         Some("TensorNurbs2") => 2,
         Some("TensorNurbs3") => 3,
-        _ => return Err("it is of another type"),
+        _ => return Err("it has a different type"),
     };
     let (mut knots, mut degrees) = (Vec::new(), [0; 3]);
     for own in rest.split("<KnotVector ").skip(1) {
-        let (tag, own) = own.split_once('>').ok_or("a knot vector has no end")?;
+        let (tag, own) = own.split_once('>').ok_or("a knot vector is not closed")?;
         let degree = attribute(tag, "degree").and_then(|text| text.parse::<usize>().ok());
         let degree = degree.filter(|d| (1..=MOST_DEGREE).contains(d)).ok_or("a knot vector has no degree")?;
-        let (values, _) = own.split_once('<').ok_or("a knot vector has no end")?;
-        let values: Vec<f64> = numbers(values).ok_or("a knot is no number")?;
+        let (values, _) = own.split_once('<').ok_or("a knot vector is not closed")?;
+        let values: Vec<f64> = numbers(values).ok_or("a knot is not a number")?;
         let count = values.len().checked_sub(degree + 1).filter(|n| *n > degree).ok_or("a knot vector is too short")?;
         *degrees.get_mut(knots.len()).ok_or("too many knot vectors")? = count - 1;
         knots.push(Knots { degree, knots: values });
     }
     if knots.len() != dimension {
-        return Err("another number of knot vectors than its type says");
+        return Err("the number of knot vectors does not match its type");
     }
-    let weights: Vec<f64> = inside(rest, "weights").and_then(numbers).ok_or("weights are no numbers")?;
-    let points: Vec<f64> = inside(rest, "coefs").and_then(numbers).ok_or("control points are no numbers")?;
+    let weights: Vec<f64> = inside(rest, "weights").and_then(numbers).ok_or("weights are not numbers")?;
+    let points: Vec<f64> = inside(rest, "coefs").and_then(numbers).ok_or("control points are not numbers")?;
     let count = degrees.iter().try_fold(1_usize, |product, d| product.checked_mul(d + 1));
     if count != Some(weights.len())
         || points.len() != 3 * weights.len()
         || !weights.iter().all(|w| *w > 0.0 && w.is_finite())
         || !points.iter().all(|x| x.is_finite())
     {
-        return Err("expected as many control points as its knots say, each with a positive weight");
+        return Err("expected as many control points as the knots require, each with a positive weight");
     }
     let mut net = RationalCell { degrees, nodes: vec![([0.0; 3], 1.0); weights.len()], tags };
     for ((index, point), weight) in net.first_fastest().zip(points.chunks_exact(3)).zip(&weights) {

@@ -106,17 +106,17 @@ pub(super) fn other_clocks(model: &Model) -> Option<String> {
         [one, two] = [start, later].map(|time| format!("{:#}", ShortNumber(time)));
     }
     Some(format!(
-        "all motions play from the start of the animation: the times of {first} begin at {one} and those of {other} at {two}, and a body that is to wait for the other has its \
-         first pose twice, at both times [clocks-differ]"
+        "all motions play from the start of the animation, but the times of {first} begin at {one} and those of \
+         {other} at {two}: to make a body wait for the other, repeat its first pose at both times [clocks-differ]"
     ))
 }
 
 /// What makes a body slower that is too fast for its keys.
 fn slower(body: &MovingBody) -> &'static str {
     match body.law() {
-        TimeLaw::AsGiven => "give other times, or a `law` by path length, with an `arm` if the rotation is too fast",
+        TimeLaw::AsGiven => "use other times, or a `law` by path length, with an `arm` if the rotation is too fast",
         _ => {
-            "give an `arm`, the characteristic length that weights rotation against translation, or a larger one, or other poses"
+            "set or increase `arm`, the characteristic length that weights rotation against translation, or use other poses"
         }
     }
 }
@@ -166,7 +166,7 @@ pub(super) fn deviations(bytes: &[u8], ready: &ReadyModel<'_>) -> Result<Vec<f64
         ready.model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
     let tracks = reader::tracks(bytes)?;
     if tracks.len() != bodies.len() {
-        return Err(wrong("not as many bodies move as there are motions"));
+        return Err(wrong("the number of moving bodies differs from the number of motions"));
     }
     bodies
         .into_iter()
@@ -174,14 +174,14 @@ pub(super) fn deviations(bytes: &[u8], ready: &ReadyModel<'_>) -> Result<Vec<f64
         .zip(tracks)
         .map(|(((item, body), room), read)| {
             if read.name != item.name {
-                return Err(wrong("a body that moves has another name than its motion"));
+                return Err(wrong("a moving body is not named after its motion"));
             }
             let schedule =
                 body.schedule().map_err(|source| ReadError::Geometry { place: item.name.clone(), source })?;
             let (duration, carried) = (body.duration(), carried(*room, &schedule, body.duration(), read.center));
             let last = f64::from(read.track.times.last().copied().unwrap_or_default());
             if !((last - duration).abs() <= 1e-6 * duration) {
-                return Err(wrong("an animation does not last as long as its motion"));
+                return Err(wrong("the duration of an animation differs from that of its motion"));
             }
             Ok(carried.deviation(&read.track).0)
         })

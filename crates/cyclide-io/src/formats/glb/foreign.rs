@@ -39,10 +39,10 @@ impl From<SceneTriangles> for ReadMesh {
     fn from(scene: SceneTriangles) -> Self {
         let mut remarks = Vec::new();
         if scene.lines > 0 {
-            remarks.push(("lines-left-out", format!("{} primitives of points and lines are left out", scene.lines)));
+            remarks.push(("lines-left-out", format!("{} primitives of points and lines are ignored", scene.lines)));
         }
         if scene.moves {
-            let message = "skins and morph targets are left aside: the mesh is taken at rest".to_owned();
+            let message = "skins and morph targets are ignored: the mesh is used in its rest pose".to_owned();
             remarks.push(("pose-left-aside", message));
         }
         Self { mesh: scene.mesh, remarks, in_metres: true }
@@ -63,7 +63,9 @@ fn scene(bytes: &[u8]) -> Result<SceneTriangles, String> {
     for extension in list(&document, "extensionsRequired") {
         let extension = extension.as_str().unwrap_or_default();
         if !HARMLESS.iter().any(|start| extension.starts_with(start)) {
-            return Err(format!("the file needs the extension {extension}, which is not read: export without it"));
+            return Err(format!(
+                "the file requires the extension {extension}, which is not supported: export without it"
+            ));
         }
     }
     let accessors = Accessors::new(&document, binary);
@@ -78,7 +80,7 @@ fn scene(bytes: &[u8]) -> Result<SceneTriangles, String> {
         }
     }
     if found.mesh.faces.is_empty() {
-        return Err("the scene holds no triangles".to_owned());
+        return Err("the scene contains no triangles".to_owned());
     }
     // Normals of a part of the mesh are not those of the file.
     if found.mesh.corner_normals.len() < found.mesh.faces.len() {
@@ -93,7 +95,9 @@ impl SceneTriangles {
         if let Some(extension) = primitive.get("extensions").and_then(Value::as_object).and_then(|e| e.keys().next())
             && extension.ends_with("_compression")
         {
-            return Err(format!("a primitive is compressed by {extension}, which is not read: export without it"));
+            return Err(format!(
+                "a primitive is compressed with {extension}, which is not supported: export without it"
+            ));
         }
         let mode = primitive.get("mode").map_or(Some(TRIANGLES), Value::as_u64);
         if matches!(mode, Some(0..=3)) {
@@ -110,7 +114,10 @@ impl SceneTriangles {
             None => (0..points.len()).collect(),
         };
         if let Some(wrong) = corners.iter().find(|index| **index >= points.len()) {
-            return Err(format!("a triangle has the vertex {wrong}: the primitive has {}", points.len()));
+            return Err(format!(
+                "a triangle refers to vertex {wrong} (from 0), but the primitive has {}",
+                points.len()
+            ));
         }
         let triangles = triangles(mode, &corners)?;
         let first = self.mesh.points.len();
@@ -137,7 +144,7 @@ fn triangles(mode: Option<u64>, corners: &[usize]) -> Result<Vec<[usize; 3]>, St
     let distinct = |t: &[usize; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
     match mode {
         Some(TRIANGLES) if corners.len().is_multiple_of(3) => Ok(corners.as_chunks().0.to_vec()),
-        Some(TRIANGLES) => Err("triangles need three corners each".to_owned()),
+        Some(TRIANGLES) => Err("the number of indices is not a multiple of three".to_owned()),
         // Every other triangle of a strip runs the other way; those without area turn it.
         Some(STRIP) => {
             let at = |(k, w): (usize, &[usize])| if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
@@ -148,7 +155,7 @@ fn triangles(mode: Option<u64>, corners: &[usize]) -> Result<Vec<[usize; 3]>, St
             let rim = corners.get(1..).unwrap_or_default();
             Ok(rim.windows(2).map(|w| [hub, w[0], w[1]]).filter(distinct).collect())
         }
-        _ => Err("a primitive has a mode that glTF does not know".to_owned()),
+        _ => Err("a primitive has a mode that glTF does not define".to_owned()),
     }
 }
 
@@ -164,14 +171,17 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), String> {
         return Err("not a GLB file: it does not start with `glTF`".to_owned());
     }
     if word(4) != Some(2) {
-        return Err("a GLB file of another version than 2".to_owned());
+        return Err("not GLB version 2".to_owned());
     }
-    let whole = word(8).and_then(|length| bytes.get(..length)).ok_or("the file is shorter than its head says")?;
+    let whole = word(8).and_then(|length| bytes.get(..length)).ok_or("the file is shorter than its header states")?;
     let (mut text, mut binary) = (None, &[][..]);
     let mut at = 12;
     while let Some(head) = whole.get(at..at + 8) {
         let length = word(at).unwrap_or_default();
-        let chunk = whole.get(at + 8..).and_then(|rest| rest.get(..length)).ok_or("a chunk reaches beyond the file")?;
+        let chunk = whole
+            .get(at + 8..)
+            .and_then(|rest| rest.get(..length))
+            .ok_or("a chunk extends beyond the end of the file")?;
         match &head[4..] {
             b"JSON" if text.is_none() => text = Some(chunk),
             b"BIN\0" => binary = chunk,
@@ -180,7 +190,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), String> {
         }
         at += 8 + length;
     }
-    Ok((text.ok_or("there is no JSON chunk")?, binary))
+    Ok((text.ok_or("the JSON chunk is missing")?, binary))
 }
 
 #[cfg(test)]

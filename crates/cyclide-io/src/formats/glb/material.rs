@@ -69,7 +69,7 @@ impl Look {
         let factors = entry.pointer("/pbrMetallicRoughness/baseColorFactor").and_then(Value::as_array);
         let factors: Option<Vec<f64>> = factors.and_then(|list| list.iter().map(Value::as_f64).collect());
         let Some([red, green, blue, _]) = factors.as_deref() else {
-            return Err(ReadError::syntax("materials", "expected a colour of four factors"));
+            return Err(ReadError::syntax("materials", "expected a color of four factors"));
         };
         let name = entry.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
         let unlit = entry.get("extensions").is_some();
@@ -80,7 +80,7 @@ impl Look {
         if expected == *entry {
             Ok(look)
         } else {
-            Err(ReadError::unsupported("a material of another kind", "materials"))
+            Err(ReadError::unsupported("an unexpected kind of material", "materials"))
         }
     }
 }

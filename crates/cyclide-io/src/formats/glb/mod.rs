@@ -151,7 +151,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     let bytes = buffer.container(document).ok_or_else(|| {
         let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
-        ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
+        ExportError::NotInFormat { object, format: "GLB", detail: "the file would exceed 4 GiB" }
     })?;
     Ok(written.exported(bytes, animation::other_clocks(job.model).into_iter().collect()))
 }
@@ -287,7 +287,8 @@ impl File {
         self.written.curves.push(promise.of(between(&vertices).recounted(segments)));
         // Two of a closed curve are there and back.
         if points.len() < 2 {
-            let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
+            let (object, detail) =
+                (contour.object.to_owned(), "the curve is smaller than the rounding of single precision");
             return Err(ExportError::NotInFormat { object, format: "GLB", detail });
         }
         let count = points.len() as u32;

@@ -36,13 +36,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     if let Some(root) = root {
         let children = root.get("children").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         if !children.iter().map(|c| c.as_u64().map(|i| i as usize)).eq(shown.map(Some)) {
-            return Err(ReadError::syntax("nodes", "the root's children are not the nodes with meshes"));
+            return Err(ReadError::syntax("nodes", "the children of the root are not the nodes with meshes"));
         }
         content.labels.names.push(FileName::new(TITLE, name(root), 1));
     }
     for node in meshes.iter().filter_map(|i| nodes.get(*i)) {
         if ["rotation", "scale", "matrix", "children"].iter().any(|key| node.get(key).is_some()) {
-            return Err(ReadError::unsupported("a turned or scaled mesh, or one with children", "nodes"));
+            return Err(ReadError::unsupported("a rotated or scaled mesh, or one with children", "nodes"));
         }
         let offset = node.get("translation").map_or(Some([0.0; 3]), triple);
         let offset = offset.ok_or_else(|| ReadError::syntax("nodes", "expected a translation of three numbers"))?;
@@ -143,7 +143,7 @@ impl<'a> File<'a> {
         let still = root.get("translation").is_none() && root.get("matrix").is_none();
         match numbers("scale").as_deref() {
             Some(&[x, y, z]) if turned && still && x > 0.0 && same(x, y) && same(y, z) => Ok(x),
-            _ => Err(ReadError::unsupported("a root that does not just turn the third axis up and scale", "nodes")),
+            _ => Err(ReadError::unsupported("a root that does more than turn the third axis up and scale", "nodes")),
         }
     }
 
@@ -152,7 +152,7 @@ impl<'a> File<'a> {
         let look = Look::read(self.entry("materials", index)?)?;
         let used = self.document.get("extensionsUsed").and_then(Value::as_array);
         if look.is_unlit() && !used.is_some_and(|used| used.iter().any(|name| name == UNLIT)) {
-            return Err(ReadError::syntax("extensionsUsed", format!("{UNLIT} is used and not there")));
+            return Err(ReadError::syntax("extensionsUsed", format!("{UNLIT} is used but not declared")));
         }
         Ok(look.to_string())
     }
@@ -189,7 +189,7 @@ impl<'a> File<'a> {
                     let line = self.line(primitive, position, offset)?;
                     content.curves.push(chain(&line, || "a curve".to_owned())?);
                 }
-                _ => return Err(ReadError::unsupported("a primitive of another mode", "meshes")),
+                _ => return Err(ReadError::unsupported("a primitive with an unexpected mode", "meshes")),
             }
         }
         Ok(looks)
@@ -221,7 +221,7 @@ impl<'a> File<'a> {
         let indices = self.indices(primitive, points.len())?;
         let connected = indices.len() % 2 == 0 && indices.windows(2).skip(1).step_by(2).all(|w| w[0] == w[1]);
         if indices.is_empty() || !connected {
-            return Err(ReadError::syntax("accessors", "the segments of a curve do not follow each other"));
+            return Err(ReadError::syntax("accessors", "the segments of a curve are not consecutive"));
         }
         let order = indices.first().into_iter().chain(indices.iter().skip(1).step_by(2));
         Ok(order.map(|i| Point3::from(points[*i]) + offset).collect())
@@ -231,7 +231,7 @@ impl<'a> File<'a> {
         let indices = self.numbers(primitive.get("indices"), "SCALAR", 4)?;
         let indices: Vec<usize> = indices.iter().map(|b| u32::from_le_bytes(*b) as usize).collect();
         if indices.iter().any(|i| *i >= count) {
-            return Err(ReadError::syntax("accessors", "an index is beyond the vertices"));
+            return Err(ReadError::syntax("accessors", "an index exceeds the number of vertices"));
         }
         Ok(indices)
     }
@@ -255,7 +255,7 @@ impl<'a> File<'a> {
         let parent = self.list("nodes")?.iter().find(holds);
         let place = parent.and_then(|parent| parent.get("translation")).and_then(triple);
         let place =
-            place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a body in motion has no place"))?;
+            place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a moving body has no position"))?;
         let name = parent.and_then(|parent| parent.get("name")).and_then(Value::as_str).unwrap_or_default();
         Ok((name.to_owned(), place))
     }
@@ -271,7 +271,7 @@ impl<'a> File<'a> {
 
     /// The track of the body whose samplers start at this one.
     fn track(&self, animation: &Value, start: usize) -> Result<ReadTrack, ReadError> {
-        let wrong = || ReadError::unsupported("an animation of another kind", "animations");
+        let wrong = || ReadError::unsupported("an unexpected kind of animation", "animations");
         let sampler = |k: usize| animation.pointer(&format!("/samplers/{k}")).ok_or_else(wrong);
         let samplers = [sampler(start)?, sampler(start + 1)?];
         let is_ours = |k: usize, path: &str| {
@@ -290,7 +290,7 @@ impl<'a> File<'a> {
         let count = times.len();
         let rising = times.windows(2).all(|pair| pair[0][0] < pair[1][0]);
         if count < 2 || !rising || translations.len() != 3 * count || rotations.len() != 3 * count {
-            return Err(ReadError::syntax("animations", "the keys of an animation do not fit together"));
+            return Err(ReadError::syntax("animations", "the keys of an animation are inconsistent"));
         }
         let track = Track {
             times: times.into_iter().map(|[t]| t).collect(),
@@ -323,7 +323,7 @@ impl<'a> File<'a> {
             let whole = number(accessor, "count")?.checked_mul(width)? == length;
             (whole && accessor.get("type")?.as_str()? == kind).then_some(bytes)
         };
-        let bytes = place().ok_or_else(|| ReadError::syntax("accessors", "the bytes of an accessor are not there"))?;
+        let bytes = place().ok_or_else(|| ReadError::syntax("accessors", "the bytes of an accessor are missing"))?;
         Ok(bytes.chunks_exact(4).filter_map(|b| b.try_into().ok()).collect())
     }
 }

@@ -137,7 +137,9 @@ impl Patch {
         for (knots, degree) in knots.iter().zip(degrees) {
             let ends = [0.0, 1.0].into_iter().flat_map(|end| std::iter::repeat_n(end, degree + 1));
             if !ends.eq(knots.iter().copied()) {
-                let detail = format!("the knots of a patch of degree {degree} are {knots:?}: expected as many 0 and 1");
+                let detail = format!(
+                    "the knots of a patch of degree {degree} are {knots:?}: expected degree + 1 zeros, then as many ones"
+                );
                 return Err(ReadError::syntax(place, detail));
             }
         }

@@ -84,11 +84,11 @@ mod tests {
             (parts[0].s[1], parts[1].s[0]) = (at, at);
         });
         assert!(beside.unwrap() > 1e-4);
-        let refused = Err("body 0: its patches are not its faces, each part once".to_owned());
+        let refused = Err("body 0: its patches do not cover each part of its faces once".to_owned());
         // Too short by a millionth, and the first part twice.
         assert_eq!(checked(|parts| parts[1].s[1] -= 1e-6), refused);
         assert_eq!(checked(|parts| parts[1] = parts[0]), refused);
-        assert_eq!(checked(|parts| parts[1].face = 1), Err("patch 1: there is no such face".to_owned()));
+        assert_eq!(checked(|parts| parts[1].face = 1), Err("patch 1: the face does not exist".to_owned()));
         assert_eq!(checked(|parts| parts.truncate(1)), Err("2 patches in the file, 1 in the model".to_owned()));
     }
 }

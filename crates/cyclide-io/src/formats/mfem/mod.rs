@@ -47,8 +47,7 @@ const UNITS: &str = "# cyclide, units ";
 const ATTRIBUTE: &str = "# attribute ";
 /// Degrees beyond it MFEM 4.10 reads wrongly, without a word.
 const MOST_DEGREE: usize = 10;
-const DEGREE_TOO_HIGH: &str =
-    "a degree above 10, which MFEM reads wrongly without a word: write G+Smo XML, VTU or STEP";
+const DEGREE_TOO_HIGH: &str = "a degree above 10, which MFEM silently misreads: write G+Smo XML, VTU or STEP";
 /// Nodes of VTK's and MFEM's elements in binary order, and MFEM's numbers for their kinds.
 const ORDERS: [&[usize]; 3] = [&[0, 1], &[0, 1, 3, 2], &[0, 1, 3, 2, 4, 5, 7, 6]];
 const KINDS: [usize; 4] = [0, 1, 3, 5];
@@ -76,7 +75,7 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     // Curves often begin where others do.
     if topology.apart > 0 && dimension > 1 {
         notes.push(format!(
-            "{} sides of patches touch others and are not joined to them: weights or parameters differ there, or more than two meet",
+            "{} patch sides touch others without being joined to them: weights or parameters differ there, or more than two sides meet",
             topology.apart
         ));
     }
@@ -105,8 +104,9 @@ fn left_out(model: &Model, dimension: usize) -> Option<String> {
     let others = model.items.iter().filter(|item| ![0, dimension].contains(&dimension_of_item(item)));
     let names: Vec<&str> = others.map(|item| item.name.as_str()).collect();
     let kept = ["curves", "surfaces", "volumes"][dimension - 1];
-    (!names.is_empty())
-        .then(|| format!("only {kept} are in the file (an MFEM mesh has one dimension), without: {}", names.join(", ")))
+    (!names.is_empty()).then(|| {
+        format!("only {kept} are written, since an MFEM mesh has one dimension; left out: {}", names.join(", "))
+    })
 }
 
 /// The file.

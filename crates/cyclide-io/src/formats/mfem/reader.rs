@@ -25,7 +25,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let mut lines =
         Lines { lines: text.lines().enumerate().collect::<Vec<_>>().into_iter(), comments: Vec::new(), at: 0 };
     if lines.line()? != HEAD {
-        return Err(lines.wrong("expected the head of an MFEM NURBS mesh"));
+        return Err(lines.wrong("expected the header of an MFEM NURBS mesh"));
     }
     lines.word("dimension")?;
     let dimension = lines.count()?;
@@ -44,7 +44,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     for (attribute, _) in &elements {
         let patch = lines.patch(dimension)?;
         if patch.net.tags.object + 1 != *attribute {
-            return Err(lines.wrong("an element has another attribute than its patch has an object"));
+            return Err(lines.wrong("the attribute of an element is not the object of its patch"));
         }
         patches.push(patch);
     }
@@ -61,7 +61,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         && own.boundary.iter().map(|(_, corners)| corners.clone()).eq(corners(&boundary))
         && own.boundary.iter().map(attribute).eq(boundary.iter().map(|(attribute, _)| *attribute));
     if !same {
-        return Err(ReadError::syntax("elements", "elements, boundary and edges are not those of the patches"));
+        return Err(ReadError::syntax("elements", "elements, boundary and edges do not match the patches"));
     }
     let mut content = FileContent { labels, ..FileContent::default() };
     add_patches(&mut content, patches)?;
@@ -113,7 +113,7 @@ impl<'a> Lines<'a> {
         let count = self.count()?;
         let mut rows = Vec::new();
         for _ in 0..count {
-            rows.push(self.numbers()?.try_into().map_err(|_| self.wrong("another number of numbers"))?);
+            rows.push(self.numbers()?.try_into().map_err(|_| self.wrong("unexpected number of values"))?);
         }
         Ok(rows)
     }
@@ -132,7 +132,7 @@ impl<'a> Lines<'a> {
                     order.iter().zip(own).for_each(|(place, corner)| corners[*place] = *corner);
                     elements.push((*attribute, corners));
                 }
-                _ => return Err(self.wrong("an element of another kind")),
+                _ => return Err(self.wrong("an unexpected kind of element")),
             }
         }
         Ok(elements)
@@ -160,10 +160,10 @@ impl<'a> Lines<'a> {
             .comments
             .pop()
             .and_then(tags_of)
-            .ok_or_else(|| self.wrong("no comment says what the patch belongs to"))?;
+            .ok_or_else(|| self.wrong("no comment names the object to which the patch belongs"))?;
         self.comments.clear();
         if self.count()? != dimension {
-            return Err(self.wrong("another number of knot vectors"));
+            return Err(self.wrong("unexpected number of knot vectors"));
         }
         let (mut knots, mut degrees) = (Vec::new(), [0; 3]);
         for own in degrees.iter_mut().take(dimension) {
@@ -174,16 +174,18 @@ impl<'a> Lines<'a> {
                 [degree, count, ..] => (whole(*degree, MOST_DEGREE), whole(*count, MOST_POINTS)),
                 _ => (None, None),
             };
-            let (Some(degree), Some(count)) = (degree, count) else { return Err(self.wrong("no degree and count")) };
+            let (Some(degree), Some(count)) = (degree, count) else {
+                return Err(self.wrong("degree and count are missing"));
+            };
             if row.len() != count + degree + 3 || count <= degree {
-                return Err(self.wrong("another number of knots"));
+                return Err(self.wrong("unexpected number of knots"));
             }
             *own = count - 1;
             knots.push(Knots { degree, knots: row[2..].to_vec() });
         }
         self.word("dimension")?;
         if self.count()? != 3 {
-            return Err(self.wrong("control points that are not in space"));
+            return Err(self.wrong("control points are not three-dimensional"));
         }
         self.word("controlpoints_cartesian")?;
         let count = degrees.iter().try_fold(1_usize, |product, d| product.checked_mul(d + 1));

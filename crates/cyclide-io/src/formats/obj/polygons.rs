@@ -103,7 +103,7 @@ pub(super) fn parse(source: Source<'_>, normals: Normals) -> Result<Polygons, Bo
         }
         let normals = polygons.normals.len();
         if let Some(wrong) = face.normals.iter().flatten().find(|normal| **normal >= normals) {
-            let message = format!("there is no normal {}: the file has {normals}", wrong + 1);
+            let message = format!("there is no normal {}: the file has only {normals}", wrong + 1);
             return Err(source.diagnostic(face.span.clone(), "", message));
         }
     }
@@ -116,7 +116,7 @@ fn no_such_point(source: Source<'_>, face: &Polygon, corner: usize, count: usize
     let mut words = text.split_whitespace().filter(|word| *word != "\\");
     let place = |word: &str| face.span.start + (word.as_ptr() as usize - text.as_ptr() as usize);
     let span = words.nth(corner + 1).map_or(face.span.clone(), |word| place(word)..place(word) + word.len());
-    source.diagnostic(span, "", format!("there is no such point: the file has {count}"))
+    source.diagnostic(span, "", format!("there is no such point: the file has only {count}"))
 }
 
 /// Visits the words of each statement: lines without comments, joined where a line ends in `\`.
@@ -180,8 +180,8 @@ fn numbered(
     let Ok(number) = number.parse::<i64>() else {
         let text = quoted(word.0);
         let message = match place {
-            0 => format!("`{text}` does not start with the number of a {what}"),
-            _ => format!("`{text}` does not end with the number of a {what}"),
+            0 => format!("`{text}` does not start with a {what} number"),
+            _ => format!("`{text}` does not end with a {what} number"),
         };
         return Err(refused(source, word, message));
     };
@@ -191,6 +191,6 @@ fn numbered(
         0 => Err(refused(source, word, format!("{what}s are numbered from 1"))),
         _ => so_far
             .checked_sub(back)
-            .ok_or_else(|| refused(source, word, format!("there is no such {what}: {so_far} stand before this line"))),
+            .ok_or_else(|| refused(source, word, format!("there is no such {what}: only {so_far} precede this line"))),
     }
 }

@@ -13,7 +13,7 @@ pub(crate) fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box
     let source = Source { name, text: decode(name, bytes)? };
     let Polygons { points, faces, normals, .. } = parse(source, Normals::Read)?;
     if faces.is_empty() {
-        return Err(source.diagnostic(0..0, "", "the file holds no faces"));
+        return Err(source.diagnostic(0..0, "", "the file contains no faces"));
     }
     let whole = faces.iter().all(|face| face.normals.is_some());
     let (normals, corner_normals) = if whole {

@@ -20,13 +20,14 @@ use crate::text::place::{Diagnostic, Source, decode};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjGrid {
-    /// The grid: a rectangle, a part of one with a border in steps, a tube (one direction closed) or a torus (both closed).
+    /// The grid: a rectangle, a part of a rectangle with a stepped border, a tube (closed in one direction) or a torus
+    /// (closed in both).
     pub grid: QuadGrid,
-    /// Number in the file, from 1, of each point of the grid; 0 where a border in steps leaves none.
+    /// Number in the file, from 1, of each point of the grid; 0 for points missing at a stepped border.
     pub numbers: Vec<usize>,
-    /// Numbers of the points that no face uses: left out.
+    /// Numbers of the points that no face uses, which are ignored.
     pub unused: Vec<usize>,
-    /// What was mended.
+    /// The repairs.
     pub mended: MendedQuads,
 }
 
@@ -44,11 +45,11 @@ pub struct ObjLayout {
     pub layout: QuadLayout,
     /// Numbers in the file, from 1, of the points that no face uses.
     pub unused: Vec<usize>,
-    /// What was mended.
+    /// The repairs.
     pub mended: MendedQuads,
 }
 
-/// What was changed of quads as a program exported them.
+/// Repairs of the quads as exported by a program.
 ///
 /// ```
 /// // Two quads, each with vertices of its own; the second is seen from below.
@@ -59,28 +60,28 @@ pub struct ObjLayout {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MendedQuads {
-    /// Vertices at the position of another, which are one with it.
+    /// Vertices that coincide with another one and were merged.
     pub merged: usize,
-    /// Lines of the quads that run the other way round than most of their neighbours, and were turned over.
+    /// Lines of the quads with the opposite orientation to most of their neighbors, which were reversed.
     pub turned: Vec<usize>,
 }
 
-/// What the quads of a file are.
+/// The structure of the quads of a file.
 ///
 /// ```
 /// let triangle = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
 /// let message = cyclide_io::read_quads("a.obj", triangle).unwrap_err().to_string();
-/// assert!(message.contains("not a quad: a `principal-grid` lays a grid of quads"));
+/// assert!(message.contains("not a quad: a `principal-grid` computes a grid of quads"));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum ObjQuads {
     /// A regular grid.
     Grid(ObjGrid),
-    /// Several that join round extraordinary vertices.
+    /// Several regular grids that join around extraordinary vertices.
     Layout(ObjLayout),
 }
 
-/// Reads a grid of quads from the bytes of an OBJ file; `name` is what messages call it.
+/// Reads a grid of quads from the bytes of an OBJ file; `name` is used in messages.
 ///
 /// s runs along the first side of the first face (from its first to its second corner) and t along its last side (from
 /// the first to the fourth corner), so that `s × t` is the side from which that face is counter-clockwise. Vertex (0, 0)
@@ -98,7 +99,8 @@ pub enum ObjQuads {
 pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
     read(name, bytes, |mesh| match mesh.check_vertices()? {
         Some((vertex, quads)) => {
-            let message = format!("point {} is an inner vertex of {quads} quads: only 4 make a grid", vertex + 1);
+            let message =
+                format!("point {} is an inner vertex of {quads} quads: inner vertices of a grid have 4", vertex + 1);
             Err(mesh.refused_at_vertex(vertex, "extraordinary-vertex", message))
         }
         None => mesh.grid(),
@@ -203,25 +205,25 @@ impl<'a> Mesh<'a> {
             Err(source.diagnostic(face.span.clone(), "", message).with_reason(reason))
         };
         if polygons.faces.is_empty() {
-            return Err(source.diagnostic(0..0, "", "the file holds no faces"));
+            return Err(source.diagnostic(0..0, "", "the file contains no faces"));
         }
         let mut quads: Vec<[usize; 4]> = Vec::with_capacity(polygons.faces.len());
         let mut sides: HashMap<[usize; 2], (usize, Option<usize>)> = HashMap::new();
         for face in &polygons.faces {
             let Ok(quad) = <[usize; 4]>::try_from(face.corners.as_slice()) else {
-                let remedy = "a `principal-grid` lays a grid of quads on a mesh of any faces";
+                let remedy = "a `principal-grid` computes a grid of quads on a mesh of any polygons";
                 let message = format!("a face of {} corners, not a quad: {remedy}", face.corners.len());
                 return refused(face, "not-a-quad", message);
             };
             let quad = quad.map(|v| vertex_of[v]);
             if (0..4).any(|i| (0..i).any(|j| quad[i] == quad[j])) {
-                return refused(face, "not-a-quad", "the face has the same point twice".to_owned());
+                return refused(face, "not-a-quad", "the face contains a point twice".to_owned());
             }
             quads.push(quad);
         }
         if let Some([first, second]) = doubled(&quads) {
             let line = source.line_of(polygons.faces[first].span.start);
-            let message = format!("this face has the same vertices as that in line {line}: delete one of them");
+            let message = format!("this face has the same vertices as the one in line {line}: delete one of them");
             return refused(&polygons.faces[second], "doubled-face", message);
         }
         for (index, (face, quad)) in polygons.faces.iter().zip(&quads).enumerate() {
@@ -231,7 +233,8 @@ impl<'a> Mesh<'a> {
                     (first, None) if *first == index => {}
                     (_, second @ None) => *second = Some(index),
                     _ => {
-                        let message = format!("a third face at the edge between the points {} and {}", a + 1, b + 1);
+                        let message =
+                            format!("the edge between points {} and {} belongs to a third face", a + 1, b + 1);
                         return refused(face, "non-manifold-edge", message);
                     }
                 }
@@ -282,7 +285,7 @@ impl<'a> Mesh<'a> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(face) => {
-                let message = "this face is not connected with the first one by edges: join the components, or give each a file and a net of its own (vertices at one position count as one)";
+                let message = "this face is not connected to the first one through edges: join the components, or use a separate file and net for each (coincident vertices count as one)";
                 Err(self.refused(face, "several-components", message))
             }
             None => Ok(()),
@@ -306,11 +309,13 @@ impl<'a> Mesh<'a> {
         for (v, (&quads, &border)) in quads.iter().zip(&border_edges).enumerate() {
             let number = v + 1;
             if border > 2 {
-                let message = format!("parts of the mesh touch in point {number} alone");
+                let message = format!("parts of the mesh touch only at point {number}");
                 return Err(self.refused_at_vertex(v, "non-manifold-vertex", message));
             }
             if border == 2 && quads > 3 {
-                let message = format!("point {number} is a border vertex of {quads} quads: only 1 to 3 make a grid");
+                let message = format!(
+                    "point {number} is a border vertex of {quads} quads: border vertices of a grid have 1 to 3"
+                );
                 return Err(self.refused_at_vertex(v, "extraordinary-vertex", message));
             }
         }
@@ -355,10 +360,10 @@ impl<'a> Mesh<'a> {
         QuadLayout::new(self.polygons.points.clone(), &self.quads).map_err(|error| match error {
             Error::Grid(GridError::NotAQuadLayout { fault: fault @ (LayoutFault::Crowded | LayoutFault::Holes), index }) => {
                 let what = match fault {
-                    LayoutFault::Holes => "of a mesh with holes, or of a tube: fill the holes with quads, or lead them to the border; cut the tube open",
-                    _ => "whose quads reach the border, or those of another such vertex: divide every quad into four, or nine",
+                    LayoutFault::Holes => "of a mesh with holes or of a tube: fill the holes with quads or extend them to the border, or cut the tube open",
+                    _ => "whose quads reach the border or the quads of another such vertex: divide every quad into four or nine",
                 };
-                let message = format!("point {} is an inner vertex without four quads {what}", index + 1);
+                let message = format!("point {} is an extraordinary vertex (an inner vertex without four quads) {what}", index + 1);
                 self.refused_at_vertex(index, "extraordinary-vertex", message)
             }
             Error::Grid(GridError::NotAQuadLayout { index, .. }) => self.not_a_grid(index.min(self.quads.len() - 1)),
@@ -407,7 +412,8 @@ impl<'a> Mesh<'a> {
     }
 
     fn not_a_grid(&self, face: usize) -> Box<Diagnostic> {
-        let message = "the rows through this face do not close up: the mesh is one-sided, closed with a shift, or lies over itself";
+        let message =
+            "the rows through this face do not close: the mesh is one-sided, closed with a shift, or overlaps itself";
         self.refused(face, "not-a-grid", message)
     }
 

@@ -34,14 +34,14 @@ pub(crate) fn read_back(bytes: &[u8]) -> Result<FileContent, ReadError> {
                 group.mesh.faces.push(match corners.as_deref() {
                     Some(&[a, b, c]) => MeshFace::Triangle([a, b, c]),
                     Some(&[a, b, c, d]) => MeshFace::Quad([a, b, c, d]),
-                    _ => return Err(ReadError::syntax(place(), "expected three or four corners of this group")),
+                    _ => return Err(ReadError::syntax(place(), "expected three or four corners from this group")),
                 });
             }
             "l" => {
                 let index = |word: &str| group.index(word, group.first[0], group.mesh.positions.len());
                 let line: Option<Vec<Point3>> =
                     words.map(|word| index(word).map(|i| group.mesh.positions[i])).collect();
-                let line = line.ok_or_else(|| ReadError::syntax(place(), "expected vertices of this group"))?;
+                let line = line.ok_or_else(|| ReadError::syntax(place(), "expected vertices from this group"))?;
                 content.curves.push(chain(&line, place)?);
                 count(&mut content);
             }

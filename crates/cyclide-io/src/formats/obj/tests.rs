@@ -104,35 +104,35 @@ fn refusals_name_line_and_reason() {
     let cases = [
         (
             format!("{four}f 1 2 3\n"),
-            "m.obj:5:1: a face of 3 corners, not a quad: a `principal-grid` lays a grid of quads on a mesh of any faces [not-a-quad]",
+            "m.obj:5:1: a face of 3 corners, not a quad: a `principal-grid` computes a grid of quads on a mesh of any polygons [not-a-quad]",
         ),
-        (format!("{four}f 1 2 3 1\n"), "m.obj:5:1: the face has the same point twice [not-a-quad]"),
-        (format!("{four}f 1 2 3 5\n"), "m.obj:5:9: there is no such point: the file has 4"),
-        (format!("{four}f 1 2 3 -5\n"), "m.obj:5:9: there is no such point: 4 stand before this line"),
+        (format!("{four}f 1 2 3 1\n"), "m.obj:5:1: the face contains a point twice [not-a-quad]"),
+        (format!("{four}f 1 2 3 5\n"), "m.obj:5:9: there is no such point: the file has only 4"),
+        (format!("{four}f 1 2 3 -5\n"), "m.obj:5:9: there is no such point: only 4 precede this line"),
         (format!("{four}f 0 2 3 4\n"), "m.obj:5:3: points are numbered from 1"),
         (format!("{four}f 1 x 3 4\n"), "m.obj:5:5: `x` does not start with"),
         (format!("{four}f 1 2\n"), "m.obj:5:1: a face needs at least three corners"),
         ("v 0 0\n".to_owned(), "m.obj:1:1: a point needs three coordinates"),
         ("v 0 0 nan\n".to_owned(), "m.obj:1:7: `nan` is not a finite number"),
         ("v 0 0 1,5\n".to_owned(), "m.obj:1:7: `1,5` is not a number"),
-        ("v 0 0 0\n".to_owned(), "m.obj:1:1: the file holds no faces"),
+        ("v 0 0 0\n".to_owned(), "m.obj:1:1: the file contains no faces"),
         (
             format!("{six}f 1 2 3 4\nf 2 5 6 3\nf 2 3 4 5\n"),
-            "m.obj:9:1: a third face at the edge between the points 2 and 3",
+            "m.obj:9:1: the edge between points 2 and 3 belongs to a third face",
         ),
         (
             format!("{four}{four}f 1 2 3 4\nf 5 6 7 8\n"),
-            "m.obj:10:1: this face has the same vertices as that in line 9",
+            "m.obj:10:1: this face has the same vertices as the one in line 9",
         ),
         (
             format!("{four}v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 1 2 3 4\nf 5 6 7 8\n"),
-            "m.obj:10:1: this face is not connected with the first one",
+            "m.obj:10:1: this face is not connected to the first one",
         ),
         (
             tripod.to_owned(),
-            "m.obj:1:1: point 1 is an inner vertex of 3 quads: only 4 make a grid [extraordinary-vertex]",
+            "m.obj:1:1: point 1 is an inner vertex of 3 quads: inner vertices of a grid have 4 [extraordinary-vertex]",
         ),
-        (shifted, "the rows through this face do not close up"),
+        (shifted, "the rows through this face do not close"),
         (mobius, "[not-a-grid]"),
         (format!("{}f 1 2 3 4\n", four.replace("v 1 1 0", "v 1 1e200 0")), "m.obj:1:1: coordinate = "),
     ];
@@ -176,7 +176,7 @@ fn a_ramp_that_lies_over_itself_is_no_grid() {
         lines.1.push(format!("f {} {} {} {}", face[0], face[1], face[2], face[3]));
     }
     let message = read(&[lines.0, lines.1].concat().join("\n")).unwrap_err();
-    assert!(message.contains("[not-a-grid]") && message.contains("lies over itself"), "{message}");
+    assert!(message.contains("[not-a-grid]") && message.contains("overlaps itself"), "{message}");
 }
 
 #[test]
@@ -251,7 +251,9 @@ fn extraordinary_vertices_cut_a_mesh_into_grids() {
     // Its quads reach the border.
     let message = read_quads("m.obj", sectors(5, 1).as_bytes()).unwrap_err().to_string();
     assert!(
-        message.contains("m.obj:1:1: point 1 is an inner vertex without four quads whose quads reach"),
+        message.contains(
+            "m.obj:1:1: point 1 is an extraordinary vertex (an inner vertex without four quads) whose quads reach"
+        ),
         "{message}"
     );
     assert!(message.contains("[extraordinary-vertex]"), "{message}");

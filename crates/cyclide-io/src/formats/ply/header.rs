@@ -81,11 +81,11 @@ impl Header {
         let mut at = 0;
         for number in 1.. {
             let rest = &bytes[at.min(LONGEST)..bytes.len().min(LONGEST)];
-            let end = rest.iter().position(|byte| *byte == b'\n').ok_or("the head has no end_header")?;
+            let end = rest.iter().position(|byte| *byte == b'\n').ok_or("the header has no end_header line")?;
             let line = std::str::from_utf8(&rest[..end]).map_err(|_| format!("line {number}: not text"))?;
             at += end + 1;
             let words: Vec<&str> = line.split_whitespace().collect();
-            let wrong = || format!("line {number}: `{}` is not understood", crate::text::place::quoted(line.trim()));
+            let wrong = || format!("line {number}: unknown keyword `{}`", crate::text::place::quoted(line.trim()));
             match words.as_slice() {
                 ["ply"] if number == 1 => {}
                 [] | ["comment" | "obj_info", ..] => {}
@@ -96,7 +96,7 @@ impl Header {
                         "binary_big_endian" => Encoding::Binary { big_endian: true },
                         _ => {
                             return Err(format!(
-                                "line {number}: no format is called `{}`",
+                                "line {number}: unknown format `{}`",
                                 crate::text::place::quoted(word)
                             ));
                         }
@@ -125,7 +125,7 @@ impl Header {
                 _ => return Err(wrong()),
             }
         }
-        let encoding = encoding.ok_or("the head names no format")?;
+        let encoding = encoding.ok_or("the header does not state the format")?;
         Ok((Self { encoding, elements }, at))
     }
 }

@@ -93,12 +93,13 @@ fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box<Diagnostic
         }
     };
     if mesh.faces.is_empty() {
-        return Err(refused(name, "the file holds no faces".to_owned()));
+        return Err(refused(name, "the file contains no faces".to_owned()));
     }
     let count = mesh.points.len();
     for (index, face) in mesh.faces.iter().enumerate() {
         if let Some(vertex) = face.iter().find(|vertex| **vertex >= count) {
-            let message = format!("face {index} (from 0) has the vertex {vertex}: there are {count}");
+            let message =
+                format!("face {index} (from 0) refers to vertex {vertex} (from 0), but there are only {count}");
             return Err(refused(name, message));
         }
     }
@@ -114,12 +115,12 @@ fn read_elements(elements: &[Element], values: &mut impl Values) -> Result<Polyg
     for element in elements {
         // Every element takes a byte at least: no count makes a list longer than the file.
         if element.count > values.left() && !element.properties.is_empty() {
-            return Err(format!("{} {} cannot be in the rest of the file", element.count, element.name));
+            return Err(format!("the rest of the file is too short for {} {} elements", element.count, element.name));
         }
         match element.name.as_str() {
             "vertex" => read_vertices(element, values, &mut mesh)?,
             "face" => read_faces(element, values, &mut mesh)?,
-            "tristrips" => return Err("strips of triangles are not read: save single faces".to_owned()),
+            "tristrips" => return Err("triangle strips are not supported: save individual faces".to_owned()),
             _ => skip(element, values)?,
         }
     }
@@ -136,7 +137,7 @@ fn read_vertices(element: &Element, values: &mut impl Values, mesh: &mut Polygon
     let place = |property: &Property| COORDINATES.iter().position(|name| *name == property.name);
     let has = |name: &str| element.properties.iter().any(|property| property.name == name && property.list.is_none());
     if let Some(missing) = COORDINATES[..3].iter().find(|name| !has(name)) {
-        return Err(format!("vertices have no property {missing}"));
+        return Err(format!("vertices lack the property {missing}"));
     }
     let with_normals = COORDINATES[3..].iter().all(|name| has(name));
     for index in 0..element.count {
@@ -163,7 +164,7 @@ fn read_vertices(element: &Element, values: &mut impl Values, mesh: &mut Polygon
 fn read_faces(element: &Element, values: &mut impl Values, mesh: &mut PolygonMesh) -> Result<(), String> {
     let is_loop = |p: &Property| p.list.is_some() && ["vertex_indices", "vertex_index"].contains(&p.name.as_str());
     if element.count > 0 && !element.properties.iter().any(is_loop) {
-        return Err("faces have no list vertex_indices".to_owned());
+        return Err("faces lack the list property vertex_indices".to_owned());
     }
     for index in 0..element.count {
         for property in &element.properties {
@@ -173,7 +174,7 @@ fn read_faces(element: &Element, values: &mut impl Values, mesh: &mut PolygonMes
             };
             let corners = values.count(counted)?;
             if !(3..=MOST_CORNERS).contains(&corners) {
-                return Err(format!("face {index} (from 0) has {corners} corners, not 3 to {MOST_CORNERS}"));
+                return Err(format!("face {index} (from 0) has {corners} corners; 3 to {MOST_CORNERS} are supported"));
             }
             mesh.faces.push((0..corners).map(|_| values.count(property.kind)).collect::<Result<_, _>>()?);
         }
@@ -194,7 +195,7 @@ fn skip(element: &Element, values: &mut impl Values) -> Result<(), String> {
 fn skip_property(property: &Property, values: &mut impl Values) -> Result<(), String> {
     let count = property.list.map_or(Ok(1), |counted| values.count(counted))?;
     if count > values.left() {
-        return Err(format!("a list of {count} values cannot be in the rest of the file"));
+        return Err(format!("the rest of the file is too short for a list of {count} values"));
     }
     for _ in 0..count {
         values.number(property.kind)?;
@@ -257,19 +258,20 @@ mod tests {
         let message = |text: String| read_polygons("a.ply", text.as_bytes()).unwrap_err().to_string();
         assert!(message(text().replace("1 1.5 0 7", "1 one 0 7")).starts_with("a.ply:14:3: `one` is not a number"));
         assert!(
-            message(text().replace("3 0 2 3", "3 0 2 4")).contains("face 1 (from 0) has the vertex 4: there are 4")
+            message(text().replace("3 0 2 3", "3 0 2 4"))
+                .contains("face 1 (from 0) refers to vertex 4 (from 0), but there are only 4")
         );
-        assert!(message(text().replace("3 0 2 3", "3 0 2 -1")).contains("`-1` is not a whole number"));
+        assert!(message(text().replace("3 0 2 3", "3 0 2 -1")).contains("`-1` is not a non-negative integer"));
         assert!(message(text().replace("3 0 2 3", "3 0 2")).contains("the file ends"));
         assert!(message(text().replace("3 0 2 3\n", "2 0 2\n")).contains("face 1 (from 0) has 2 corners"));
         assert!(message(text().replace("1 0 0 7", "nan 0 0 7")).contains("not finite"));
         assert!(message(text().replace("element face 2", "element tristrips 1")).contains("strips"));
-        assert!(message(text().replace("float z", "float w")).contains("no property z"));
+        assert!(message(text().replace("float z", "float w")).contains("lack the property z"));
         assert!(message(text().replace("face 2", "face 0")).contains("no faces"));
-        assert!(message(text().replace("vertex 4", "vertex 400000000")).contains("cannot be in the rest"));
+        assert!(message(text().replace("vertex 4", "vertex 400000000")).contains("the rest of the file is too short"));
         assert!(message(text().replace("ascii", "binary")).contains("format"));
-        assert!(message(text()[..60].to_owned()).contains("the head has no end_header"));
-        assert!(message(text().replace("end_header", "end")).contains("`end` is not understood"));
+        assert!(message(text()[..60].to_owned()).contains("the header has no end_header line"));
+        assert!(message(text().replace("end_header", "end")).contains("unknown keyword `end`"));
         for end in 0..binary(false).len() {
             assert!(read_polygons("a.ply", &binary(false)[..end]).is_err(), "{end} bytes");
         }

@@ -14,7 +14,7 @@ const VERTEX: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let (header, start) = Header::read(bytes).map_err(|detail| ReadError::syntax("the head", detail))?;
     let ours = |what: &str| ReadError::unsupported(what.to_owned(), "the head");
-    let [vertex, face] = header.elements.as_slice() else { return Err(ours("another list of elements")) };
+    let [vertex, face] = header.elements.as_slice() else { return Err(ours("an unexpected list of elements")) };
     let names =
         |element: &Element| element.properties.iter().map(|p| (p.name.clone(), p.kind, p.list)).collect::<Vec<_>>();
     let kind = |k: usize| if k < 3 { Kind::F64 } else { Kind::F32 };
@@ -27,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         || names(vertex) != of_vertex
         || names(face) != of_face
     {
-        return Err(ours("another kind of PLY"));
+        return Err(ours("an unexpected kind of PLY"));
     }
     let mut bytes = Bytes { all: bytes, at: start };
     let mut mesh = SurfaceMesh::default();
@@ -49,18 +49,18 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         let count = bytes.take::<1>()?[0];
         let mut corners = [MeshCorner { position: 0, normal: 0 }; 4];
         if !(3..=4).contains(&count) {
-            return Err(bytes.wrong("a face of neither three nor four corners"));
+            return Err(bytes.wrong("a face that is neither a triangle nor a quad"));
         }
         for corner in &mut corners[..usize::from(count)] {
             let index = usize::try_from(bytes.int()?).ok().filter(|index| *index < mesh.positions.len());
-            let index = index.ok_or_else(|| bytes.wrong("a corner that is no vertex"))?;
+            let index = index.ok_or_else(|| bytes.wrong("a corner that is not a vertex"))?;
             *corner = MeshCorner { position: index, normal: index };
         }
         let [a, b, c, _] = corners;
         mesh.faces.push(if count == 3 { MeshFace::Triangle([a, b, c]) } else { MeshFace::Quad(corners) });
     }
     if bytes.at != bytes.all.len() {
-        return Err(bytes.wrong("bytes are left over"));
+        return Err(bytes.wrong("trailing bytes"));
     }
     let head = String::from_utf8_lossy(&bytes.all[..start]).into_owned();
     let mut labels = labels(&head);

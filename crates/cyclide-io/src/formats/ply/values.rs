@@ -51,7 +51,7 @@ impl Values for Text<'_> {
 
     fn count(&mut self, _kind: Kind) -> Result<usize, String> {
         let word = self.word()?;
-        word.parse().map_err(|_| format!("`{}` is not a whole number from 0", quoted(word)))
+        word.parse().map_err(|_| format!("`{}` is not a non-negative integer", quoted(word)))
     }
 
     fn left(&self) -> usize {
@@ -108,7 +108,7 @@ impl Values for Binary<'_> {
         if kind.is_whole() && number >= 0.0 {
             return Ok(number as usize);
         }
-        Err(format!("`{number}` is not a whole number from 0"))
+        Err(format!("`{number}` is not a non-negative integer"))
     }
 
     fn left(&self) -> usize {

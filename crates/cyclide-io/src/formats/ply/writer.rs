@@ -58,7 +58,7 @@ pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     if job.units() != Units::Millimetre {
         let symbol = job.units().symbol();
         notes.push(format!(
-            "PLY has no unit and most readers take it for mm or m; the coordinates are in {symbol}, as a comment says"
+            "PLY has no unit, and most readers assume mm or m; the coordinates are in {symbol}, as a comment in the file states"
         ));
     }
     Ok(written.exported(bytes, notes))

@@ -85,8 +85,8 @@ impl Sheet {
         }
         let (height, width) = (self.height, self.width);
         let detail = format!(
-            "a height of {height} pixels leaves the drawing no room beside title and legend, which take {bands} at a width of {width}: \
-             {least} are enough, or leave them out with --png-plain"
+            "a height of {height} pixels leaves no room for the drawing: title and legend take {bands} at a width of \
+             {width}; use at least {least}, or omit title and legend with --png-plain"
         );
         Err(ExportError::Picture { detail })
     }

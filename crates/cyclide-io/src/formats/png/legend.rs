@@ -74,7 +74,7 @@ impl Legend {
             }));
         }
         if job.provenances.data().next().is_some() {
-            row.push(Entry { mark: Mark::Data, text: "data points of a fit, its nodes as rings".to_owned() });
+            row.push(Entry { mark: Mark::Data, text: "data points of a fit; its nodes as rings".to_owned() });
         }
         let numbered = match naming {
             Naming::Numbers => {
@@ -296,7 +296,7 @@ fn mark(job: &Job<'_>, index: usize) -> Mark {
 fn crowd(combs: &Combs) -> Vec<Entry> {
     let mut text = scale_words(combs).to_owned();
     if !combs.left_out.is_empty() {
-        text += &format!("; {} left out where they would lie on others", combs.left_out.len());
+        text += &format!("; {} omitted because they would overlap others", combs.left_out.len());
     }
     if combs.drawn.is_empty() { Vec::new() } else { vec![Entry { mark: Mark::Comb, text }] }
 }
@@ -304,8 +304,8 @@ fn crowd(combs: &Combs) -> Vec<Entry> {
 fn scale_words(combs: &Combs) -> &'static str {
     match combs.drawn.len() {
         1 => "curvature comb",
-        _ if combs.have_one_scale() => "curvature combs, to one scale",
-        _ => "curvature combs, not to one scale",
+        _ if combs.have_one_scale() => "curvature combs, at one scale",
+        _ => "curvature combs, at different scales",
     }
 }
 
@@ -324,7 +324,7 @@ fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
                 false => "curvature without bound, longest teeth cut".to_owned(),
             }
         });
-        let left_out = combs.left_out.contains(&index).then(|| "comb left out: it would lie on another".to_owned());
+        let left_out = combs.left_out.contains(&index).then(|| "comb omitted: it would overlap another".to_owned());
         let mark = mark(job, index);
         match (named, said.or(left_out)) {
             (true, Some(said)) => entries.push(Entry { mark, text: format!("{name}: {said}") }),

@@ -106,7 +106,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     names.notes.extend(combs.left_out_note(|index| &names.drawn[index]));
     if drawing.without_room > 0 {
         let without = drawing.without_room;
-        names.notes.push(format!("{without} points have no room for their names: a larger --width has more"));
+        names.notes.push(format!("there is no room for the names of {without} points: increase --width"));
     }
     Ok(written.exported(bytes, names.notes))
 }
@@ -195,7 +195,8 @@ impl Drawing<'_> {
 
     fn draw(&mut self) -> Result<Canvas, ExportError> {
         let Request { job, sheet, combs, names, heights, .. } = self.of;
-        let mut canvas = Canvas::new(self.view.width(), self.view.height()).ok_or_else(|| picture("it has no size"))?;
+        let mut canvas =
+            Canvas::new(self.view.width(), self.view.height()).ok_or_else(|| picture("its size is zero"))?;
         let view = &self.view;
         ground(&mut canvas, view, sheet, &self.curves);
         for strip in combs.drawn.iter().flat_map(|comb| &comb.strips) {

@@ -21,11 +21,17 @@ impl Names {
             }
             let Some(Drawable { text, lost }) = lettering::drawable(&item.name) else {
                 let other = format!("object {}", index + 1);
-                notes.push(format!("the picture has no letters for '{}', which it calls {other}", item.name));
+                notes.push(format!(
+                    "the font of the picture has no glyphs for '{}', which is labeled {other}",
+                    item.name
+                ));
                 return other;
             };
             if !lost.is_empty() {
-                notes.push(format!("the picture has no letter for '{lost}' in '{}', which it calls {text}", item.name));
+                notes.push(format!(
+                    "the font of the picture has no glyph for '{lost}' in '{}', which is labeled {text}",
+                    item.name
+                ));
             }
             text
         };

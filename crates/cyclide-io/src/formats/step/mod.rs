@@ -122,7 +122,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         shortest = shortest.min(as_written.shortest);
         if as_written.touches_itself {
             notes.push(format!(
-                "{} touches itself in single points: written as closed shells, not as a solid",
+                "{} touches itself at isolated points: written as closed shells, not as a solid",
                 body.label()
             ));
         }
@@ -149,8 +149,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         };
     if one && parts.len() > 1 && job.options.step_products == StepProducts::Auto {
         notes.push(
-            "curves and surfaces together are one product, which more readers open; objects as products of their own: \
-             --step-products assembly"
+            "curves and surfaces are written as one product, which more readers support; --step-products assembly \
+             writes a product per object"
                 .to_owned(),
         );
     }

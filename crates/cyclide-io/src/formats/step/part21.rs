@@ -158,7 +158,7 @@ impl<'a> Cursor<'a> {
 
     fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>, ReadError> {
         if depth > DEEPEST {
-            return Err(self.error(format!("lists nest deeper than {DEEPEST}")));
+            return Err(self.error(format!("lists are nested more than {DEEPEST} levels deep")));
         }
         self.expect(b'(')?;
         let mut values = Vec::new();
@@ -229,7 +229,7 @@ impl<'a> Cursor<'a> {
                 Some(b'\'') if self.bytes.get(self.at + 1) == Some(&b'\'') => self.at += 2,
                 Some(b'\'') => break,
                 Some(_) => self.at += 1,
-                None => return Err(self.error("a string has no end")),
+                None => return Err(self.error("unterminated string")),
             }
         }
         self.at += 1;

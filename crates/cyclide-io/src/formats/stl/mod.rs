@@ -48,7 +48,7 @@ pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
     has_quads: false,
     is_single: true,
     shares_vertices: false,
-    without_normals: "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\"",
+    without_normals: "STL has normals of triangles, not of vertices: use \"angle\" or \"sphere\"",
 };
 
 /// Length of the head, and of the record of a triangle.
@@ -82,7 +82,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut notes = Vec::new();
     if job.units() != Units::Millimetre {
         notes.push(format!(
-            "STL has no unit and most readers take it for mm; the coordinates are in {}",
+            "STL has no unit, and most readers assume mm; the coordinates are in {}",
             job.units().symbol()
         ));
     }

@@ -11,7 +11,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let (head, records) = bytes.split_at_checked(HEAD + 4).ok_or_else(|| ReadError::syntax("byte 0", "no head"))?;
     let count = head.last_chunk().map_or(0, |last| u32::from_le_bytes(*last)) as usize;
     if count.checked_mul(RECORD) != Some(records.len()) {
-        let detail = format!("{count} triangles need another number of bytes than {}", records.len());
+        let detail = format!("{} bytes do not match the count of {count} triangles", records.len());
         return Err(ReadError::syntax(format!("byte {HEAD}"), detail));
     }
     let mut mesh = SurfaceMesh::default();

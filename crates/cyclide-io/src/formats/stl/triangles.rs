@@ -33,7 +33,7 @@ fn of_binary(name: &str, bytes: &[u8]) -> Result<Vec<Point3>, Box<Diagnostic>> {
         faces.map(|corner| mesh.positions[corner.position])
     });
     let corners: Vec<Point3> = corners.collect();
-    if corners.is_empty() { Err(refused("the file holds no triangles".to_owned())) } else { Ok(corners) }
+    if corners.is_empty() { Err(refused("the file contains no triangles".to_owned())) } else { Ok(corners) }
 }
 
 fn of_text(name: &str, bytes: &[u8]) -> Result<Vec<Point3>, Box<Diagnostic>> {
@@ -48,7 +48,7 @@ fn of_text(name: &str, bytes: &[u8]) -> Result<Vec<Point3>, Box<Diagnostic>> {
                 let numbers: Option<Vec<f64>> =
                     words.map(|word| word.parse().ok().filter(|x: &f64| x.is_finite())).collect();
                 let Some(&[x, y, z]) = numbers.as_deref() else {
-                    return refused("a vertex has three coordinates".to_owned());
+                    return refused("a vertex needs three coordinates".to_owned());
                 };
                 if corners.len() == MOST_POINTS {
                     return refused(format!("the file has more than {MOST_POINTS} points"));
@@ -58,7 +58,7 @@ fn of_text(name: &str, bytes: &[u8]) -> Result<Vec<Point3>, Box<Diagnostic>> {
             }
             Some("endloop") => {
                 if in_loop != 3 {
-                    return refused(format!("a facet of {in_loop} vertices, not a triangle"));
+                    return refused(format!("a facet has {in_loop} vertices instead of three"));
                 }
                 in_loop = 0;
             }
@@ -66,9 +66,9 @@ fn of_text(name: &str, bytes: &[u8]) -> Result<Vec<Point3>, Box<Diagnostic>> {
         }
     }
     match (in_loop, corners.len()) {
-        (0, 0) => Err(source.diagnostic(0..0, "", "the file holds no triangles")),
+        (0, 0) => Err(source.diagnostic(0..0, "", "the file contains no triangles")),
         (0, _) => Ok(corners),
-        _ => Err(source.diagnostic(source.text.len()..source.text.len(), "", "the last facet has no end")),
+        _ => Err(source.diagnostic(source.text.len()..source.text.len(), "", "the last facet is not closed")),
     }
 }
 
@@ -99,9 +99,9 @@ mod tests {
     #[test]
     fn what_is_no_triangle_is_refused_at_its_line() {
         let message = |text: String| read_triangles("t.stl", text.as_bytes()).unwrap_err().to_string();
-        assert!(message(TEXT.replace("1e0", "one")).starts_with("t.stl:6:1: a vertex has three coordinates"));
-        assert!(message(TEXT.replace("  vertex 1 0 0\n", "")).starts_with("t.stl:6:1: a facet of 2 vertices"));
-        assert!(message(TEXT[..60].to_owned()).contains("the last facet has no end"));
+        assert!(message(TEXT.replace("1e0", "one")).starts_with("t.stl:6:1: a vertex needs three coordinates"));
+        assert!(message(TEXT.replace("  vertex 1 0 0\n", "")).starts_with("t.stl:6:1: a facet has 2 vertices"));
+        assert!(message(TEXT[..60].to_owned()).contains("the last facet is not closed"));
         assert!(message("solid\nendsolid\n".to_owned()).contains("no triangles"));
         assert!(message("v 0 0 0\n".to_owned()).contains("not an STL file"));
     }

@@ -80,25 +80,25 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let drawn = paths.iter().map(|(_, p)| p.bounds()).chain(plan.bounds());
     let Some(mut bounds) = drawn.reduce(Aabb::union) else {
         let Some(first) = points.first() else { return Err(ExportError::Empty) };
-        let (object, detail) = (first.object.to_owned(), "seen along the z axis it is a point");
+        let (object, detail) = (first.object.to_owned(), "in the view along the z axis it is a point");
         return Err(ExportError::NotInFormat { object, format: "SVG", detail });
     };
     notes.extend(points_note(&points));
     if job.bounds.max.z - job.bounds.min.z > LEVEL * job.size() {
-        notes.push("heights are left out: the drawing is the view along the z axis".to_owned());
+        notes.push("heights are ignored: the drawing is the view along the z axis".to_owned());
     }
     let size = larger_side(bounds);
     let combs =
         if job.options.svg_comb { drawing::combs(job, size, [Vec3::X, Vec3::Y]) } else { drawing::Combs::default() };
     bounds = combs.tips().fold(bounds, |b, tip| b.including(Point3::new(tip.x, -tip.y, 0.0)));
     if !combs.have_one_scale() {
-        notes.push("the combs are not drawn to one scale".to_owned());
+        notes.push("the combs are drawn at different scales".to_owned());
     }
     notes.extend(combs.left_out_note(|index| job.model.items.get(index).map_or("", |item| &item.name)));
 
     if !(size > SMALLEST_IN_PLACE * bounds.max_abs()) {
         let object = paths.first().map(|(contour, _)| contour.object.to_owned()).unwrap_or_default();
-        let detail = "the drawing is smaller than the rounding of its place: move it to the origin";
+        let detail = "the drawing is smaller than the rounding of its coordinates: move it to the origin";
         return Err(ExportError::NotInFormat { object, format: "SVG", detail });
     }
     let page = Page::new(job.units(), bounds);
@@ -126,7 +126,7 @@ fn points_note(points: &[Contour<'_>]) -> Option<String> {
     }
     let labels = labels.join(", ");
     (!points.is_empty()).then(|| {
-        format!("curves that are points in the view along the z axis, to their tolerance, are left out: {labels}")
+        format!("curves that are points in the view along the z axis, within their tolerance, are left out: {labels}")
     })
 }
 
@@ -228,7 +228,7 @@ impl Page {
 
     fn scale_note(&self) -> Option<String> {
         let scale = self.scale;
-        (scale > 1.0).then(|| format!("the drawing's size on paper is {}{scale}", reader::SCALE))
+        (scale > 1.0).then(|| format!("on paper the drawing is {}{scale}", reader::SCALE))
     }
 
     fn opening(&self, job: &Job<'_>) -> String {

@@ -30,7 +30,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let mut content = FileContent { labels, ..FileContent::from(paths(text, CONTOUR, "contour")?) };
     for name in GROUPS {
         if let Some((_, rest)) = text.split_once(&format!("{GROUP}{name}\" ")) {
-            let group = rest.split_once("</g>").ok_or_else(|| ReadError::syntax(name, "the group has no end"))?.0;
+            let group = rest.split_once("</g>").ok_or_else(|| ReadError::syntax(name, "the group is not closed"))?.0;
             content.lines.extend(paths(group, LINE, name)?);
         }
     }
@@ -56,17 +56,17 @@ fn unit(text: &str) -> Result<Option<f64>, ReadError> {
         return Err(wrong("expected a width and a height in mm and a viewBox of four numbers"));
     };
     let description = between(text, DESCRIPTION.0, DESCRIPTION.1);
-    let description = description.ok_or_else(|| wrong("the description does not say what a user unit is"))?;
+    let description = description.ok_or_else(|| wrong("the description does not state the user unit"))?;
     let (symbol, scale) = description.split_once(SCALE).unwrap_or((description, "1"));
     let unit = Units::from_symbol(symbol.split(';').next().unwrap_or_default()).map(Units::in_millimetres);
     let (Some(unit), Ok(scale)) = (unit, scale.parse::<f64>()) else {
-        return Err(wrong("the description does not say what a user unit is"));
+        return Err(wrong("the description does not state the user unit"));
     };
     let measured = width / w * scale;
     let near = |a: f64, b: f64| (a - b).abs() <= DIGITS * b;
     if !(near(measured, unit) && near(height / h * scale, unit)) {
         let detail = format!(
-            "by width and height a user unit is {} mm, by the description {} mm",
+            "a user unit is {} mm by width and height, but {} mm by the description",
             ShortNumber(measured),
             ShortNumber(unit)
         );
@@ -100,7 +100,7 @@ fn paths(text: &str, start: &str, what: &str) -> Result<Vec<CurveChain>, ReadErr
     let mut chains = Vec::new();
     for (i, rest) in text.split(start).skip(1).enumerate() {
         let place = format!("{what} {i}");
-        let data = rest.split_once('"').ok_or_else(|| ReadError::syntax(&place, "the path has no end"))?.0;
+        let data = rest.split_once('"').ok_or_else(|| ReadError::syntax(&place, "the path is not closed"))?.0;
         let (arcs, closed) = Reader { rest: data, place: &place }.path()?;
         let path = ArcPath::new(arcs, closed);
         chains.push(path.map_err(|source| ReadError::Geometry { place, source })?.into());
@@ -117,7 +117,7 @@ impl Reader<'_> {
     fn path(mut self) -> Result<(Vec<Arc>, bool), ReadError> {
         let mut arcs = Vec::new();
         if self.command() != Some('M') {
-            return Err(ReadError::syntax(self.place, "a path starts with M"));
+            return Err(ReadError::syntax(self.place, "a path must start with M"));
         }
         let start = self.point()?;
         let mut at = start;

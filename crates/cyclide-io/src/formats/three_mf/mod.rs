@@ -39,12 +39,13 @@ pub(super) static ENTRY: Entry = Entry {
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };
 
-const OPEN: &str = "an open surface has no inside to be printed: make a solid of it (a net or patch by `offset` with `\"thick\": true`, pipes by a `wall`), leave it out with \
-                    `\"construction\": true`, or write STL, PLY, OBJ or GLB";
+const OPEN: &str = "an open surface has no interior to print: make it a solid (nets and patches with `offset` and \
+                    `\"thick\": true`, pipes with a `wall`), leave it out with `\"construction\": true`, or write STL, PLY, OBJ or GLB";
 const TORN: &str =
-    "rounding to single precision leaves holes in it: move the model to the origin or allow a smaller tolerance";
-const NO_UNIT: &str = "it has no US survey feet, which are 2 parts in a million longer than feet: take `ft` where that does not matter, or another unit";
-const TOO_LARGE: &str = "a file of more than 4 GiB: allow a larger tolerance";
+    "rounding to single precision leaves holes in it: move the model to the origin or use a smaller tolerance";
+const NO_UNIT: &str =
+    "US survey feet, which are 2 parts per million longer than feet: use `ft` if that does not matter, or another unit";
+const TOO_LARGE: &str = "a file of more than 4 GiB: use a larger tolerance";
 /// What the names are those of.
 const OBJECT: &str = "object";
 const TITLE: &str = "title";
@@ -86,7 +87,7 @@ fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         }
         if sides.repeated > 0 {
             notes.push(format!(
-                "{}: {} sides of triangles belong to more than two, where surfaces touch or rounding closes a gap: printing programs may ask to repair them",
+                "{}: {} triangle edges belong to more than two triangles, where surfaces touch or rounding closes a gap: slicers may offer to repair them",
                 body.body.label(),
                 sides.repeated
             ));

@@ -115,20 +115,20 @@ pub(super) fn unpack(bytes: &[u8]) -> Result<String, String> {
             at += count;
             Some(own)
         };
-        let short = || wrong("the archive ends before it");
+        let short = || wrong("the archive is truncated");
         let head = next(PART_HEAD).ok_or_else(short)?;
         let (signature, common) = head.split_at(4);
         let number =
             |from: usize| common.get(from..).and_then(<[u8]>::first_chunk).map_or(0, |own| u32::from_le_bytes(*own));
         let [sum, packed, length] = [10, 14, 18].map(number);
         if signature != PART.to_le_bytes() || next(name.len()) != Some(name.as_bytes()) {
-            return Err(wrong("the part is not there"));
+            return Err(wrong("the part is missing"));
         }
         let packed = next(packed as usize).ok_or_else(short)?;
         let mut text = Vec::new();
         let unpacked = DeflateDecoder::new(packed).take(u64::from(length) + 1).read_to_end(&mut text);
         if unpacked.is_err() || text.len() != length as usize || check_sum(&text) != sum {
-            return Err(wrong("it is not what its check sum says"));
+            return Err(wrong("its checksum does not match"));
         }
         entries.push((common, offset, name));
         texts.push(String::from_utf8(text).map_err(|_| wrong("not text"))?);
@@ -139,6 +139,6 @@ pub(super) fn unpack(bytes: &[u8]) -> Result<String, String> {
         {
             Ok(texts.pop().unwrap_or_default())
         }
-        _ => Err("its types, its relations or its list of parts are not those of its parts".to_owned()),
+        _ => Err("its types, relations or list of parts do not match its parts".to_owned()),
     }
 }

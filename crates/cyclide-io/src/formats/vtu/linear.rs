@@ -16,8 +16,8 @@ use crate::export::rational_cells::block_of;
 use cyclide::{CellQuality, Model, Point3, StructuredGrid};
 use std::collections::HashMap;
 
-const NO_BLOCKS: &str = "plain cells are those of blocks, and there are none: write Bézier cells";
-const NOT_DIVIDED: &str = "its blocks are not divided into cells: give it `cells`, or write Bézier cells";
+const NO_BLOCKS: &str = "linear cells require blocks, and the model has none: write Bézier cells";
+const NOT_DIVIDED: &str = "its blocks are not divided into cells: set `cells`, or write Bézier cells";
 /// The grids of all objects with blocks, with the number of each object.
 fn grids(model: &Model, provenances: &Provenances<'_>) -> Result<Vec<(usize, StructuredGrid)>, ExportError> {
     let mut grids = Vec::new();
@@ -52,7 +52,7 @@ pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     let others = job.model.items.iter().filter(|item| !item.curves().is_empty() || !item.surfaces().is_empty());
     let names: Vec<&str> = others.map(|item| item.name.as_str()).collect();
-    let note = format!("only blocks are in the file (plain cells are theirs), without: {}", names.join(", "));
+    let note = format!("only blocks are written as linear cells; left out: {}", names.join(", "));
     let notes = if names.is_empty() { Vec::new() } else { vec![note] };
     let mut arrays = Arrays::new(job.options.vtu_encoding);
     let text = text(&mut arrays, &grids, job);
@@ -125,10 +125,10 @@ pub(super) fn deviations(made: &Made<'_>, content: &FileContent, read: &reader::
         grids(model, &made.ready.provenances).map_err(|error| ReadError::syntax("the model", error.to_string()))?;
     let count: usize = grids.iter().map(|(_, grid)| grid.cell_count()).sum();
     if content.volumes.len() != count || read.connectivity != connectivity(&grids) {
-        return Err(ReadError::syntax(reader::CONNECTIVITY, "its cells are not those of the blocks"));
+        return Err(ReadError::syntax(reader::CONNECTIVITY, "its cells do not match the blocks"));
     }
     if read.qualities != qualities(&grids) {
-        return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
+        return Err(ReadError::syntax("CellData", "the quality of a cell does not match its block"));
     }
     let of_blocks: HashMap<(usize, usize), usize> =
         bodies.iter().enumerate().map(|(index, body)| ((body.item, body.surface), index)).collect();
@@ -138,10 +138,7 @@ pub(super) fn deviations(made: &Made<'_>, content: &FileContent, read: &reader::
         for cell in 0..grid.cell_count() {
             let (block, _) = grid.cell_place(cell);
             if read.tags[first + cell] != [*item, block] {
-                return Err(ReadError::Volume {
-                    volume: first + cell,
-                    detail: "it says that it belongs to another block",
-                });
+                return Err(ReadError::Volume { volume: first + cell, detail: "it is assigned to the wrong block" });
             }
             let rows = content.volumes[first + cell].volume.rows();
             // The last parameter is the fastest of rows, the first of corners.

@@ -165,13 +165,13 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
         }
         Cells::Bezier(of_blocks) if !written.plain_cells => {
             if of_blocks != written.qualities {
-                return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
+                return Err(ReadError::syntax("CellData", "the quality of a cell does not match its block"));
             }
             let curves = made.curves(&content, View::Space)?;
             let bodies = bodies_deviation(made, &content, None)?;
             Ok(Deviations { curves, bodies, ..Deviations::default() })
         }
-        _ => Err(ReadError::syntax(reader::TYPES, "cells of another kind than were written")),
+        _ => Err(ReadError::syntax(reader::TYPES, "an unexpected kind of cells")),
     }
 }
 

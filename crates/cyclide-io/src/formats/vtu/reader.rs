@@ -105,7 +105,7 @@ fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileCo
     let mut lengths =
         [objects.len(), parts.len(), connectivity.len() / 8].into_iter().chain(columns.iter().map(|own| own.len()));
     if lengths.any(|own| own != count) || !ends.iter().enumerate().all(|(k, end)| *end == 8 * (k + 1)) {
-        return Err(ReadError::syntax(TYPES, "arrays of cells differ in length"));
+        return Err(ReadError::syntax(TYPES, "the cell arrays differ in length"));
     }
     let mut content = FileContent { labels, ..FileContent::default() };
     let mut met: Vec<[usize; 2]> = Vec::new();
@@ -114,8 +114,9 @@ fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileCo
         let place = || format!("cell {number}");
         let mut rows = vec![[0.0; 4]; 8];
         for (corner, node) in ORDER.into_iter().zip(corners) {
-            let own =
-                points.get(3 * node..3 * node + 3).ok_or_else(|| ReadError::syntax(place(), "it has no such node"))?;
+            let own = points
+                .get(3 * node..3 * node + 3)
+                .ok_or_else(|| ReadError::syntax(place(), "the node does not exist"))?;
             // The first parameter is the fastest of corners, the last of rows.
             rows[(corner & 1) << 2 | (corner & 2) | corner >> 2] = [own[0], own[1], own[2], 1.0];
         }
@@ -144,7 +145,7 @@ fn qualities(arrays: &HashMap<&str, Vec<f64>>, cells: &[RationalCell]) -> Result
             match (cell.dimension() == 3).then(|| own.next()).flatten() {
                 Some(quality) => quality[k] = *value,
                 None if value.abs() <= 0.0 => {}
-                None => return Err(ReadError::syntax(name, "a cell that is no block has a quality")),
+                None => return Err(ReadError::syntax(name, "a cell that is not a block has a quality")),
             }
         }
     }
@@ -161,47 +162,51 @@ fn arrays(text: &str) -> Result<HashMap<&str, Vec<f64>>, ReadError> {
     for (number, part) in text.split("<DataArray ").skip(1).enumerate() {
         let place = || format!("array {number}");
         let wrong = |detail: &str| ReadError::syntax(place(), detail);
-        let (head, rest) = part.split_once('>').ok_or_else(|| wrong("its tag has no end"))?;
+        let (head, rest) = part.split_once('>').ok_or_else(|| wrong("its tag is not closed"))?;
         let name = attribute(head, "Name").ok_or_else(|| wrong("it has no name"))?;
         let numbers = match attribute(head, "format") {
             Some("ascii") => {
-                let (values, _) = rest.split_once("</DataArray>").ok_or_else(|| wrong("it has no end"))?;
+                let (values, _) = rest.split_once("</DataArray>").ok_or_else(|| wrong("it is not closed"))?;
                 let numbers = values.split_ascii_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
-                numbers.map_err(|_| wrong("a value is no number"))?
+                numbers.map_err(|_| wrong("a value is not a number"))?
             }
             Some("appended") => {
                 let offset = attribute(head, "offset").and_then(|offset| offset.parse::<usize>().ok());
                 let kind = attribute(head, "type").and_then(Number::of_word);
                 let own = appended.zip(offset).and_then(|(all, offset)| appended_at(all.get(offset..)?));
                 let numbers = kind.zip(own).and_then(|(kind, bytes)| kind.values(&bytes));
-                numbers.ok_or_else(|| wrong("what is appended for it is no list of its numbers"))?
+                numbers.ok_or_else(|| wrong("its appended data are not a list of its numbers"))?
             }
-            _ => return Err(ReadError::unsupported("an encoding other than ascii and appended", place())),
+            _ => return Err(ReadError::unsupported("an encoding other than ASCII and appended", place())),
         };
         if numbers.iter().any(|v| !v.is_finite()) || arrays.insert(name, numbers).is_some() {
-            return Err(wrong("a value is not finite, or its name is there twice"));
+            return Err(wrong("a value is not finite, or its name occurs twice"));
         }
     }
     Ok(arrays)
 }
 
 fn array<'a>(arrays: &'a HashMap<&str, Vec<f64>>, name: &str) -> Result<&'a [f64], ReadError> {
-    arrays.get(name).map(Vec::as_slice).ok_or_else(|| ReadError::syntax(name, "there is no such array"))
+    arrays.get(name).map(Vec::as_slice).ok_or_else(|| ReadError::syntax(name, "the array is missing"))
 }
 
 /// Numbers that count something.
 fn whole(arrays: &HashMap<&str, Vec<f64>>, name: &str) -> Result<Vec<usize>, ReadError> {
     let count = |v: &f64| (*v >= 0.0 && *v <= 1e15 && v.fract().abs() <= 0.0).then_some(*v as usize);
     let counts = array(arrays, name)?.iter().map(count).collect::<Option<Vec<_>>>();
-    counts.ok_or_else(|| ReadError::syntax(name, "a value is no count"))
+    counts.ok_or_else(|| ReadError::syntax(name, "a value is not a non-negative integer"))
 }
 
 fn strings(arrays: &HashMap<&str, Vec<f64>>, name: &str) -> Result<Vec<String>, ReadError> {
     let bytes = whole(arrays, name)?;
     let bytes = bytes.into_iter().map(u8::try_from).collect::<Result<Vec<u8>, _>>();
-    let bytes = bytes.map_err(|_| ReadError::syntax(name, "a value is no byte"))?;
+    let bytes = bytes.map_err(|_| ReadError::syntax(name, "a value is not a byte"))?;
     let Some((0, bytes)) = bytes.split_last() else {
-        return if bytes.is_empty() { Ok(Vec::new()) } else { Err(ReadError::syntax(name, "the last one has no end")) };
+        return if bytes.is_empty() {
+            Ok(Vec::new())
+        } else {
+            Err(ReadError::syntax(name, "the last one is not terminated"))
+        };
     };
     let string = |part: &[u8]| String::from_utf8(part.to_vec()).map_err(|_| ReadError::syntax(name, "not text"));
     bytes.split(|byte| *byte == 0).map(string).collect()
@@ -215,10 +220,10 @@ fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<RationalCell>, ReadErro
     let (objects, parts, shells, flags) = (objects?, parts?, shells?, flags?);
     let counts = [ends.len(), objects.len(), parts.len(), shells.len(), flags.len()];
     if counts.iter().any(|n| *n != kinds.len()) || degrees.len() != 3 * kinds.len() {
-        return Err(ReadError::syntax(TYPES, "arrays of cells differ in length"));
+        return Err(ReadError::syntax(TYPES, "the cell arrays differ in length"));
     }
     if points.len() != 3 * weights.len() || !whole(arrays, CONNECTIVITY)?.into_iter().eq(0..weights.len()) {
-        return Err(ReadError::syntax(CONNECTIVITY, "nodes are not those of the cells in their order"));
+        return Err(ReadError::syntax(CONNECTIVITY, "nodes are not those of the cells, in order"));
     }
     let mut from = 0;
     let mut cells = Vec::with_capacity(kinds.len());
@@ -228,12 +233,12 @@ fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<RationalCell>, ReadErro
         let dimension = KINDS.iter().position(|own| usize::from(*own) == kind).map(|k| k + 1);
         let fits = dimension.is_some_and(|d| (0..3).all(|axis| (degrees[axis] > 0) == (axis < d)));
         if !fits || degrees.iter().any(|d| *d > MOST_DEGREE) {
-            return Err(wrong("its degrees do not fit its type"));
+            return Err(wrong("its degrees do not match its type"));
         }
         let to = ends[number];
-        let own = weights.get(from..to).ok_or_else(|| wrong("its nodes are not there"))?;
+        let own = weights.get(from..to).ok_or_else(|| wrong("its nodes are missing"))?;
         if own.len() != degrees.iter().map(|d| d + 1).product::<usize>() || own.iter().any(|w| !(*w > 0.0)) {
-            return Err(wrong("expected as many nodes as its degrees say, with positive weights"));
+            return Err(wrong("expected as many nodes as its degrees require, with positive weights"));
         }
         let tags = Tags { object: objects[number], part: parts[number], shell: shells[number], flag: flags[number] };
         let mut cell = RationalCell { degrees, nodes: vec![([0.0; 3], 1.0); to - from], tags };
@@ -244,5 +249,5 @@ fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<RationalCell>, ReadErro
         cells.push(cell);
         from = to;
     }
-    if from == weights.len() { Ok(cells) } else { Err(ReadError::syntax(OFFSETS, "nodes are left over")) }
+    if from == weights.len() { Ok(cells) } else { Err(ReadError::syntax(OFFSETS, "there are unused nodes")) }
 }

@@ -24,17 +24,20 @@ use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
 
 /// What crossing sides often come from.
-pub(in crate::document) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
+pub(in crate::document) const ROW_BY_ROW: &str =
+    "points must be listed row by row, with all rows in the same direction";
 
 /// What is said where such a grid is told whether it is closed.
-const CLOSED_OF_ITSELF: &str = "`closed` goes with a grid inline: a `principal-grid` says itself what is closed";
+const CLOSED_OF_ITSELF: &str = "`closed` requires an inline grid: a `principal-grid` determines itself what is closed";
 
 impl<'a> Builder<'a> {
     /// The net over a grid.
     pub(in crate::document) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
         if let GridSource::File(file) = &spec.grid {
             if spec.closed.is_some() {
-                return Err(self.unfit("`closed` goes with a grid inline: a mesh in a file says itself what is closed"));
+                return Err(
+                    self.unfit("`closed` requires an inline grid: a mesh in a file determines itself what is closed")
+                );
             }
             if let Some(layout) = self.mesh_file(file)? {
                 return self.net_layout(spec, layout);
@@ -115,7 +118,7 @@ impl<'a> Builder<'a> {
             };
             QuadGrid::of_cells(&points, size, cell)
         } else {
-            return Err(self.unfit("a closed grid has all its points: `null` goes with an open one"));
+            return Err(self.unfit("a closed grid requires all its points: `null` is for open grids"));
         };
         made.map_err(|e| self.refused_at([Step::from("grid")], &e))
     }
@@ -146,12 +149,12 @@ impl<'a> Builder<'a> {
         let (of, piece) = (&laid.of, laid.piece.unwrap_or_default());
         let Some(grids) = source.item.grids().map(GridObject::grids) else {
             let kind = source.provenance.kind;
-            let message = format!("`{of}` is of type `{kind}`: a grid is laid by a `principal-grid`");
+            let message = format!("`{of}` is of type `{kind}`: grids come from a `principal-grid`");
             return Err(Error::Input(self.diagnostic(["grid".into(), "of".into()], &message)));
         };
         grids.get(piece as usize).cloned().ok_or_else(|| {
             let count = grids.len();
-            let message = format!("`{of}` has {count} grid(s), counted from 0: there is no grid {piece}");
+            let message = format!("there is no grid {piece}: `{of}` has {count} grid(s), numbered from 0");
             Error::Input(self.diagnostic(["grid".into(), "piece".into()], &message))
         })
     }
@@ -170,7 +173,7 @@ impl<'a> Builder<'a> {
         let (ObjQuads::Grid(ObjGrid { unused, .. }) | ObjQuads::Layout(ObjLayout { unused, .. })) = &mesh;
         if let Some(first) = unused.first() {
             let message =
-                format!("{} point(s) that no face uses are left out, the first is number {first}", unused.len());
+                format!("{} point(s) not used by any face are ignored; the first is number {first}", unused.len());
             self.remark("points-unused", None, None, Some(name.clone()), message);
         }
         let (ObjQuads::Grid(ObjGrid { mended, .. }) | ObjQuads::Layout(ObjLayout { mended, .. })) = &mesh;
@@ -233,7 +236,7 @@ impl<'a> Builder<'a> {
         });
         let hint = match spec.frame {
             FrameSpec::Auto if matches!(surfaces, [SurfaceObject::Layout(_), ..]) => "smooth the mesh",
-            FrameSpec::Auto => "smooth the grid, or give a frame",
+            FrameSpec::Auto => "smooth the grid, or set a frame",
             FrameSpec::First(_) => "use the frame \"auto\" or another one",
         };
         self.remarks.push(Remark { message: format!("{warning}; {hint}"), ..warning.into() });
@@ -272,16 +275,17 @@ impl<'a> Builder<'a> {
             _ => {}
         }
         if let KernelError::Grid(GridError::NotConverged { .. }) = error {
-            let hint = "a border that may move leaves more room: `free`, or sides on curves";
+            let hint = "a border that may move gives more freedom: `free`, or sides on curves";
             let bound = !net.make_circular.border_is_free();
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::Grid(GridError::ShapeLost { .. }) = error {
             let laid = matches!(net.grid, GridSource::Laid(_));
-            let lays = if laid { "" } else { " (a `principal-grid` lays such a grid on a mesh)" };
-            let words =
-                format!("{error}{lays}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
+            let lays = if laid { "" } else { " (a `principal-grid` computes such a grid on a mesh)" };
+            let words = format!(
+                "{error}{lays}; or accept the net as it is with `\"allow_shape_change\": true` in `make_circular`"
+            );
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::Grid(

@@ -54,7 +54,7 @@ impl Digits {
 
     fn words(&self) -> String {
         let count = self.count;
-        format!("the coordinates have about {count} digits only, which explains it: give {ENOUGH_DIGITS} or more")
+        format!("the cause is that the coordinates have only about {count} digits: use {ENOUGH_DIGITS} or more")
     }
 }
 
@@ -71,8 +71,10 @@ pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &Ma
             let columns = given.quads()[0];
             let digits = Digits::of(given).filter(|d| measured <= d.reach(given, &[[quad % columns, quad / columns]]));
             Some(match digits {
-                None => "`make_circular` moves the vertices until they do".to_owned(),
-                Some(digits) => format!("{}; or `make_circular` moves the vertices by as little", digits.words()),
+                None => "use `make_circular`, which moves the vertices until they do".to_owned(),
+                Some(digits) => {
+                    format!("{}; or use `make_circular`, which moves the vertices by as little", digits.words())
+                }
             })
         }
         KernelError::Patch(PatchError::NetDoesNotClose { direction, angle, .. }) => {
@@ -82,13 +84,13 @@ pub(in crate::document) fn hint(error: &KernelError, given: &QuadGrid, spec: &Ma
             let digits = Digits::of(given).filter(|d| *angle <= d.reach(given, &strip) * strip.len() as f64);
             let border = if *direction == 0 { "column" } else { "row" };
             let open = format!(
-                "cut it open: repeat the first {border} as the last one and leave out `closed` (in a mesh file, use separate \
-                 points on both sides of the cut); a seam remains there"
+                "cut it open: repeat the first {border} as the last one and remove `closed` (in a mesh file, use \
+                 separate points on both sides of the cut), which leaves a seam there"
             );
             let moves = if spec.options().is_none() {
-                "`make_circular` moves the vertices until it closes; or "
+                "use `make_circular`, which moves the vertices until it closes; or "
             } else if spec.border_is_pinned() {
-                "a pinned border that turns the frame can never close: make it `free`, or let it slide on curves; or "
+                "a pinned border that rotates the frame cannot close: make it `free`, or let it slide on curves; or "
             } else {
                 ""
             };
@@ -126,21 +128,22 @@ pub(in crate::document) fn seam_words(
     let angle = format!("an angle of up to {} degrees", ShortNumber(measure.angle.to_degrees()));
     let facts = if lying {
         let closed = if closes(grid, seam) {
-            "let the grid close: `closed`, or common points in a mesh file"
+            "close the grid with `closed`, or with common points in a mesh file"
         } else {
-            "as given it does not close: use `closed` with `make_circular`, which moves the vertices until it does"
+            "as given, the grid does not close: use `closed` with `make_circular`, which moves the vertices until it does"
         };
         format!("they are coincident, and the surface has {angle} there; {closed}")
     } else {
         let gap = ShortNumber(measure.gap);
         format!(
-            "the surface has a gap of up to {gap} {} and {angle}; if it should close there, let the grid close: `closed`, or \
-             common points in a mesh file, with `make_circular`, which moves the vertices until it does",
+            "the surface has a gap of up to {gap} {} and {angle}; if it should close there, close the grid with \
+             `closed`, or with common points in a mesh file, with `make_circular`, which moves the vertices until it \
+             does",
             units.symbol()
         )
     };
     Some(format!(
-        "the first and the last {border} of the grid are at most an edge apart, but the net is open there: {facts}"
+        "the distance between the first and the last {border} of the grid is at most an edge length, but the net is open there: {facts}"
     ))
 }
 

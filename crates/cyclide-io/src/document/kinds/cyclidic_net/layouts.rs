@@ -33,17 +33,14 @@ impl Builder<'_> {
     ) -> Result<Vec<SurfaceObject>> {
         if !spec.openings.is_empty() {
             return Err(self.unfit(
-                "`openings` are columns and rows of one grid: a mesh with extraordinary vertices has several, and no openings but those round these vertices",
+                "`openings` are columns and rows of a single grid: a mesh with extraordinary vertices has several grids, and openings only around these vertices",
             ));
         }
         if let FrameSpec::First(_) = spec.frame {
-            return Err(
-                self.unfit("a mesh with extraordinary vertices says itself how its frames stand: leave `frame` out")
-            );
+            return Err(self.unfit("a mesh with extraordinary vertices determines its frames itself: remove `frame`"));
         }
         if spec.make_circular.border_curves().is_some() {
-            let words =
-                "a mesh with extraordinary vertices has no four sides for curves: leave its border `free`, or `pinned`";
+            let words = "a mesh with extraordinary vertices does not have four sides for curves: make its border `free` or `pinned`";
             let place = ["make_circular".into(), "border".into()];
             return Err(self.refused_in_words(place, "cells-unfit", words.to_owned()));
         }
@@ -61,8 +58,10 @@ impl Builder<'_> {
         if !(tilt <= MOST_TILT || allowed) {
             let bulges = if tilt > FOLDED { "is folded" } else { "bulges" };
             let words = format!(
-                "the net {bulges}: its normals are {:.0} degrees (rms) off those of the mesh (at most {:.0}); round an extraordinary vertex the mesh must be smooth, so \
-                 round the edges of a box first, or give each side a net of its own; `\"allow_shape_change\": true` in `make_circular` takes the net as it is",
+                "the net {bulges}: its normals deviate by {:.0} degrees (rms) from those of the mesh (at most {:.0}); \
+                 around an extraordinary vertex the mesh must be smooth, so round the edges of a box first, or use a \
+                 separate net for each side; `\"allow_shape_change\": true` in `make_circular` accepts the net as it \
+                 is",
                 tilt.to_degrees(),
                 MOST_TILT.to_degrees()
             );
@@ -70,7 +69,7 @@ impl Builder<'_> {
         }
         if tilt > TOLD_TILT {
             let message = format!(
-                "the net bulges between its vertices: its normals are {:.0} degrees (rms) off those of the mesh; look at it, and use more quads, or round edges in the mesh first",
+                "the net bulges between its vertices: its normals deviate by {:.0} degrees (rms) from those of the mesh; inspect it, and use more quads, or round edges of the mesh first",
                 tilt.to_degrees()
             );
             let place = self.place_of([Step::from("grid")]);
@@ -96,7 +95,7 @@ impl Builder<'_> {
         };
         let grids = layout.pieces().len();
         let message =
-            format!("{vertices} {quads} quads stay open, and the net of {grids} grids goes on round each opening");
+            format!("{vertices} {quads} quads stay open, and the net of {grids} grids continues around each opening");
         let place = self.place_of([Step::from("grid")]);
         self.remark("extraordinary-vertices", None, Some(round[0].vertex), place, message);
     }
@@ -118,7 +117,7 @@ impl Builder<'_> {
                 let corners = given.corners(*quad).map(|corners| points(&corners)).unwrap_or_default();
                 let hint = match **cause {
                     KernelError::Patch(PatchError::NotConcircular { .. }) if !moves => {
-                        "; `make_circular` moves the vertices until they do"
+                        "; use `make_circular`, which moves the vertices until they do"
                     }
                     _ => "",
                 };
@@ -126,9 +125,9 @@ impl Builder<'_> {
             }
             KernelError::Grid(GridError::RingDoesNotClose { vertex, .. }) => {
                 let hint = if moves {
-                    "; where it is the corner of a box, round its edges in the mesh first, or give each side a net of its own"
+                    "; if it is the corner of a box, round its edges in the mesh first, or use a separate net for each side"
                 } else {
-                    "; `make_circular` moves the vertices of a smooth mesh until it closes"
+                    "; use `make_circular`, which moves the vertices of a smooth mesh until it closes"
                 };
                 format!("{error}{hint}{}", points(&[*vertex]))
             }

@@ -153,7 +153,7 @@ impl<'de> Deserialize<'de> for GridSource {
                     GridFields { obj: Some(obj), of: None, piece: None } => Ok(GridSource::File(MeshFile { obj })),
                     GridFields { obj: None, of: Some(of), piece } => Ok(GridSource::Laid(LaidGrid { of, piece })),
                     _ => Err(serde::de::Error::custom(
-                        "a grid is `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`, the latter with `piece` or without",
+                        "a grid is `{\"obj\": \"FILE\"}` or `{\"of\": \"NAME\"}`, the latter optionally with `piece`",
                     )),
                 }
             }

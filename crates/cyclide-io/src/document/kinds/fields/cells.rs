@@ -44,7 +44,7 @@ impl<'de> Deserialize<'de> for CellsSpec {
             }
             fn visit_map<A: serde::de::MapAccess<'de>>(self, _: A) -> Result<CellsSpec, A::Error> {
                 Err(serde::de::Error::custom(
-                    "one law alone: `cells` along s, t and u are a list of three, as in [8, 8, {\"count\": 20, \"first\": 0.01}]",
+                    "a single law: `cells` along s, t and u must be a list of three, as in [8, 8, {\"count\": 20, \"first\": 0.01}]",
                 ))
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<CellsSpec, A::Error> {
@@ -208,7 +208,7 @@ impl Builder<'_> {
         let made = StructuredGrid::new(volumes, places.clone());
         let grid = made.map_err(|e| self.refused_at(field(0).into_iter().take(1), &e))?;
         if grid.faces_apart() > 0 {
-            let words = "cells along s and t have the same places, seen from both ends, where nets join round extraordinary vertices: the s of one is the t of another".to_owned();
+            let words = "cells along s and t must match and be symmetric where nets join around extraordinary vertices, since the s of one net is the t of another".to_owned();
             return Err(self.refused_in_words(field(0).into_iter().take(1), "cells-unfit", words));
         }
         let quality = grid.quality();
@@ -223,11 +223,12 @@ impl Builder<'_> {
     fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
         let (count, fine) = (spec.count as usize, spec.fine);
         if count == 2 && fine == FineEnd::Both && spec.first.is_some() {
-            let message = "two cells that are fine at both ends are equal: leave out `first`, give more cells, or let one end be fine";
+            let message =
+                "two cells refined at both ends are equal: remove `first`, use more cells, or refine at one end";
             return Err(Error::Input(self.diagnostic(place_of(axis), message)));
         }
         if count == 1 && spec.first.is_some() {
-            let message = "one cell is as long as its block: leave out `first`, or give more cells";
+            let message = "a single cell is as long as its block: remove `first`, or use more cells";
             return Err(Error::Input(self.diagnostic(place_of(axis), message)));
         }
         let refused = |e: cyclide::Error| self.refused_at(place_of(axis), &e);
@@ -245,7 +246,7 @@ impl Builder<'_> {
             }
             (Some(CellLaw::Tanh), None, None, Some(first)) => by(first, Grading::tanh_from_first).map_err(refused),
             _ => {
-                let message = "of graded cells give one of `ratio` (law `geometric`), `stretch` (`tanh`) and `first` (either); `uniform` has none";
+                let message = "graded cells require exactly one of `ratio` (law `geometric`), `stretch` (`tanh`) and `first` (either law); `uniform` allows none";
                 Err(Error::Input(self.diagnostic(place_of(axis), message)))
             }
         }

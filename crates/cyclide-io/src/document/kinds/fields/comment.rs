@@ -25,7 +25,7 @@ impl<'de> Deserialize<'de> for Comment {
         impl<'de> Visitor<'de> for CommentVisitor {
             type Value = Comment;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a text or a list of texts `[\"…\", …]`")
+                f.write_str("a string or a list of strings `[\"…\", …]`")
             }
             fn visit_str<E>(self, _text: &str) -> Result<Comment, E> {
                 Ok(Comment)
@@ -45,7 +45,7 @@ impl JsonSchema for Comment {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "A comment: a text, or a list of texts, one per line.",
+            "description": "A comment: a string, or a list of strings, one per line.",
             "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }]
         })
     }

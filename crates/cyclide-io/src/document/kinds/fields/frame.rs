@@ -64,7 +64,7 @@ pub(in crate::document) fn frame_words(frame: [Coordinates; 2]) -> String {
     match (a, b) {
         (Some(a), Some(b)) => {
             let off = (90.0 - a.dot(b).clamp(-1.0, 1.0).acos().to_degrees()).abs();
-            format!("the directions of the frame must be perpendicular: they are {} degrees off", ShortNumber(off))
+            format!("the directions of the frame must be perpendicular; the deviation is {} degrees", ShortNumber(off))
         }
         _ => "the directions of the frame must not be zero".to_owned(),
     }

@@ -140,7 +140,7 @@ impl Builder<'_> {
         }
         let place = self.place_of([Step::from(field)]);
         let message = format!(
-            "points are up to {} away from the torus: each was moved to the nearest point of it",
+            "points are up to {} away from the torus: each was moved to its nearest point on the torus",
             ShortNumber(moved)
         );
         self.remark("moved-onto-torus", None, None, place, message);

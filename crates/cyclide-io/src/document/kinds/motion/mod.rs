@@ -259,9 +259,9 @@ forms! {
     object PoseFile => PoseSource::File;
 }
 
-/// How a body goes from pose to pose: place and turn together, on a curve through the places, or within a tolerance.
+/// How a body moves from pose to pose: with position and rotation coupled, on a curve through the positions, or within a tolerance.
 #[derive(Clone, Copy)]
-enum Way {
+enum Path {
     Together(MotionKind),
     OnCurve(PositionCurve),
     Near(PoseTolerance),
@@ -290,41 +290,41 @@ impl Builder<'_> {
     pub(in crate::document) fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
         let kind = spec.kind.unwrap_or_default();
         if spec.choice.is_some() && kind != MotionKind::Cubic {
-            return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
+            return Err(self.unfit("`choice` requires the kind `cubic`: other motions are unique"));
         }
         let source = match (&spec.poses, &spec.along) {
             (Some(source), None) => source,
             (None, Some(curve)) => return self.along(spec, curve),
-            _ => return Err(self.unfit("a motion has `poses`, or a curve that it runs `along`: one of both")),
+            _ => return Err(self.unfit("a motion requires either `poses` or `along` (a curve)")),
         };
         if spec.start.is_some() {
-            return Err(self.unfit("`start` goes with `along`: poses say how the body is turned"));
+            return Err(self.unfit("`start` requires `along`: poses contain the rotation of the body"));
         }
         if spec.times.is_some() && kind == MotionKind::Cubic {
-            return Err(self.unfit("a `cubic` sets the times of its poses itself: leave `times` out"));
+            return Err(self.unfit("a `cubic` determines the times of its poses itself: remove `times`"));
         }
-        let way = self.way(spec)?;
+        let path = self.path_of(spec)?;
         let (mut poses, timed) = self.poses(spec, source)?;
         // The first pose again.
         let closing = if spec.closed { poses.pop().map(|pose| pose.time) } else { None };
-        let motion = match way {
-            Way::OnCurve(curve) => return self.on_positions(spec, curve, &poses, closing),
-            Way::Near(PoseTolerance { place, angle }) => {
+        let motion = match path {
+            Path::OnCurve(curve) => return self.on_positions(spec, curve, &poses, closing),
+            Path::Near(PoseTolerance { place, angle }) => {
                 let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
                 let drop = spec.outliers == Some(Outliers::Drop);
                 DecoupledMotion::smoothed_with(&poses, closing, tolerance, drop).map(Motion::from)
             }
-            Way::Together(MotionKind::Spline) => match closing {
+            Path::Together(MotionKind::Spline) => match closing {
                 Some(closing) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),
                 None => RationalMotion::spline(&poses).map(Motion::from),
             },
-            Way::Together(MotionKind::Linear) => {
+            Path::Together(MotionKind::Linear) => {
                 DecoupledMotion::linear(&poses, closing, spec.blend_radius.unwrap_or(0.0)).map(Motion::from)
             }
-            Way::Together(MotionKind::Sclerp) => ScrewMotion::new(&poses).map(Motion::from),
-            Way::Together(MotionKind::Conic) => RationalMotion::conic(&poses).map(Motion::from),
-            Way::Together(MotionKind::Quartic) => RationalMotion::quartic(&poses).map(Motion::from),
-            Way::Together(MotionKind::Cubic) => return self.cubic(spec, &poses, timed),
+            Path::Together(MotionKind::Sclerp) => ScrewMotion::new(&poses).map(Motion::from),
+            Path::Together(MotionKind::Conic) => RationalMotion::conic(&poses).map(Motion::from),
+            Path::Together(MotionKind::Quartic) => RationalMotion::quartic(&poses).map(Motion::from),
+            Path::Together(MotionKind::Cubic) => return self.cubic(spec, &poses, timed),
         };
         let motion = motion.map_err(|e| match e {
             cyclide::Error::Number(NumberError::ParameterOutOfRange { name: ErrorItem::Radius, .. }) => {
@@ -345,35 +345,35 @@ impl Builder<'_> {
         self.body(spec, motion, last - first)
     }
 
-    /// How the body goes; fields that say nothing about that are refused.
-    fn way(&self, spec: &MotionSpec) -> Result<Way> {
-        let way = match (spec.kind, spec.positions, spec.tolerance) {
-            (kind, None, None) => Way::Together(kind.unwrap_or_default()),
-            (None, Some(curve), None) => Way::OnCurve(curve),
-            (None, None, Some(tolerance)) => Way::Near(tolerance),
+    /// How the body moves; fields without effect on that are refused.
+    fn path_of(&self, spec: &MotionSpec) -> Result<Path> {
+        let path = match (spec.kind, spec.positions, spec.tolerance) {
+            (kind, None, None) => Path::Together(kind.unwrap_or_default()),
+            (None, Some(curve), None) => Path::OnCurve(curve),
+            (None, None, Some(tolerance)) => Path::Near(tolerance),
             (Some(_), ..) => {
                 return Err(self.unfit(
-                    "`kind` says how place and turn go together: with `positions` or `tolerance` they go apart, leave one of both out",
+                    "`kind` couples position and rotation, while `positions` and `tolerance` separate them: remove one of the two",
                 ));
             }
             (None, Some(_), Some(_)) => {
                 return Err(
-                    self.unfit("`positions` go through the poses, a `tolerance` beside them: leave one of both out")
+                    self.unfit("`positions` pass through the poses, a `tolerance` near them: remove one of the two")
                 );
             }
         };
-        let refusal = match way {
-            Way::Together(kind) if spec.closed && !matches!(kind, MotionKind::Spline | MotionKind::Linear) => {
-                "a `closed` motion is a `spline`, `linear`, or one with `positions` or a `tolerance`"
+        let refusal = match path {
+            Path::Together(kind) if spec.closed && !matches!(kind, MotionKind::Spline | MotionKind::Linear) => {
+                "`closed` requires the kind `spline` or `linear`, `positions`, or a `tolerance`"
             }
-            Way::Together(_) | Way::OnCurve(_) if spec.outliers.is_some() => {
-                "`outliers` are looked for where poses are noisy: give a `tolerance`, or leave `outliers` out; other motions take every pose"
+            Path::Together(_) | Path::OnCurve(_) if spec.outliers.is_some() => {
+                "`outliers` requires a `tolerance`: other motions pass through every pose"
             }
-            Way::Together(MotionKind::Linear) => return Ok(way),
+            Path::Together(MotionKind::Linear) => return Ok(path),
             _ if spec.blend_radius.is_some() => {
-                "a `blend_radius` is of the kind `linear`: other motions do not stop at their poses"
+                "`blend_radius` requires the kind `linear`: other motions do not stop at their poses"
             }
-            _ => return Ok(way),
+            _ => return Ok(path),
         };
         Err(self.unfit(refusal))
     }
@@ -415,27 +415,25 @@ impl Builder<'_> {
     /// The motion that a curve carries.
     fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
         if spec.kind.is_some() {
-            return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+            return Err(self.unfit("`kind` is the path from pose to pose: `along` a curve there is only one"));
         }
         let through = spec.closed || spec.blend_radius.is_some() || spec.positions.is_some();
         if through || spec.tolerance.is_some() || spec.outliers.is_some() {
             return Err(self.unfit(
-                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` are of motions through poses: `along` a curve there are none",
+                "`closed`, `blend_radius`, `positions`, `tolerance` and `outliers` require motions through poses: `along` a curve there are none",
             ));
         }
         if spec.times.is_some() {
-            return Err(
-                self.unfit("`times` go from pose to pose: `along` a curve there are none; a `law` goes by its way")
-            );
+            return Err(self.unfit("`times` require poses: `along` a curve there are none; use a `law` by path length"));
         }
         let contours = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let [contour] = contours else {
-            let message = format!("`{curve}` has {} contours: a motion runs along a curve of one", contours.len());
+            let message = format!("`{curve}` has {} contours: a motion along a curve requires one", contours.len());
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
         let Some(chain) = contour.to_qb_spline() else {
             let message = format!(
-                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
+                "`{curve}` does not define a rotation: a motion can follow arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, a `fair-fit` without corners, or a rational `circle-spline` of order 1"
             );
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
@@ -447,7 +445,7 @@ impl Builder<'_> {
                 turned.map_err(|e| self.refused_at(["start".into()], &e))?.rotation()
             }
             Some(_) => {
-                let message = "`start` is a `quaternion` or `rpy`: one of both";
+                let message = "`start` requires either `quaternion` or `rpy`";
                 return Err(Error::Input(self.diagnostic(["start".into()], message)));
             }
         };
@@ -467,17 +465,18 @@ impl Builder<'_> {
         // A cross-ratio that is none is refused with those that there are.
         let cross_ratio = admissible.get(choice).copied().unwrap_or(f64::NAN);
         if spec.choice.is_some() && choice >= admissible.len() && !admissible.is_empty() {
-            let message = format!("there is no motion {choice}: the poses have {}, from 0", admissible.len());
+            let message = format!("there is no motion {choice}: the poses have {}, numbered from 0", admissible.len());
             return Err(Error::Input(self.diagnostic(["choice".into()], &message)));
         }
         let ends = [poses[0].time, poses[3].time];
         let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(spec, &e))?;
         if spec.choice.is_none() && admissible.len() > 1 {
-            let message = "two motions of degree 3 take these poses: the one of the smaller cross-ratio is taken; `choice` says which";
+            let message = "two motions of degree 3 pass through these poses: the one with the smaller cross-ratio is used; select one with `choice`";
             self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
         }
         if timed {
-            let message = "a cubic sets the times of the two poses in the middle, which the report has: those given for them are left aside";
+            let message =
+                "a cubic determines the times of the two middle poses (see the report): the given times are ignored";
             self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
         }
         self.body(spec, motion.into(), ends[1] - ends[0])
@@ -507,7 +506,7 @@ impl Builder<'_> {
         let Some(file) = &spec.mesh else { return Ok(made) };
         let (name, mesh) = self.mesh_of_file(file)?;
         if mesh.faces.iter().any(|face| face.len() > 4) {
-            let message = "faces of more than four corners are cut into triangles from their first corner";
+            let message = "faces with more than four corners are divided into triangles from their first corner";
             self.remark("polygons-cut", None, None, Some(name), message.to_owned());
         }
         let fan = |face: &Vec<usize>| -> Vec<[usize; 3]> {
@@ -527,10 +526,10 @@ impl Builder<'_> {
         };
         let words = match error {
             cyclide::Error::Pose(PoseError::ParametersNotIncreasing { index, value, before }) => {
-                format!("the times do not increase: that of pose {index} is {value}, after {before}")
+                format!("the times do not increase: pose {index} has the time {value}, after {before}")
             }
             cyclide::Error::Interpolation(InterpolationError::RepeatedParameter { first, second, value }) => {
-                format!("the poses {first} and {second} have one time, {value}")
+                format!("poses {first} and {second} have the same time {value}")
             }
             _ => return self.refused_at(steps, error),
         };
@@ -547,7 +546,7 @@ impl Builder<'_> {
     pub(in crate::document) fn remark_bound(&mut self, bound: f64) {
         if bound > 0.0 {
             let message = format!(
-                "points of this motion run on no rational curves, as it turns by slerp or runs on a curve by time: the form made is within {} {} of it",
+                "points of this motion do not follow rational curves, since it rotates by slerp or follows a curve by time: the approximation is within {} {}",
                 ShortNumber(bound),
                 self.document.units.symbol()
             );

@@ -76,11 +76,11 @@ impl Builder<'_> {
         let given = made.iter().filter(|(time, _)| time.is_some()).count();
         if given != 0 && given != made.len() {
             let index = made.iter().position(|(time, _)| time.is_none()).unwrap_or(0);
-            let message = "this pose has no `time`: give one to all, or to none (then they are 0, 1, 2, …)";
+            let message = "this pose has no `time`: set it for all poses or for none (the times are then 0, 1, 2, …)";
             return Err(Error::Input(self.diagnostic(["poses".into(), index.into()], message)));
         }
         if given > 0 && spec.times.is_some() {
-            return Err(self.unfit("`times` are for poses without a `time`: leave one of both out"));
+            return Err(self.unfit("`times` are for poses without a `time`: remove one of the two"));
         }
         let (mut times, mut only): (Vec<Option<f64>>, Vec<Pose>) = made.into_iter().unzip();
         if spec.closed {
@@ -115,7 +115,7 @@ impl Builder<'_> {
             poses.pop();
         } else if timed {
             let message = format!(
-                "with times a `closed` motion repeats its first pose at the end: the time of that says when it is back; the last pose is {} and {} rad from the first",
+                "a `closed` motion with times must repeat its first pose at the end, with the time of its return; the last pose is {} and {} rad from the first",
                 ShortNumber(apart),
                 ShortNumber(last.angle_to(first))
             );
@@ -155,7 +155,7 @@ impl Builder<'_> {
     /// Says that matrices are none of displacements but for the digits they are written with.
     fn remark_rounded_matrices(&mut self, count: usize, off: f64, place: Option<String>) {
         let message = format!(
-            "{count} matrices are off those of rotations, this one by {}, as with few decimals: the nearest rotations are taken (more than {} is refused)",
+            "{count} matrices are not exact rotations (this one deviates by {}), as with few decimals: the nearest rotations are used (the limit is {})",
             ShortNumber(off),
             ShortNumber(FEW_DECIMALS)
         );
@@ -165,8 +165,8 @@ impl Builder<'_> {
     /// Says that an angle differs by a turn or more from that of the pose before.
     fn remark_whole_turns(&mut self, change: f64, place: Option<String>) {
         let message = format!(
-            "the angle differs by {} degrees from that of the pose before: a pose says how the body is turned and not how often it came round, so it goes the shorter way; \
-             give poses in between, less than half a turn apart",
+            "the angle differs by {} degrees from that of the previous pose: a pose is a rotation without a count of \
+             turns, so the motion takes the shorter path; add poses in between, less than half a turn apart",
             ShortNumber(change.to_degrees())
         );
         self.remark("whole-turns", None, None, place, message);
@@ -188,7 +188,7 @@ impl Builder<'_> {
                 let transposed = std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]));
                 match Pose::nearest_to_matrix(matrix, FEW_DECIMALS) {
                     Err(_) if rows.len() == 4 && Pose::nearest_to_matrix(transposed, FEW_DECIMALS).is_ok() => {
-                        let message = "the matrix stands column by column: write its rows, those of the rotation with the position behind them and `0, 0, 0, 1` last";
+                        let message = "the matrix is in column-major order: write its rows, each a row of the rotation followed by a coordinate of the position, with `0, 0, 0, 1` last";
                         return Err(Error::Input(
                             self.diagnostic(steps().into_iter().chain(["matrix".into()]), message),
                         ));
@@ -202,8 +202,7 @@ impl Builder<'_> {
             }
             (None, None, None) if spec.position.is_some() => exact(Pose::new(Quat::ONE, position.vector())),
             _ => {
-                let message =
-                    "a pose is a `position` with a `quaternion` or `rpy` (or not turned), or a `matrix` alone";
+                let message = "a pose is a `position`, optionally with a `quaternion` or `rpy`, or only a `matrix`";
                 return Err(Error::Input(self.diagnostic(steps(), message)));
             }
         };

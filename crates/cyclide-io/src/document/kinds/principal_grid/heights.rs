@@ -34,7 +34,7 @@ impl Builder<'_> {
             }
             (None, Some(rows)) => rows,
             _ => {
-                let words = "heights are given by exactly one of `csv` (a file) and `z` (rows)";
+                let words = "heights require exactly one of `csv` (a file) and `z` (rows)";
                 return Err(Error::Input(self.diagnostic(["heights".into()], words)));
             }
         };
@@ -47,7 +47,7 @@ impl Builder<'_> {
         if mesh.faces.is_empty() {
             let of = file.map_or(String::new(), |name| format!(" (of {name})"));
             let words = format!(
-                "{} rows of {columns} heights have no cell with four corners: two rows of two, without holes, are needed{of}",
+                "{} rows of {columns} heights have no cell with four corners: at least two rows of two without holes are required{of}",
                 rows.len()
             );
             return Err(self.refused_in_words(["heights".into()], "too-few-points", words));

@@ -59,7 +59,7 @@ impl Builder<'_> {
             (None, None, None, Some(surface), None) => self.mesh_of_nurbs(surface, spec.edge_length),
             (None, None, None, None, Some(heights)) => self.mesh_of_heights(heights),
             _ => Err(self.unfit(
-                "a surface is given by exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`",
+                "a surface requires exactly one of `mesh` (a file), `nurbs`, `heights`, or `vertices` with `faces`",
             )),
         }
     }
@@ -100,9 +100,9 @@ pub(in crate::document) fn idle_in_principal_grid(spec: &PrincipalGridSpec, clos
     let several = spec.most_pieces.is_some_and(|most| most > 1);
     found(&[
         ("columns", !closed && spec.columns.is_some(), "no grid is closed"),
-        ("closed", !closed && spec.closed == Some(true), "the surface is no tube whose lines of curvature come back"),
+        ("closed", !closed && spec.closed == Some(true), "the surface is not a tube whose lines of curvature close"),
         ("most_pieces", several && spec.border == Some(GridBorder::Cover), "one grid covers the surface"),
-        ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all laid"),
+        ("most_pieces", joined && spec.most_pieces.is_some(), "joined grids are all computed"),
     ])
 }
 

@@ -93,7 +93,7 @@ impl Builder<'_> {
         let count = fewest.max(counts[0] * counts[1]);
         if !(count <= MOST_VERTICES) {
             let words = format!(
-                "a mesh over the surface with edges half as long, {FEWEST} along each knot span at least, takes {count:.0} vertices, more than {MOST_VERTICES}: take longer edges, or a part of the surface"
+                "a mesh of the surface with edges half as long, and at least {FEWEST} along each knot span, requires {count:.0} vertices; the limit is {MOST_VERTICES}: use longer edges, or a part of the surface"
             );
             let place = if fewest > MOST_VERTICES { ["nurbs".into()] } else { ["edge_length".into()] };
             return Err(self.refused_in_words(place, "too-many-pieces", words));
@@ -104,7 +104,7 @@ impl Builder<'_> {
         let size = lines.iter().flatten().map(|p| p.distance(lines[0][0])).fold(0.0, f64::max);
         let mesh = mesh_over(&lines, ROUNDING * size).map_err(|[direction, end]| {
             let words = format!(
-                "the border {} is one point, a pole: lines of curvature part there. Give the surface without a hole round it: split it beside the pole, and leave that part out",
+                "the border {} is a single point, a pole, where lines of curvature are singular: split the surface near the pole and remove the part that contains it",
                 BORDERS[direction][end]
             );
             self.refused_in_words(["nurbs".into(), "control_points".into()], "collapsed-side", words)

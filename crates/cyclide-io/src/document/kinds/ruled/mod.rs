@@ -64,7 +64,7 @@ impl Kind for RuledSpec {
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         let cyclide::Error::Point(PointError::CoincidentPoints { distance, limit, .. }) = error else { return None };
         Some(format!(
-            "a piece of one curve is that of the other, {} apart at most: there is no surface between what is no more than {} apart",
+            "a piece of one curve coincides with that of the other (distance at most {}, tolerance {}): there is no surface between them",
             ShortNumber(*distance),
             ShortNumber(*limit)
         ))
@@ -76,7 +76,7 @@ impl Builder<'_> {
     pub(in crate::document) fn ruled(&mut self, spec: &RuledSpec) -> Result<Vec<SurfaceObject>> {
         let ([first, second], closed) = self.pieces_of_rails()?;
         if spec.shift > 0 && !closed {
-            return Err(self.unfit("`shift` goes with closed curves: open ones start where they are drawn"));
+            return Err(self.unfit("`shift` requires closed curves"));
         }
         let second = rotated(&second, spec.shift);
         let made = RailSurface::ruled([&first, &second], closed).map_err(|e| match e {
@@ -98,7 +98,7 @@ impl Builder<'_> {
     /// Refuses a ruled surface that goes through itself because one curve runs the other way, and remarks curves that seem to.
     fn check_sense(&mut self, [first, second]: [&[EdgeCurve]; 2], closed: bool, shift: usize) -> Result<()> {
         if closed && let Some(remedy) = self.rail_to_reverse([first, second], shift) {
-            let words = format!("the surface of straight lines goes through itself: {remedy}");
+            let words = format!("the ruled surface intersects itself: {remedy}");
             return Err(self.refused_in_words(["rails".into()], "rulings-cross", words));
         }
         let given = Rulings::of([first, second], closed);
@@ -106,8 +106,9 @@ impl Builder<'_> {
         let shifts = if closed && given.opposite() { reversed.len().min(MOST_SHIFTS) } else { usize::from(!closed) };
         let other_way = |by: usize| Rulings::of([first, &rotated(&reversed, by)], closed);
         if (0..shifts).any(|by| given.are_longer_than(&other_way(by))) {
-            let message = "the straight lines between both curves are much shorter where the second one is taken the other way: if no twist is meant, take its points in reverse order, \
-                           or a `transform` of it with the steps `[\"reverse\"]`";
+            let message = "the straight lines between the curves would be much shorter with the second curve reversed: \
+                           if no twist is intended, list its points in reverse order, or use a `transform` of it with the steps \
+                           `[\"reverse\"]`";
             self.remark("rails-opposite", None, None, self.place_of(["rails".into()]), message.to_owned());
         }
         Ok(())

@@ -43,7 +43,7 @@ impl Builder<'_> {
         // Reversed, it starts at the corner it was drawn from, before its pieces are shifted.
         let total = (by + n - shift % n) % n;
         let start = match total {
-            0 if shift > 0 => ", and leave out `shift`".to_owned(),
+            0 if shift > 0 => ", and remove `shift`".to_owned(),
             0 => String::new(),
             total => format!(", and write `\"shift\": {total}`"),
         };

@@ -24,13 +24,13 @@ use crate::error::Result;
 pub use steps::*;
 
 /// What other maps than similarities are for.
-const OF_CURVES: &str = "circles and curves on tori are moved, turned, scaled and mirrored only; arcs, chains of arcs, Möbius splines, QB and NURBS curves take inversions too";
+const OF_CURVES: &str = "circles and curves on tori can only be moved, rotated, scaled and mirrored; arcs, chains of arcs, Möbius splines, QB and NURBS curves also support inversions";
 
-const OF_CIRCLE_SPLINES: &str = "fair and circle splines are moved, turned, scaled and mirrored only; a `moebius-spline` or an `arc-spline` through the same points takes inversions, exactly";
+const OF_CIRCLE_SPLINES: &str = "fair and circle splines can only be moved, rotated, scaled and mirrored; a `moebius-spline` or an `arc-spline` through the same points supports exact inversions";
 
 /// What a cut from a place of a circle to the same place would be.
 const WHOLE_CIRCLE: &str =
-    "the cut keeps the whole circle, and an arc is less than one: leave the cut out, or make two cuts of it";
+    "the cut would keep the full circle, but an arc must be shorter: remove the cut, or use two cuts";
 
 /// Smallest distance of a curve from the point that goes to infinity, relative to the coordinates of both: they are rounded by
 /// 1e-16 of them, and the image of a point next to it by that part of a distance that is so small.
@@ -148,7 +148,7 @@ impl Builder<'_> {
             let map = map_of(step).map_err(refused)?;
             if !map.is_similarity() {
                 return Err(self.no_torus(format!(
-                    "step {index} of the `transform` `{name}` is no similarity: a torus stays one where it is moved, turned, scaled or mirrored"
+                    "step {index} of the `transform` `{name}` is not a similarity: a torus remains one only if it is moved, rotated, scaled or mirrored"
                 )));
             }
             torus = torus.similar(&map).map_err(refused)?;
@@ -191,14 +191,14 @@ impl Builder<'_> {
     /// The images of surfaces.
     pub(in crate::document) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
         if self.sources.first().is_some_and(|source| source.item.motion().is_some()) {
-            return Err(self.wrong_source("a motion is placed by its poses, not by a `transform`"));
+            return Err(self.wrong_source("a motion is positioned by its poses, not by a `transform`"));
         }
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
-        let kept = "surfaces with rational faces, as those of tees, seams and profiles that are no arcs, and surfaces over triangles are moved, turned, scaled and mirrored only; patches whose parameter lines are circles take inversions too";
+        let kept = "surfaces with rational faces (tees, seams, profiles other than arcs) and surfaces over triangles can only be moved, rotated, scaled and mirrored; patches whose parameter lines are circles also support inversions";
         let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
         if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !surfaces.is_empty()) {
             return Err(
-                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves are run backwards or cut")
+                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves can be reversed or cut")
             );
         }
         self.mapped(spec, 0..spec.steps.len(), surfaces, |surface, step| surface.transformed(&map_of(step)?), kept)
@@ -286,7 +286,7 @@ impl Builder<'_> {
         let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
         if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !volumes.is_empty()) {
             return Err(
-                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves are run backwards or cut")
+                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves can be reversed or cut")
             );
         }
         self.mapped(spec, 0..spec.steps.len(), volumes, |volume, step| volume.transformed(&map_of(step)?), "")
@@ -297,7 +297,7 @@ impl Builder<'_> {
 fn center_in_block(at: [f64; 3]) -> String {
     let [s, t, u] = at.map(ShortNumber);
     format!(
-        "the centre of the inversion is in the block, or nearer to it than a 65536th of its sides, near s = {s}, t = {t}, u = {u}: the image would pass through infinity"
+        "the center of the inversion is in the block, or closer to it than 1/65536 of its sides, near s = {s}, t = {t}, u = {u}: the image would pass through infinity"
     )
 }
 
@@ -363,6 +363,6 @@ fn no_part(cut: &CutSpec, length: f64) -> String {
     };
     let most = ShortNumber(most);
     format!(
-        "there is no part between the {what} {from} and {to}: they are from 0 to {most}, and the second is larger, of a closed curve not the same"
+        "there is no part between the {what} {from} and {to}: both must be from 0 to {most}, and the second must be larger (on a closed curve, different)"
     )
 }

@@ -50,7 +50,9 @@ impl<'a> Accessors<'a> {
     pub(super) fn vectors(&self, accessor: Option<&Value>) -> Result<Vec<[f64; 3]>, String> {
         let accessor = entry(self.document, "accessors", accessor)?;
         if accessor.get("componentType").and_then(Value::as_u64) != Some(FLOAT) {
-            return Err("points or normals are not of single precision (quantized): export without that".to_owned());
+            return Err(
+                "points or normals are not in single precision (quantized): export without quantization".to_owned()
+            );
         }
         let rows = self.rows(accessor, "VEC3", 12)?;
         let float = |bytes: &[u8]| bytes.first_chunk().map_or(f64::NAN, |b| f64::from(f32::from_le_bytes(*b)));
@@ -70,7 +72,7 @@ impl<'a> Accessors<'a> {
             Some(UNSIGNED_BYTE) => 1,
             Some(UNSIGNED_SHORT) => 2,
             Some(UNSIGNED_INT) => 4,
-            _ => return Err("indices are not of 8, 16 or 32 bits without sign".to_owned()),
+            _ => return Err("indices are not unsigned integers of 8, 16 or 32 bits".to_owned()),
         };
         let rows = self.rows(accessor, "SCALAR", width)?;
         Ok(rows.map(|row| row.iter().rev().fold(0, |sum, byte| sum << 8 | usize::from(*byte))).collect())
@@ -79,20 +81,22 @@ impl<'a> Accessors<'a> {
     /// The entries of an accessor, `width` bytes each.
     fn rows(&self, accessor: &Value, kind: &str, width: usize) -> Result<impl Iterator<Item = &'a [u8]>, String> {
         if accessor.get("sparse").is_some() {
-            return Err("an accessor is sparse, which is not read: export without that".to_owned());
+            return Err("an accessor is sparse, which is not supported: export without sparse accessors".to_owned());
         }
         if accessor.get("type").and_then(Value::as_str) != Some(kind) {
-            return Err(format!("an accessor is not of type {kind}"));
+            return Err(format!("an accessor does not have type {kind}"));
         }
         let view = entry(self.document, "bufferViews", accessor.get("bufferView"))?;
         if let Some(extension) = view.get("extensions").and_then(Value::as_object).and_then(|e| e.keys().next())
             && extension.ends_with("_compression")
         {
-            return Err(format!("the data are compressed by {extension}, which is not read: export without it"));
+            return Err(format!("the data are compressed with {extension}, which is not supported: export without it"));
         }
         let buffer = number(view, "buffer").unwrap_or_default();
         if list(self.document, "buffers").get(buffer).is_none_or(|b| b.get("uri").is_some()) || buffer > 0 {
-            return Err("the data are in another file, or in text: export all in one GLB file".to_owned());
+            return Err(
+                "the data are in another file or embedded as text: export everything to one GLB file".to_owned()
+            );
         }
         let bytes = || {
             let (start, length) = (number(view, "byteOffset").unwrap_or_default(), number(view, "byteLength")?);
@@ -105,7 +109,7 @@ impl<'a> Accessors<'a> {
             self.left.set(self.left.get().checked_sub(needed)?);
             (stride >= width).then_some((bytes, stride))
         };
-        let (bytes, stride) = bytes().ok_or("the bytes of an accessor are not there")?;
+        let (bytes, stride) = bytes().ok_or("the bytes of an accessor are missing")?;
         Ok(bytes.chunks(stride).map(move |row| &row[..width]))
     }
 }

@@ -24,7 +24,7 @@ impl Affine {
             let m = numbers::<16>(matrix).ok_or("the matrix of a node is not 16 numbers")?;
             let last = [m[3], m[7], m[11], m[15] - 1.0];
             if !last.iter().all(|v| *v == 0.0) {
-                return Err("the matrix of a node is not that of an affine map".to_owned());
+                return Err("the matrix of a node is not affine".to_owned());
             }
             return Ok(Self([0, 4, 8, 12].map(|k| [m[k], m[k + 1], m[k + 2]])));
         }
@@ -128,7 +128,9 @@ impl<'a> Walk<'a> {
             self.roots.iter().rev().map(|root| (Affine::IDENTITY, *root, 0)).collect();
         while let Some((outer, node, depth)) = open.pop() {
             if depth > DEEPEST || found.len() == MOST_NODES || open.len() > MOST_NODES {
-                return Err(format!("nodes stand in each other deeper than {DEEPEST}, or are more than {MOST_NODES}"));
+                return Err(format!(
+                    "nodes are nested more than {DEEPEST} levels deep, or there are more than {MOST_NODES}"
+                ));
             }
             let map = Affine::of_node(node)?.in_space_of(&outer);
             for child in list(node, "children").iter().rev() {

@@ -109,9 +109,9 @@ fn strips_and_fans_are_triangles() {
     };
     assert_eq!(read(5).unwrap(), [vec![0, 1, 2], vec![2, 1, 3]]);
     assert_eq!(read(6).unwrap(), [vec![0, 1, 2], vec![0, 2, 3]]);
-    assert!(read(4).unwrap_err().to_string().contains("three corners"));
+    assert!(read(4).unwrap_err().to_string().contains("a multiple of three"));
     assert!(read(1).unwrap_err().to_string().contains("no triangles"));
-    assert!(read(9).unwrap_err().to_string().contains("does not know"));
+    assert!(read(9).unwrap_err().to_string().contains("does not define"));
 }
 
 #[test]
@@ -133,12 +133,12 @@ fn what_is_not_read_is_refused_by_name() {
         ("sparse", &|d| d["accessors"][0]["sparse"] = json!({})),
         ("quantized", &|d| d["accessors"][0]["componentType"] = json!(5122)),
         ("another file", &|d| d["buffers"][0]["uri"] = json!("a.bin")),
-        ("are not there", &|d| d["accessors"][0]["count"] = json!(5)),
-        ("are not there", &|d| d["accessors"][2]["count"] = json!(u64::MAX)),
-        ("are not there", &|d| d["bufferViews"][0]["byteStride"] = json!(0)),
+        ("are missing", &|d| d["accessors"][0]["count"] = json!(5)),
+        ("are missing", &|d| d["accessors"][2]["count"] = json!(u64::MAX)),
+        ("are missing", &|d| d["bufferViews"][0]["byteStride"] = json!(0)),
         ("type VEC3", &|d| d["accessors"][0]["type"] = json!("VEC2")),
         ("no entry 7", &|d| d["nodes"][0]["mesh"] = json!(7)),
-        ("deeper", &|d| d["nodes"][0]["children"] = json!([0])),
+        ("levels deep", &|d| d["nodes"][0]["children"] = json!([0])),
         ("affine", &|d| d["nodes"][0]["matrix"] = json!([1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])),
         ("unit quaternion", &|d| d["nodes"][0]["rotation"] = json!([1, 1, 0, 0])),
         ("8, 16 or 32 bits", &|d| d["accessors"][2]["componentType"] = json!(5124)),

@@ -109,7 +109,7 @@ pub(in crate::formats::png) fn write(
         .map(|k| job.model.items[k].name.as_str())
         .collect();
     if !others.is_empty() {
-        notes.push(format!("left out of the picture of lines of curvature: {}", others.join(", ")));
+        notes.push(format!("omitted from the picture of the lines of curvature: {}", others.join(", ")));
     }
     let written = Written { bodies: vec![Promise::proved(0.5 * scene.camera.unit())], ..Written::default() };
     Ok(Some(written.exported(bytes, notes)))

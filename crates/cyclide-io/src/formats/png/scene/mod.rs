@@ -227,7 +227,7 @@ impl Scene<'_> {
         visible: &mut Visible,
         mut seen: Option<&mut Seen>,
     ) -> Result<Canvas, ExportError> {
-        let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
+        let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("its size is zero"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
             let band: &Band = band;

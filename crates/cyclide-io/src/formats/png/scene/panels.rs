@@ -149,7 +149,7 @@ impl DrawnLabels {
             }
         }
         if placed < named.len() {
-            self.said.push(format!("{placed} of {} objects are named", named.len()));
+            self.said.push(format!("there is room for the names of {placed} of {} objects", named.len()));
         }
     }
 
@@ -192,8 +192,8 @@ impl DrawnLabels {
         let all = panels.iter().map(|(_, panel, _)| panel.key).collect::<HashSet<_>>().len();
         let (count, sight) = (found.len(), in_sight.len());
         self.said.push(match count {
-            0 => format!("no panel is numbered: none of {sight} in sight has room"),
-            _ => format!("{form}; {count} of {all} panels are numbered, {sight} are in sight"),
+            0 => format!("no panel is numbered: there is no room on any of the {sight} visible panels"),
+            _ => format!("{form}; {count} of {all} panels are numbered, {sight} are visible"),
         });
         found.into_iter().for_each(|(label, wide)| self.push(label, wide));
     }
@@ -277,6 +277,6 @@ mod tests {
         // Five places are tried for each.
         assert_eq!((drawn.labels.len(), drawn.said.len()), (5, 1));
         assert!(drawn.taken.iter().all(|[left, _, right, _]| *left > 10.0 && *right < 790.0));
-        assert!(drawn.said[0].starts_with("5 of 7 objects"));
+        assert!(drawn.said[0].ends_with("5 of 7 objects"));
     }
 }

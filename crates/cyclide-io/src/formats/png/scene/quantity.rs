@@ -159,7 +159,7 @@ pub(in crate::formats::png) fn name(colour: PictureColour, units: Units) -> Stri
 /// What is said of places without a value.
 pub(in crate::formats::png) fn gap(colour: PictureColour) -> &'static str {
     match colour {
-        PictureColour::Deviation => "beyond the border of the given surface",
+        PictureColour::Deviation => "outside the border of the given surface",
         _ => "without curvature",
     }
 }

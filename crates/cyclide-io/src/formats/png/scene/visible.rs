@@ -48,7 +48,7 @@ impl Visible {
         let hidden =
             names.iter().enumerate().filter(|(index, _)| self.seen.get(index).is_none_or(|count| *count < self.least));
         let hidden: Vec<&str> = hidden.map(|(_, name)| name.as_str()).filter(|name| !name.is_empty()).collect();
-        (!hidden.is_empty()).then(|| format!("not seen from here: {}", hidden.join(", ")))
+        (!hidden.is_empty()).then(|| format!("not visible from this direction: {}", hidden.join(", ")))
     }
 
     /// For each object the pixel that is farthest from what is not this object, `None` for those that are not seen.
@@ -119,7 +119,7 @@ mod tests {
         assert!((x - 25.0).abs() <= 3.0 && (20.0..40.0).contains(&y), "{x} {y}");
         assert_eq!(places[1], None);
         let note = visible.hidden_note(&["front", "back", "edge"].map(str::to_owned));
-        assert_eq!(note.as_deref(), Some("not seen from here: back"));
+        assert_eq!(note.as_deref(), Some("not visible from this direction: back"));
         assert!((places[2].unwrap().0 - 60.0).abs() <= 3.0);
     }
 }

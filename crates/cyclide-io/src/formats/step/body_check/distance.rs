@@ -64,7 +64,7 @@ impl Piece<'_> {
                 (apart.fold(0.0, larger), outward)
             }
         };
-        require(file.same_sense == (outward == outer_side), "a face looks to the wrong side")?;
+        require(file.same_sense == (outward == outer_side), "a face has the wrong orientation")?;
         Ok(distance)
     }
 
@@ -108,7 +108,7 @@ pub(super) fn check_parameters(
         (FileCurve::Piece(ChainPiece::Spline(curve)), Some(on_face)) => {
             return check_proportional(surface, curve, on_face, size);
         }
-        (FileCurve::Circle(_), _) => return Err(Mismatch("a whole circle round a rational face")),
+        (FileCurve::Circle(_), _) => return Err(Mismatch("a full circle in the boundary of a rational face")),
     };
     // Far from the origin the file's points are as coarse as their numbers.
     let rounding = ROUNDING * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
@@ -118,7 +118,7 @@ pub(super) fn check_parameters(
         let (from, to) = curve.domain();
         require(
             from == 0.0 && (to - range).abs() <= 1e-9 * range + rounding / unit,
-            "a parameter curve has another range than its edge",
+            "the range of a parameter curve differs from that of its edge",
         )?;
     }
     let places = (0..PLACES).map(|i| {
@@ -132,13 +132,16 @@ pub(super) fn check_parameters(
     let limit = of_length * arc.length() + of_size * size + rounding;
     // Corners of a net may be off their circle by so much: along a side as short as that the weights disagree.
     let short = arc.length() <= SHORT_EDGE * size;
-    require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
+    require(
+        apart <= limit || (short && apart <= arc.length()),
+        "an edge and its curve on the face differ at equal parameters",
+    )
 }
 
 /// The same of an analytic surface: rational edges have curves in the parameters of cylinders and cones, arcs in those of spheres; others
 /// readers find, as circles and lines are parameter lines.
 pub(super) fn check_on_analytic(kind: &PatchKind, edge: &FileEdge, size: f64) -> Result<(), Mismatch> {
-    let none_needed = "a curve in the parameters of a surface that needs none";
+    let none_needed = "a parameter curve on a surface that needs none";
     let Some(on_face) = &edge.parameter_curve else { return Ok(()) };
     let (frame, radius, slope) = match kind {
         PatchKind::Cylinder { frame, radius, .. } => (frame, *radius, 0.0),
@@ -151,7 +154,7 @@ pub(super) fn check_on_analytic(kind: &PatchKind, edge: &FileEdge, size: f64) ->
             };
             let (from, to) = on_face.domain();
             let same_range = from == 0.0 && (to - arc.angle()).abs() <= 1e-9 * to;
-            require(same_range, "a parameter curve has another range than its edge")?;
+            require(same_range, "the range of a parameter curve differs from that of its edge")?;
             return check_near(size, arc.start(), |x| {
                 on_sphere(on_face.point_at_knot(to * x)).distance(arc.point_at_length(x))
             });
@@ -185,7 +188,7 @@ fn check_where(
     size: f64,
 ) -> Result<(), Mismatch> {
     let [range, on_face_range] = [curve, on_face].map(NurbsCurve::domain);
-    require(range == on_face_range, "a parameter curve has another range than its edge")?;
+    require(range == on_face_range, "the range of a parameter curve differs from that of its edge")?;
     check_near(size, curve.point_at_knot(range.0), |x| {
         let x = range.0 + (range.1 - range.0) * x;
         surface(on_face.point_at_knot(x)).distance(curve.point_at_knot(x))
@@ -196,7 +199,10 @@ fn check_where(
 fn check_near(size: f64, start: Point3, apart: impl Fn(f64) -> f64) -> Result<(), Mismatch> {
     let rounding = ROUNDING * start.to_vec().max_abs();
     let apart = (0..PLACES).map(|i| apart(parameter(i))).fold(0.0, larger);
-    require(apart <= PARAMETER_LIMIT.1 * size + rounding, "an edge leaves its face at equal parameters")
+    require(
+        apart <= PARAMETER_LIMIT.1 * size + rounding,
+        "an edge and its curve on the face differ at equal parameters",
+    )
 }
 
 fn parameter(i: u32) -> f64 {

@@ -40,7 +40,7 @@ impl<'a> FaceCheck<'a> {
     /// The surface of the file's face against all parts.
     pub(super) fn surface_deviation(&self, file: &FileFace) -> Result<f64, Mismatch> {
         let is_one = self.pieces.len() == 1 || matches!(file.surface, FileSurface::Analytic(_));
-        require(is_one, "a rational face is several faces of the model")?;
+        require(is_one, "a rational face corresponds to several faces of the model")?;
         let mut largest = 0.0_f64;
         for (piece, outer_side) in &self.pieces {
             largest = larger(largest, piece.surface_deviation(file, *outer_side)?);
@@ -62,7 +62,7 @@ impl<'a> FaceCheck<'a> {
     pub(super) fn sides_deviation(&self) -> Result<f64, Mismatch> {
         let mut with_edges: HashSet<(usize, Side)> = HashSet::new();
         for &side in self.plan.loops.iter().flatten().flatten() {
-            require(with_edges.insert(side), "a side of a face is two edges")?;
+            require(with_edges.insert(side), "a side of a face corresponds to two edges")?;
         }
         // Sides of parts that meet inside the face, by the line they share.
         let mut inside: HashMap<(usize, usize), Vec<InnerSide>> = HashMap::new();
@@ -73,7 +73,9 @@ impl<'a> FaceCheck<'a> {
                     Some(border) if !with_edges.contains(&own) => {
                         inside.entry(border.key()).or_default().push((own, border));
                     }
-                    None if with_edges.contains(&own) => return Err(Mismatch("another number of edges round a face")),
+                    None if with_edges.contains(&own) => {
+                        return Err(Mismatch("a face has a different number of edges"));
+                    }
                     _ => {}
                 }
             }
@@ -90,7 +92,7 @@ impl<'a> FaceCheck<'a> {
                 }
                 let width = self.pieces[own.0].0.width(own.1);
                 let is_narrow = matches!(border.line, Line::Inside { .. }) && width <= NARROW * self.size;
-                require(is_narrow, "another number of edges round a face")?;
+                require(is_narrow, "a face has a different number of edges")?;
                 largest = larger(largest, width);
             }
         }
@@ -105,12 +107,12 @@ impl<'a> FaceCheck<'a> {
         sides: &[(usize, Side)],
     ) -> Result<(Vec<Border>, f64), Mismatch> {
         let borders = sides.iter().map(|&side| self.border(side)).collect::<Option<Vec<_>>>();
-        let mut borders = borders.ok_or(Mismatch("another number of edges round a face"))?;
+        let mut borders = borders.ok_or(Mismatch("a face has a different number of edges"))?;
         let off = match (sides, &borders[..]) {
             ([], _) => self.seam_deviation(file, edge)?,
             ([own], [border]) => {
                 let piece = &self.pieces[own.0].0;
-                require(edge.forward == self.runs_forward(*own, *border), "an edge runs the wrong way round a face")?;
+                require(edge.forward == self.runs_forward(*own, *border), "an edge of a face has the wrong direction")?;
                 match &file.surface {
                     FileSurface::Rational(surface) => check_parameters(surface, (own.1, *border), edge, self.size)?,
                     FileSurface::Analytic(kind) => check_on_analytic(kind, edge, self.size)?,
@@ -119,7 +121,10 @@ impl<'a> FaceCheck<'a> {
             }
             _ => {
                 let is_analytic = matches!(file.surface, FileSurface::Analytic(_));
-                require(is_analytic && edge.parameter_curve.is_none(), "an edge of a rational face is several edges")?;
+                require(
+                    is_analytic && edge.parameter_curve.is_none(),
+                    "an edge of a rational face corresponds to several edges",
+                )?;
                 self.chain_deviation(edge, sides)?
             }
         };
@@ -132,10 +137,10 @@ impl<'a> FaceCheck<'a> {
     /// A seam across the faces of the model: on the surface, from vertex to vertex, and with this face on both sides.
     fn seam_deviation(&self, file: &FileFace, edge: &FileEdge) -> Result<f64, Mismatch> {
         let (FileSurface::Analytic(kind), FileCurve::Piece(ChainPiece::Arc(arc))) = (&file.surface, &edge.curve) else {
-            return Err(Mismatch("another number of edges round a face"));
+            return Err(Mismatch("a face has a different number of edges"));
         };
         let uses: Vec<bool> = file.edges.iter().filter(|own| own.edge == edge.edge).map(|own| own.forward).collect();
-        require(matches!(uses[..], [a, b] if a != b), "a seam is not run there and back")?;
+        require(matches!(uses[..], [a, b] if a != b), "a seam is not traversed in both directions")?;
         let points = (0..=8).map(|i| arc.point(f64::from(i) / 8.0));
         let off = points.map(|p| kind.distance(p).unwrap_or(f64::INFINITY)).fold(0.0, larger);
         let at_ends = larger(arc.start().distance(edge.ends[0]), arc.end().distance(edge.ends[1]));
@@ -175,14 +180,14 @@ impl<'a> FaceCheck<'a> {
                 }
                 require(
                     (turn(circle, &points) - std::f64::consts::TAU).abs() <= FULL_TURN,
-                    "a circle is not run once round",
+                    "a circle is not traversed exactly once",
                 )?;
             }
             FileCurve::Piece(ChainPiece::Arc(arc)) => {
                 // On an arc the same points may be run in the other direction.
                 let places: Vec<f64> = points.iter().map(|p| arc.closest_point(*p).t).collect();
                 let goes_on = places.windows(2).all(|pair| pair[1] >= pair[0] - FULL_TURN);
-                require(goes_on, "an edge runs the wrong way round a face")?;
+                require(goes_on, "an edge of a face has the wrong direction")?;
                 for (p, end) in [points.first(), points.last()].into_iter().flatten().zip(edge.ends) {
                     largest = larger(largest, p.distance(end));
                 }

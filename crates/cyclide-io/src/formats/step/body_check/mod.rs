@@ -54,21 +54,21 @@ fn require(holds: bool, detail: &'static str) -> Result<(), Mismatch> {
 
 fn body_deviation(body: &Body, plans: &[ShellPlan], file: &FileBody, size: f64) -> Result<f64, Mismatch> {
     let shells: Vec<&Shell> = body.shells().collect();
-    require(file.shells.len() == plans.len(), "another number of shells")?;
-    require(plans.is_sorted_by_key(|plan| plan.shell), "its shells have another order")?;
+    require(file.shells.len() == plans.len(), "a different number of shells")?;
+    require(plans.is_sorted_by_key(|plan| plan.shell), "its shells are in a different order")?;
     for (index, shell) in shells.iter().enumerate() {
         let parts = plans.iter().filter(|plan| plan.shell == index).flat_map(ShellPlan::parts);
-        require(tile_faces(shell, parts), "its faces are not those of the model, each part once")?;
+        require(tile_faces(shell, parts), "its faces do not cover each face of the model once")?;
     }
     // Every shell has one at least.
     let solid = body.is_solid() && plans.len() == shells.len();
-    require(file.solid == solid, "it is a solid in one of file and model only")?;
+    require(file.solid == solid, "it is a solid only in the file or only in the model")?;
     let mut largest = 0.0_f64;
     for (plan, file) in plans.iter().zip(&file.shells) {
         let shell = shells.get(plan.shell).ok_or(Mismatch("there is no such shell"))?;
         let void = solid && plan.shell > 0;
-        require(file.forward != void, "a shell is used from the wrong side")?;
-        require(file.closed == shell.is_closed(), "a shell is closed in one of file and model only")?;
+        require(file.forward != void, "a shell has the wrong orientation")?;
+        require(file.closed == shell.is_closed(), "a shell is closed only in the file or only in the model")?;
         largest = larger(largest, shell_deviation(shell, plan, void, file, size)?);
         // A hollow's faces look into it: away from the solid.
         require(!solid || (shell.volume() > 0.0) != void, "a solid is inside out")?;
@@ -84,19 +84,19 @@ struct Shared {
 
 /// Faces of one shell of the file; `flip` where it has the other sides.
 fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell, size: f64) -> Result<f64, Mismatch> {
-    require(file.faces.len() == plan.faces.len(), "another number of faces")?;
+    require(file.faces.len() == plan.faces.len(), "a different number of faces")?;
     let mut largest = 0.0_f64;
     let mut edges: HashMap<u64, Shared> = HashMap::new();
     for (index, (plan, file)) in plan.faces.iter().zip(&file.faces).enumerate() {
         let face = FaceCheck::new(shell, plan, flip, size)?;
         largest = larger(largest, face.surface_deviation(file)?);
         largest = larger(largest, face.sides_deviation()?);
-        require(file.loops().count() == plan.loops.len(), "another number of loops round a face")?;
+        require(file.loops().count() == plan.loops.len(), "a face has a different number of loops")?;
         for (own, plan) in file.loops().zip(&plan.loops) {
-            require(own.len() == plan.len(), "another number of edges round a face")?;
+            require(own.len() == plan.len(), "a face has a different number of edges")?;
             for (i, (edge, sides)) in own.iter().zip(plan).enumerate() {
                 let next = &own[(i + 1) % own.len()];
-                require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
+                require(edge.oriented()[1] == next.oriented()[0], "the edges of a loop are not consecutive")?;
                 let (mut borders, off) = face.edge_deviation(file, edge, sides)?;
                 largest = larger(largest, off);
                 let shared =
@@ -108,13 +108,13 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
                 }
                 let is_same = shared.borders.len() == borders.len()
                     && shared.borders.iter().zip(&borders).all(|(a, b)| a.is_same(b));
-                require(is_same, "faces share an edge in the file only")?;
+                require(is_same, "faces share an edge only in the file")?;
                 shared.uses.push((index, edge.forward));
             }
         }
     }
     check_uses(shell, &edges)?;
-    require(hang_together(&file.faces, &edges), "the faces of a shell do not hang together")?;
+    require(hang_together(&file.faces, &edges), "the faces of a shell are not connected")?;
     Ok(largest)
 }
 
@@ -128,9 +128,9 @@ fn check_uses(shell: &Shell, edges: &HashMap<u64, Shared>) -> Result<(), Mismatc
         };
         // A seam across faces has no border, and its face on both sides.
         let first = borders.first().map_or(2, expected);
-        require(borders.iter().all(|border| expected(border) == first), "an edge is a border on a part of it only")?;
+        require(borders.iter().all(|border| expected(border) == first), "only a part of an edge is a border")?;
         let expected = first;
-        require(uses.len() >= expected, "faces share an edge in the model only")?;
+        require(uses.len() >= expected, "faces share an edge only in the model")?;
         let paired = matches!(uses[..], [(_, a), (_, b)] if a != b);
         require(uses.len() == expected && (paired || expected == 1), "an edge is not used once in each direction")?;
     }

@@ -87,11 +87,11 @@ fn faces_that_are_several_are_held_against_all_of_them() {
     let refused = |detail: &str| Err(format!("body 0: {detail}"));
     // A part that is missing, and a side that is not told.
     let missing = merged(|plans, _| plans[0].parts.truncate(15));
-    assert_eq!(missing, refused("its faces are not those of the model, each part once"));
-    assert_eq!(merged(|plans, _| plans[0].loops[0][0].truncate(3)), refused("another number of edges round a face"));
-    assert_eq!(merged(|plans, _| drop(plans[0].loops[0].pop())), refused("another number of edges round a face"));
+    assert_eq!(missing, refused("its faces do not cover each face of the model once"));
+    assert_eq!(merged(|plans, _| plans[0].loops[0][0].truncate(3)), refused("a face has a different number of edges"));
+    assert_eq!(merged(|plans, _| drop(plans[0].loops[0].pop())), refused("a face has a different number of edges"));
     let twice = merged(|plans, _| plans[0].loops[0][0] = plans[0].loops[0][1].clone());
-    assert_eq!(twice, refused("a side of a face is two edges"));
+    assert_eq!(twice, refused("a side of a face corresponds to two edges"));
     // The surface and a circle of another size.
     let larger = merged(|_, faces| {
         let FileSurface::Analytic(PatchKind::Torus { minor_radius, .. }) = &mut faces[0].surface else {
@@ -110,7 +110,7 @@ fn faces_that_are_several_are_held_against_all_of_them() {
         let FileCurve::Circle(circle) = &mut faces[0].edges[0].curve else { unreachable!() };
         *circle = circle.reversed();
     });
-    assert_eq!(reversed, refused("a circle is not run once round"));
+    assert_eq!(reversed, refused("a circle is not traversed exactly once"));
     let once = merged(|_, faces| {
         let edge = faces[0].edges[0].edge;
         faces[0].edges.iter_mut().filter(|own| own.edge == edge).for_each(|own| own.forward = true);
@@ -120,7 +120,7 @@ fn faces_that_are_several_are_held_against_all_of_them() {
 
 #[test]
 fn parts_that_do_not_tile_the_faces_are_refused() {
-    let refused = Err("body 0: its faces are not those of the model, each part once".to_owned());
+    let refused = Err("body 0: its faces do not cover each face of the model once".to_owned());
     let shifted = |by: f64| told(&ring(), |parts| parts[1].s[0] += by);
     assert_eq!([shifted(0.01), shifted(-0.01), shifted(f64::NAN)], [(); 3].map(|()| refused.clone()));
     assert_eq!(told(&ring(), |parts| parts[3].t[1] = 0.5), refused);
@@ -195,12 +195,12 @@ fn edges_are_shared_where_parts_have_a_common_border() {
         assert_eq!(number(bodies, 0, 1, None), number(bodies, 1, 3, None));
         number(bodies, 0, 1, Some(u64::MAX));
     });
-    assert_eq!(unshared, Err("body 0: faces share an edge in the model only".to_owned()));
+    assert_eq!(unshared, Err("body 0: faces share an edge only in the model".to_owned()));
     let shared = checked(&ring(), |_, bodies| {
         let first = number(bodies, 0, 1, None);
         number(bodies, 2, 3, Some(first));
     });
-    assert_eq!(shared, Err("body 0: faces share an edge in the file only".to_owned()));
+    assert_eq!(shared, Err("body 0: faces share an edge only in the file".to_owned()));
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn lobes_are_shells_of_their_own() {
         bodies[0].shells[0].faces.extend(more);
         bodies[0].solid = true;
     });
-    assert_eq!(merged, Err("body 0: the faces of a shell do not hang together".to_owned()));
+    assert_eq!(merged, Err("body 0: the faces of a shell are not connected".to_owned()));
     // A face that went over to the other lobe.
     let parted = checked(&horn(), |file, bodies| {
         let part = file.written.shells[0][0].faces.pop().unwrap();
@@ -223,9 +223,9 @@ fn lobes_are_shells_of_their_own() {
         let face = bodies[0].shells[0].faces.pop().unwrap();
         bodies[0].shells[1].faces.push(face);
     });
-    assert_eq!(parted, Err("body 0: faces share an edge in the model only".to_owned()));
+    assert_eq!(parted, Err("body 0: faces share an edge only in the model".to_owned()));
     let solid = checked(&horn(), |_, bodies| bodies[0].solid = true);
-    assert_eq!(solid, Err("body 0: it is a solid in one of file and model only".to_owned()));
+    assert_eq!(solid, Err("body 0: it is a solid only in the file or only in the model".to_owned()));
 }
 
 /// Rational edges on cylinders and cones: their curves in the parameters, of which readers take the one that is told.
@@ -251,7 +251,7 @@ fn curves_on_cylinders_and_cones_are_held_against_their_edges() {
         // A hundred-millionth of a turn, and of the height.
         for change in [|p| p + Vec3::X * 1e-8, |p| p + Vec3::Y * 1e-8] as [fn(Point3) -> Point3; 2] {
             let moved = checked(&model, |_, bodies| on_branch(bodies, change));
-            assert_eq!(moved, Err("body 0: an edge leaves its face at equal parameters".to_owned()));
+            assert_eq!(moved, Err("body 0: an edge and its curve on the face differ at equal parameters".to_owned()));
         }
     }
 }

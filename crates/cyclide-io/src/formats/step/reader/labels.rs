@@ -60,7 +60,7 @@ impl File<'_> {
             product_of.extend(items.into_iter().map(|item| (item, product)));
             let unit = self.unit(reference(value(values, 2, &place)?, &place)?)?;
             if labels.unit.get_or_insert(unit).to_bits() != unit.to_bits() {
-                return Err(ReadError::unsupported("a shape in another unit than the first one", place));
+                return Err(ReadError::unsupported("a shape whose unit differs from that of the first one", place));
             }
         }
         let mut item = |number: u64, of: &'static str, index: usize, count: usize| -> Result<(), ReadError> {
@@ -106,7 +106,7 @@ impl File<'_> {
             let place = format!("#{number}");
             let values = self.simple(number, "ITEM_DEFINED_TRANSFORMATION")?;
             if value(&values, 2, &place)? != value(&values, 3, &place)? {
-                return Err(ReadError::unsupported("a product that is moved", place));
+                return Err(ReadError::unsupported("a product that is placed with a transformation", place));
             }
         }
         Ok(())
@@ -132,7 +132,7 @@ impl File<'_> {
         let values = self.simple(product, "PRODUCT")?;
         let name = text(value(&values, 1, &place)?, &place)?;
         if text(value(&values, 0, &place)?, &place)? != name {
-            return Err(ReadError::unsupported("a product with a number that is not its name", place));
+            return Err(ReadError::unsupported("a product whose number differs from its name", place));
         }
         Ok(name)
     }
@@ -152,11 +152,11 @@ impl File<'_> {
             } else if is("PLANE_ANGLE_UNIT") {
                 let name = value(entity(&instance, "SI_UNIT", &place)?, 1, &place)?;
                 if enumeration(name, &place)? != "RADIAN" {
-                    return Err(ReadError::unsupported("angles that are not in radians", place));
+                    return Err(ReadError::unsupported("angles not in radians", place));
                 }
             }
         }
-        length.ok_or_else(|| ReadError::syntax(place, "a context without a unit of length"))
+        length.ok_or_else(|| ReadError::syntax(place, "a context without a length unit"))
     }
 
     /// A metric unit, or one that is said in a metric one.

@@ -78,7 +78,7 @@ impl<'a> File<'a> {
 
     fn direction(&self, number: u64) -> Result<Vec3, ReadError> {
         let v: Vec3 = self.triple(number, "DIRECTION")?.into();
-        v.unit().ok_or_else(|| ReadError::syntax(format!("#{number}"), "a direction is zero"))
+        v.unit().ok_or_else(|| ReadError::syntax(format!("#{number}"), "a direction is the zero vector"))
     }
 
     fn composite(&self, number: u64) -> Result<CurveChain, ReadError> {
@@ -170,7 +170,7 @@ impl<'a> File<'a> {
         let most = points.len() as f64 + degree + 1.0;
         let whole = multiplicities.iter().all(|m| (0.0..=most).contains(m));
         if !(degree >= 1.0 && degree < most && whole && multiplicities.iter().sum::<f64>() <= most) {
-            return Err(ReadError::syntax(place, "degree, points and knot multiplicities do not fit"));
+            return Err(ReadError::syntax(place, "degree, control points and knot multiplicities are inconsistent"));
         }
         let repeated = breaks.iter().zip(&multiplicities).flat_map(|(&k, &m)| std::iter::repeat_n(k, m as usize));
         NurbsCurve::new(degree as usize, repeated.collect(), points, weights)

@@ -86,7 +86,7 @@ impl File<'_> {
         let place = format!("#{edge}");
         let values = self.simple(edge, "EDGE_CURVE")?;
         if !logical(value(&values, 4, &place)?, &place)? {
-            return Err(ReadError::unsupported("an edge against its curve", place));
+            return Err(ReadError::unsupported("an edge opposite to its curve", place));
         }
         let part = |i: usize| reference(value(&values, i, &place)?, &place);
         let vertices = [part(1)?, part(2)?];
@@ -109,7 +109,7 @@ impl File<'_> {
         let place = format!("#{number}");
         let values = self.simple(number, "SURFACE_CURVE")?;
         if enumeration(value(&values, 3, &place)?, &place)? != "CURVE_3D" {
-            return Err(ReadError::unsupported("an edge whose curve in space is not the leading one", place));
+            return Err(ReadError::unsupported("an edge whose master representation is not the space curve", place));
         }
         for curve in references(value(&values, 2, &place)?, &place)? {
             let place = format!("#{curve}");
@@ -119,7 +119,7 @@ impl File<'_> {
                 let items = self.simple(definition, "DEFINITIONAL_REPRESENTATION")?;
                 let items = references(value(&items, 1, &place)?, &place)?;
                 let [item] = items[..] else {
-                    return Err(ReadError::unsupported("several curves in the parameters of a surface", place));
+                    return Err(ReadError::unsupported("several parameter curves on one surface", place));
                 };
                 return self.b_spline(&self.instance(item)?, item).map(Some);
             }
@@ -210,7 +210,7 @@ impl File<'_> {
         // One Bézier span: the degrees are one less than the rows and columns.
         let degrees = [rows.len().saturating_sub(1), (homogeneous.len() / rows.len().max(1)).saturating_sub(1)];
         if [degree(0)?, degree(1)?].map(f64::to_bits) != degrees.map(|degree| (degree as f64).to_bits()) {
-            return Err(ReadError::unsupported("a surface of several spans", place));
+            return Err(ReadError::unsupported("a surface with several spans", place));
         }
         RationalBezierSurface::new(degrees, homogeneous).map_err(|source| ReadError::Geometry { place, source })
     }
