@@ -34,7 +34,7 @@ from OCP.TopoDS import TopoDS
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "foreign"))
-from step_modelling import quiet  # noqa: E402
+from step_modeling import quiet  # noqa: E402
 
 RADIUS = 0.4
 

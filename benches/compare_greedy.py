@@ -2,7 +2,7 @@
 
     .venv/bin/python benches/compare_greedy.py FILE.csv [TOLERANCE]      default examples/survey.csv 0.05
 
-The chain is what a script does: tangents of the circles through three neighbours, and from each joint the farthest point
+The chain is what a script does: tangents of the circles through three neighbors, and from each joint the farthest point
 to which one biarc keeps all points between within the tolerance (the length is doubled, then halved). The points are read
 as a closed planar curve; both distances are those of the points. The counts are printed, not the times.
 """
@@ -30,7 +30,7 @@ def read(path):
 
 
 def tangents(p):
-    """Of the circles through each point and its neighbours: the chords, each weighted with the other's square."""
+    """Of the circles through each point and its neighbors: the chords, each weighted with the other's square."""
     before, after = p - np.roll(p, 1), np.roll(p, -1) - p
     t = before / abs(before) ** 2 + after / abs(after) ** 2
     return t / abs(t)

@@ -3,7 +3,7 @@
     python3 benches/growth.py [--kinds K,...] [--formats F,...] [--sizes N,...] [--net-sizes N,...]
                               [--seconds T] [--gigabytes G] [--program FILE] [--keep FOLDER]
 
-Curves: a closed wave of constant wavelength round a circle that grows with the number of points, so that neighbours stay
+Curves: a closed wave of constant wavelength round a circle that grows with the number of points, so that neighbors stay
 a unit apart and each piece of curve looks the same at every size. Nets: n by n quads of a torus, which have circles as they
 are, and of a shallow roof, whose vertices `make_circular` moves; edges stay a unit long, and the surfaces grow with n. Each
 file is made in a run of its own of the built program, with a limit of processor time and of address space; what goes beyond

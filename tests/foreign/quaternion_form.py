@@ -201,7 +201,7 @@ def three_point_tangent(a, b, c):
 
 
 def arc_spline(points, closed=False, tangents=None, rule="equal-d"):
-    """One biarc per span; estimated tangents are those of the circles through three neighbours."""
+    """One biarc per span; estimated tangents are those of the circles through three neighbors."""
     p = np.asarray(points, float)
     n = len(p)
     if tangents is None:

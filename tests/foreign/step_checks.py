@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-import step_modelling as modelling
+import step_modeling as modeling
 from quaternion_form import cross
 from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_VERTEX
 from step_faces import Edge, angle, distinct
@@ -67,7 +67,7 @@ def structure(step, closed):
 
 
 def normals_across_joints(users, creases=0):
-    """The largest angle between the normals of neighbours at five places of their edges, but for this number of creases."""
+    """The largest angle between the normals of neighbors at five places of their edges, but for this number of creases."""
     angles = []
     for group in users:
         if len(group) == 2:
@@ -130,12 +130,12 @@ def assert_cuts(step, own, *tools, judged=True):
     """OpenCASCADE cuts the solid, of this volume, with each tool (a solid in its box), fuses and intersects it: valid shapes whose
     volumes add up. Whether its faces meet between their edges is judged too, which takes longest: for one solid of a kind."""
     if judged:
-        assert modelling.faults(step.shape) == []
+        assert modeling.faults(step.shape) == []
     for make_tool in tools:
-        tool, volume, _ = make_tool(*modelling.box(step))
-        found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
-        assert all(modelling.valid(shape) for shape in found.values())
-        cut, fused, common = (modelling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
+        tool, volume, _ = make_tool(*modeling.box(step))
+        found = {kind: make(step.shape, tool).Shape() for kind, make in modeling.OPERATIONS.items()}
+        assert all(modeling.valid(shape) for shape in found.values())
+        cut, fused, common = (modeling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
         assert 0 < common < own
         assert cut + common == pytest.approx(own, rel=CUT_LIMIT)
         assert fused - cut == pytest.approx(volume, rel=CUT_LIMIT)

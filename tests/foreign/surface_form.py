@@ -178,7 +178,7 @@ def residuals(grid):
 
 
 def line_tangent(line, k):
-    """Unit tangent at a point of a line of points: of the circle through it and its neighbours, at an end the next two."""
+    """Unit tangent at a point of a line of points: of the circle through it and its neighbors, at an end the next two."""
     first = min(max(k - 1, 0), len(line) - 3)
     if len(line) == 2:
         return unit(line[1] - line[0])

@@ -85,7 +85,7 @@ def side_nodes(patch, side):
     return patch.net.take(-end, axis).reshape(-1, 4)
 
 
-def test_neighbours_share_corners_knots_and_control_points(program, tmp_path):
+def test_neighbors_share_corners_knots_and_control_points(program, tmp_path):
     """Layers round a closed tube: nothing hangs loose, and what is shared is the same on both sides."""
     mesh, xml, _ = built(program, tmp_path, NUMBERS["layers"]["document"])
     order = [0, 1, 3, 2, 4, 5, 7, 6]

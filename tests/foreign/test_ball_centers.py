@@ -13,7 +13,7 @@ from OCP.STEPControl import STEPControl_Reader
 from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE
 from OCP.TopoDS import TopoDS
 
-import step_modelling as modelling
+import step_modeling as modeling
 from rolling_balls import off_pipe
 from test_step_crossing import axes, pipe
 from test_step_torus_spline import explored
@@ -41,7 +41,7 @@ def centers(request, program, tmp_path_factory):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
     report = json.loads(program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split", "--json"))
     reader = STEPControl_Reader()
-    with modelling.quiet():
+    with modeling.quiet():
         reader.ReadFile(str(folder / "m.step"))
         reader.TransferRoots()
     shape = reader.OneShape()

@@ -54,7 +54,7 @@ def test_audit_finds_and_fixes_nothing(drawing):
     assert [str(f.message) for f in audit.fixes] == []
 
 
-def test_units_are_labelled(built, drawing):
+def test_units_are_labeled(built, drawing):
     codes = {"in": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6}
     assert drawing.header["$INSUNITS"] == codes[built.units]
     assert drawing.header["$ACADVER"] == "AC1015"

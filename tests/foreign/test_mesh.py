@@ -266,10 +266,10 @@ def test_glb_stands_upright_in_metres(build):
 
 def test_the_validator_finds_faults(build, tmp_path):
     """The judge itself: a wrong bound is an error."""
-    path, _ = build("glb-spoilt", "glb", {"patch": PATCH})
+    path, _ = build("glb-spoiled", "glb", {"patch": PATCH})
     data = path.read_bytes()
     at = data.index(b'"max":[') + len(b'"max":[')
     digit = next(i for i in range(at, len(data)) if data[i : i + 1].isdigit())
-    spoilt = tmp_path / "spoilt.glb"
-    spoilt.write_bytes(data[:digit] + (b"1" if data[digit : digit + 1] != b"1" else b"2") + data[digit + 1 :])
-    assert validate(spoilt)[0]["errors"] > 0
+    spoiled = tmp_path / "spoiled.glb"
+    spoiled.write_bytes(data[:digit] + (b"1" if data[digit : digit + 1] != b"1" else b"2") + data[digit + 1 :])
+    assert validate(spoiled)[0]["errors"] > 0

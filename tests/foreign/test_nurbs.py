@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
-import step_modelling as modelling
+import step_modeling as modeling
 
 CURVE = {
     "type": "nurbs",
@@ -146,7 +146,7 @@ def test_stations_are_the_integral_of_the_speed(program, model):
 
 def read_edges(path):
     reader = STEPControl_Reader()
-    with modelling.quiet():
+    with modeling.quiet():
         reader.ReadFile(str(path))
         reader.TransferRoots()
     search = TopExp_Explorer(reader.OneShape(), TopAbs_EDGE)

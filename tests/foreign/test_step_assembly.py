@@ -15,7 +15,7 @@ from OCP.XCAFApp import XCAFApp_Application
 from OCP.XCAFDoc import XCAFDoc_ColorType, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from step_faces import distinct
-from step_modelling import quiet
+from step_modeling import quiet
 
 AWKWARD = "it's 5° \\ é中😀 #1; \"''"
 OBJECTS = {

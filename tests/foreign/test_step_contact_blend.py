@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
@@ -60,7 +60,7 @@ def test_blends_are_one_closed_solid_and_tangent_along_contacts(blend):
     step, fields, report = blend
     _, users = structure(step, closed=True)
     assert len(step.solids) == 1 and step.exactly_valid
-    assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()
+    assert max(gap for gap, _ in modeling.departures(step)) <= 1e-12 * step.size()
     assert len(step.shells) == (2 if fields.get("ends") == "closed" else 1)
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
     smooth, contacts, creases = smooth_edges(users, strips(fields))
@@ -96,14 +96,14 @@ def test_normals_of_the_strip_meet_in_centres_of_balls_that_touch_both(blend):
 
 def test_a_node_is_cut_fused_and_sectioned(program, tmp_path):
     step, fields, report = made(program, tmp_path, BLENDS["strut"])
-    assert_cuts(step, report["volume"], modelling.slab, judged=False)
+    assert_cuts(step, report["volume"], modeling.slab, judged=False)
     # A plate into which the sphere sinks by 8.
     plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -50), gp_Pnt(70, 60, -32)).Shape()
     fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
-    assert modelling.valid(fused)
+    assert modeling.valid(fused)
     common = math.pi * 8**2 * (40 - 8 / 3)
-    assert modelling.volume(fused) == pytest.approx(report["volume"] + 130 * 110 * 18 - common, rel=1e-6)
-    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert modeling.volume(fused) == pytest.approx(report["volume"] + 130 * 110 * 18 - common, rel=1e-6)
+    section = modeling.wire_points(modeling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
 
 
@@ -122,21 +122,21 @@ def test_solids_of_every_pair_are_cut_rounded_and_sectioned(name, program, tmp_p
     assert len(step.solids) == 1 and step.exactly_valid
     tube = {face.kind for face in step.faces if face.kind in ("cylinder", "cone")}
     assert tube == {name.split()[0]}
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill, judged=name != "cylinder and sphere")
+    assert_cuts(step, report["volume"], modeling.slab, modeling.drill, judged=name != "cylinder and sphere")
     # The ends of tubes: all edges of one circle at once, as somebody would round them.
     _, users = structure(step, closed=True)
-    rim = [edge for edge in modelling.creases(users) if at_end(edge, PAIRS[name])]
+    rim = [edge for edge in modeling.creases(users) if at_end(edge, PAIRS[name])]
     make = BRepFilletAPI_MakeFillet(step.shape)
     for edge in rim:
         make.Add(1.0, edge)
-    with modelling.quiet():
+    with modeling.quiet():
         make.Build()
-    assert make.IsDone() and modelling.valid(make.Shape())
+    assert make.IsDone() and modeling.valid(make.Shape())
     # The corner that a fillet of 1 takes off the rim: less than its square round it.
-    taken = report["volume"] - modelling.volume(make.Shape())
+    taken = report["volume"] - modeling.volume(make.Shape())
     assert 0 < taken < 2 * math.pi * PAIRS[name]["tube"]["radius"]
-    low, high = modelling.box(step)
-    section = modelling.wire_points(modelling.section(step.shape, 0.5 * (low + high), (0.3, 1, 0.1)))
+    low, high = modeling.box(step)
+    section = modeling.wire_points(modeling.section(step.shape, 0.5 * (low + high), (0.3, 1, 0.1)))
     assert len(section) > 0 and abs((section - 0.5 * (low + high)) @ [0.3, 1, 0.1]).max() < 1e-6
 
 
@@ -155,8 +155,8 @@ def test_rings_are_solids_of_analytic_surfaces_and_are_cut(name, program, tmp_pa
     assert kinds == ({"torus", "plane", "cylinder"} if name == "plate" else {"torus", "sphere"})
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
     # Smooth but for both circles of the rim of a plate, in quarters.
-    assert len(modelling.creases(users)) == (8 if name == "plate" else 0)
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+    assert len(modeling.creases(users)) == (8 if name == "plate" else 0)
+    assert_cuts(step, report["volume"], modeling.slab, modeling.drill)
 
 
 def at_end(edge, fields):

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
@@ -140,7 +140,7 @@ def test_crossings_are_one_closed_solid_and_tangent_along_contacts(crossing):
     assert all(lens and cones and on_a_cone(face, spec, step.size()) for face in others)
     assert cones == any(face.kind == "cone" for face in step.faces)
     # The caps of cones are rational faces that come to a point, where the reader finds the parameter of an edge to less.
-    assert max(gap for gap, _ in modelling.departures(step)) <= (1e-9 if lens and cones else 1e-12) * step.size()
+    assert max(gap for gap, _ in modeling.departures(step)) <= (1e-9 if lens and cones else 1e-12) * step.size()
     assert len(step.shells) == (2 if spec.get("ends") == "closed" or (lens and spec.get("wall")) else 1)
     assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
@@ -151,20 +151,20 @@ def test_crossings_are_one_closed_solid_and_tangent_along_contacts(crossing):
 
 def test_a_crossing_of_cones_is_cut(program, tmp_path):
     step, _, report = made(program, tmp_path, *CROSSINGS["cone askew"])
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modeling.slab)
 
 
 def test_a_crossing_is_cut_fused_and_sectioned(program, tmp_path):
     step, spec, report = made(program, tmp_path, [20, 20], 30, 8, {})
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modeling.slab)
     # A plate under the first pipe, into which it sinks.
     plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -40), gp_Pnt(70, 50, -15)).Shape()
     fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
-    assert modelling.valid(fused)
+    assert modeling.valid(fused)
     half = np.arccos(15 / 20)
     common = 130 * 20**2 * (half - np.sin(half) * np.cos(half))
-    assert modelling.volume(fused) == pytest.approx(report["volume"] + 130 * 100 * 25 - common, rel=1e-6)
-    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert modeling.volume(fused) == pytest.approx(report["volume"] + 130 * 100 * 25 - common, rel=1e-6)
+    section = modeling.wire_points(modeling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
 
 
@@ -172,7 +172,7 @@ def test_a_crossing_is_cut_fused_and_sectioned(program, tmp_path):
 def test_what_is_rounded_outside_is_cut(program, tmp_path, name):
     radii, distance, blend, fields = CROSSINGS[name]
     step, _, report = made(program, tmp_path, radii, distance, blend, {**fields, "tolerance": 0.1})
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modeling.slab)
 
 
 def test_random_crossings_are_valid(program, tmp_path):

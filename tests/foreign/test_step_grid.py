@@ -11,7 +11,7 @@ from OCP.STEPControl import STEPControl_Reader
 from OCP.TopAbs import TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 
-import step_modelling as modelling
+import step_modeling as modeling
 
 A, MU = 40.0, [14.0, 17.0, 20.0]
 GRID = {"type": "cyclide-grid", "whole": {"a": A, "mu": MU, "segments": [4, 4]}}
@@ -41,7 +41,7 @@ def read(program, folder, objects, outer):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
     program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
-    with modelling.quiet():
+    with modeling.quiet():
         reader.ReadFile(str(folder / "m.step"))
         reader.TransferRoots()
     return reader.OneShape()

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from reference_objects import reported_area
 from step_checks import NORMAL_LIMIT, assert_area, assert_cuts, assert_points, assert_volume, nearest, normals_across_joints, structure
@@ -215,7 +215,7 @@ def test_upright_pipes_are_analytic(solid):
 @pytest.mark.parametrize("name", ["duct", "ring"])
 def test_solids_are_cut(name, solid):
     step, report = solid({**NECKS, **BRIDGES}[name])
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modeling.slab)
 
 
 @pytest.mark.parametrize("side, variant, degrees", [("outside", "vertical", 88.8), ("inside", "pipe", 86), ("inside", "vertical", 89)])

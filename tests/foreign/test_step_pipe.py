@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from step_checks import NORMAL_LIMIT, assert_area, assert_cuts, assert_points, assert_volume, nearest, normals_across_joints, structure
 from step_faces import StepFaces
@@ -111,8 +111,8 @@ def test_pipes_are_what_pappus_says(pipe):
 
 def test_pipes_are_cut_and_measured(pipe):
     step, *_ = pipe
-    assert_cuts(step, modelling.volume(step.shape), modelling.slab)
-    low, high = modelling.box(step)
-    middle = modelling.section(step.shape, 0.5 * (low + high), (0.0, 0.0, 1.0))
-    points = modelling.wire_points(middle)
+    assert_cuts(step, modeling.volume(step.shape), modeling.slab)
+    low, high = modeling.box(step)
+    middle = modeling.section(step.shape, 0.5 * (low + high), (0.0, 0.0, 1.0))
+    points = modeling.wire_points(middle)
     assert len(points) > 0 and np.abs(points[:, 2] - 0.5 * (low + high)[2]).max() < 1e-6

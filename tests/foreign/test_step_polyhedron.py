@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from step_checks import NORMAL_LIMIT, assert_area, assert_cuts, assert_points, assert_volume, normals_across_joints, structure
 from step_faces import StepFaces
@@ -107,7 +107,7 @@ def test_solids_have_the_measures_of_steiner(name, rounded):
 def test_solids_are_at_their_radius_and_cut(name, rounded):
     step, report = rounded(name)
     assert_points(step, step.size(), located(*CUT[name]))
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill, judged=name == "small hull")
+    assert_cuts(step, report["volume"], modeling.slab, modeling.drill, judged=name == "small hull")
 
 
 def test_a_large_hull_has_the_measures_of_steiner(program, tmp_path):

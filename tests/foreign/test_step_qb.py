@@ -11,7 +11,7 @@ from OCP.TopAbs import TopAbs_EDGE
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from step_reader import StepFile
 
@@ -133,11 +133,11 @@ def edges(program, folder, objects):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
     program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
-    with modelling.quiet():
+    with modeling.quiet():
         reader.ReadFile(str(folder / "m.step"))
         reader.TransferRoots()
     shape = reader.OneShape()
-    assert modelling.valid(shape)
+    assert modeling.valid(shape)
     search, found = TopExp_Explorer(shape, TopAbs_EDGE), []
     while search.More():
         found.append(BRep_Tool.Curve_s(TopoDS.Edge(search.Current()), 0.0, 1.0))

@@ -10,7 +10,7 @@ from OCP.GProp import GProp_GProps
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from reference_objects import reported_area
 from step_checks import NORMAL_LIMIT, assert_area, assert_cuts, assert_points, assert_volume, normals_across_joints, structure
@@ -123,7 +123,7 @@ def test_a_part_of_a_turn_has_ends(revolved):
 def test_solids_are_cut(name, revolved):
     profile = {"vase": VASE["objects"]["profile"], "spindle": SPINDLE}[name]
     step, report, _ = revolved(profile, {})
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+    assert_cuts(step, report["volume"], modeling.slab, modeling.drill)
 
 
 SWINGING = {
@@ -142,7 +142,7 @@ def test_faces_are_such_that_readers_integrate_them(name, revolved):
         measure = GProp_GProps()
         BRepGProp.SurfaceProperties_s(step.shape, measure, accuracy)
         assert measure.Mass() == pytest.approx(report["area"], rel=limit)
-    assert modelling.volume(step.shape) == pytest.approx(report["volume"], rel=2e-7)
+    assert modeling.volume(step.shape) == pytest.approx(report["volume"], rel=2e-7)
 
 
 def green(points):
@@ -174,12 +174,12 @@ SECTIONS = {
     "u": ("polyline", [U], [green(U)]),
     "comb": ("polyline", [COMB], [green(COMB)]),
     "tube": ("arc-spline", [ring(20, 6), ring(20, 5)], [disk(20, 6), disk(20, 5)]),
-    "excentric": ("arc-spline", [ring(20, 6), ring(21, 4.8)], [disk(20, 6), disk(21, 4.8)]),
+    "eccentric": ("arc-spline", [ring(20, 6), ring(21, 4.8)], [disk(20, 6), disk(21, 4.8)]),
     "box": ("polyline", [square(20, 8), square(20, 7)], [green(square(20, 8)), green(square(20, 7))]),
 }
 
 
-@pytest.mark.parametrize("name, angle", [("u", 1.0), ("comb", -5.0), ("tube", 1.0), ("excentric", -5.0), ("box", 5.0)])
+@pytest.mark.parametrize("name, angle", [("u", 1.0), ("comb", -5.0), ("tube", 1.0), ("eccentric", -5.0), ("box", 5.0)])
 def test_parts_of_turns_are_solids(name, angle, program, tmp_path):
     """Contours that no point sees whole, and tubes: valid, closed, with the volume of Pappus and planar ends; cut and fused."""
     word, contours, moments = SECTIONS[name]
@@ -204,4 +204,4 @@ def test_parts_of_turns_are_solids(name, angle, program, tmp_path):
     assert ends == pytest.approx(2 * (moments[0][0] - sum(a for a, _ in moments[1:])), rel=1e-9)
     assert_area(step, reported_area([report]))
     if angle == 1.0:  # the others have the same faces in more sectors
-        assert_cuts(step, report["volume"], modelling.slab)
+        assert_cuts(step, report["volume"], modeling.slab)

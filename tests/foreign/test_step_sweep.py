@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from step_faces import StepFaces
 
 LINE = {"type": "polyline", "points": [[0, 0, 0], [0, 0, 100]], "construction": True}
@@ -55,7 +55,7 @@ def test_bodies_along_paths_are_valid_solids_of_the_right_volume(name, program, 
     program("build", tmp_path / "b.json", "-o", tmp_path / "b.step")
     step = StepFaces(tmp_path / "b.step")
     assert len(step.solids) == 1 and step.exactly_valid
-    assert modelling.volume(step.shape) == pytest.approx(volume(path), rel=within)
+    assert modeling.volume(step.shape) == pytest.approx(volume(path), rel=within)
     if path is LINE:
-        low, high = modelling.box(step)
+        low, high = modeling.box(step)
         assert low[2] == pytest.approx(0, abs=1e-6) and high[2] == pytest.approx(100, abs=1e-6)

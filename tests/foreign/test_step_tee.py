@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 
-import step_modelling as modelling
+import step_modeling as modeling
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
@@ -122,7 +122,7 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
     tapered = any("taper" in pipe for pipe in [spec["main"], *spec["branches"]])
     kinds = {face.kind for face in step.faces if not is_blend(face)}
     assert {"plane", "cylinder"} <= kinds and kinds - {"plane", "cylinder"} == ({"cone"} if tapered else set())
-    assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()
+    assert max(gap for gap, _ in modeling.departures(step)) <= 1e-12 * step.size()
     assert len(step.shells) == (2 if spec.get("ends") == "closed" else 1)
     assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
@@ -136,20 +136,20 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
 def test_equal_tees_are_cut_and_fused(name, program, tmp_path):
     branches, fields = TEES[name]
     step, _, report = made(program, tmp_path, MAIN, branches, fields)
-    assert_cuts(step, report["volume"], modelling.slab, judged=False)
+    assert_cuts(step, report["volume"], modeling.slab, judged=False)
     fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()).Shape()
-    assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
+    assert modeling.valid(fused) and modeling.volume(fused) > report["volume"]
 
 
 @pytest.mark.parametrize("name", CROSSES)
 def test_crosses_are_cut_fused_and_sectioned(name, program, tmp_path):
     branches, fields = TEES[name]
     step, _, report = made(program, tmp_path, MAIN, branches, fields)
-    assert_cuts(step, report["volume"], modelling.slab, judged=name == "equal cross")
+    assert_cuts(step, report["volume"], modeling.slab, judged=name == "equal cross")
     # A plate beside the main pipe, into which flanks and branches sink.
     fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, 25, -45), gp_Pnt(80, 45, 40)).Shape()).Shape()
-    assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
-    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert modeling.valid(fused) and modeling.volume(fused) > report["volume"]
+    section = modeling.wire_points(modeling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
 
 
@@ -181,17 +181,17 @@ def upright(program, tmp_path_factory):
 
 def test_a_tee_is_cut_fused_and_sectioned(upright):
     step, _, report = upright
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modeling.slab)
     # A plate under the main pipe, into which it sinks.
     plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()
     fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
-    assert modelling.valid(fused)
-    volume = modelling.volume(fused)
+    assert modeling.valid(fused)
+    volume = modeling.volume(fused)
     # The part of the pipe in the plate is a segment of its circle, 5 high, over the length of the plate.
     half = math.acos(25 / 30)
     common = 140 * 30**2 * (half - math.sin(half) * math.cos(half))
     assert volume == pytest.approx(report["volume"] + 140 * 100 * 20 - common, rel=1e-6)
-    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    section = modeling.wire_points(modeling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
 
 

@@ -13,7 +13,7 @@ from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
-import step_modelling as modelling
+import step_modeling as modeling
 
 A, B = 40.0, 12.0
 CENTER, AXIS = np.array([5.0, -3.0, 2.0]), np.array([1.0, 2.0, 2.0]) / 3.0
@@ -40,7 +40,7 @@ def read(program, folder, objects):
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
     program("build", folder / "m.json", "-o", folder / "m.step", "--step-faces", "split")
     reader = STEPControl_Reader()
-    with modelling.quiet():
+    with modeling.quiet():
         reader.ReadFile(str(folder / "m.step"))
         reader.TransferRoots()
     return reader.OneShape()
@@ -61,7 +61,7 @@ def curve(request, program, tmp_path_factory):
 
 def test_curves_lie_on_the_torus_of_the_same_file(curve):
     name, shape = curve
-    assert modelling.valid(shape) and len(list(explored(shape, TopAbs_SOLID))) == 1
+    assert modeling.valid(shape) and len(list(explored(shape, TopAbs_SOLID))) == 1
     for face in explored(shape, TopAbs_FACE):
         surface = BRepAdaptor_Surface(TopoDS.Face(face))
         assert surface.GetType() == GeomAbs_Torus
@@ -113,15 +113,15 @@ def test_seams_are_fused_and_cut(program, tmp_path):
     line = {"type": "torus-spline", "torus": "ring", "angles": {"degrees": [[10, 20], [40, 60]]}, "construction": True}
     seam = {"type": "torus-seam", "of": "line", "width": 3, "height": [-1, 1], "tolerance": 0.05}
     shape = read(program, tmp_path, {"ring": RING, "line": line, "seam": seam})
-    ring, seam = sorted(explored(shape, TopAbs_SOLID), key=modelling.volume, reverse=True)
-    assert modelling.valid(shape) and not modelling.faults(seam)
+    ring, seam = sorted(explored(shape, TopAbs_SOLID), key=modeling.volume, reverse=True)
+    assert modeling.valid(shape) and not modeling.faults(seam)
     volumes = {}
-    for word, operation in modelling.OPERATIONS.items():
+    for word, operation in modeling.OPERATIONS.items():
         made = operation(ring, seam)
         made.Build()
-        assert modelling.valid(made.Shape()) and len(list(explored(made.Shape(), TopAbs_SOLID))) == 1, word
-        volumes[word] = modelling.volume(made.Shape())
-    own = [modelling.volume(ring), modelling.volume(seam)]
+        assert modeling.valid(made.Shape()) and len(list(explored(made.Shape(), TopAbs_SOLID))) == 1, word
+        volumes[word] = modeling.volume(made.Shape())
+    own = [modeling.volume(ring), modeling.volume(seam)]
     # The tolerance of intersections, 1e-7 of 12 mm or so, along 100 mm of borders.
     assert abs(volumes["fuse"] + volumes["common"] - sum(own)) < 1e-4
     assert abs(volumes["cut"] + volumes["common"] - own[0]) < 1e-4

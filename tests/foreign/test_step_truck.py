@@ -10,7 +10,7 @@ import pytest
 
 from conftest import ROOT, program_path
 from step_checks import EDGES
-from test_step_modelling import SOLIDS, document, total
+from test_step_modeling import SOLIDS, document, total
 
 # truck merges points that are 5e-5 apart: it is given models of tens of millimetres.
 NAMES = ("ring", "inverted_torus", "handle", "thick patch", "thick ring", "thick cylinder", "thick cone", "thick part of a torus")

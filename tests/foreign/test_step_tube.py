@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-import step_modelling as modelling
+import step_modeling as modeling
 from step_checks import NORMAL_LIMIT, assert_cuts, normals_across_joints, structure
 from step_faces import StepFaces
 
@@ -40,7 +40,7 @@ def test_tubes_are_closed_solids_with_the_measures_of_the_report(tube):
     size, users = structure(step, closed=True)
     assert len(step.solids) == 1 and step.exactly_valid
     assert {face.kind for face in step.faces} == kinds
-    assert modelling.volume(step.shape) == pytest.approx(report["volume"], rel=1e-8)
+    assert modeling.volume(step.shape) == pytest.approx(report["volume"], rel=1e-8)
     assert step.area() == pytest.approx(report["total_area"] if "total_area" in report else report["area"], rel=1e-8)
     # The spline is approximated by arcs here, whose curvature jumps: faces of a changing radius meet in an angle there (docs/math/tubes.md, creases).
     assert normals_across_joints(users, creases) <= (5e-3 if fields is TUBES["horn"][1] else NORMAL_LIMIT)
@@ -48,10 +48,10 @@ def test_tubes_are_closed_solids_with_the_measures_of_the_report(tube):
 
 def test_tubes_are_cut_and_sectioned(tube):
     step, _, fields, *_ = tube
-    assert_cuts(step, modelling.volume(step.shape), modelling.slab, judged=fields != TUBES["horn"][1])
-    low, high = modelling.box(step)
-    middle = modelling.section(step.shape, 0.5 * (low + high), (1.0, 0.0, 0.0))
-    points = modelling.wire_points(middle)
+    assert_cuts(step, modeling.volume(step.shape), modeling.slab, judged=fields != TUBES["horn"][1])
+    low, high = modeling.box(step)
+    middle = modeling.section(step.shape, 0.5 * (low + high), (1.0, 0.0, 0.0))
+    points = modeling.wire_points(middle)
     assert len(points) > 0 and np.abs(points[:, 0] - 0.5 * (low + high)[0]).max() < 1e-6
 
 

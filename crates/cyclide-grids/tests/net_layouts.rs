@@ -205,7 +205,7 @@ fn layers_share_faces_across_pieces() {
 
 /// Cells fit across pieces if they are at the same places on the sides that meet: else nodes are the blocks' own, and it is told.
 #[test]
-fn unlike_cells_do_not_fit_turned_neighbours() {
+fn unlike_cells_do_not_fit_turned_neighbors() {
     let net = made(&cap(5, 4, |x, y| -0.3 * (x * x + y * y)));
     let grids = CyclideGrid::layers_of_layout(&net, &[0.0, 0.05]).unwrap();
     let blocks: Vec<CyclideVolume> = grids.iter().flat_map(CyclideGrid::blocks).collect();

@@ -212,8 +212,8 @@ fn fair_fits_take_their_options_and_keep_their_certificate() {
     let (_, start) = fit(", \"fix_ends\": true");
     assert_eq!(start, Point3::new(10.02, 0.0, 0.0));
     // In the middle of the points: the distances are those of the points from the circle, 0.02.
-    let (centred, _) = fit(", \"centre\": 1");
-    assert!(centred.rms < free.rms && centred.rms < 0.021);
+    let (centered, _) = fit(", \"centre\": 1");
+    assert!(centered.rms < free.rms && centered.rms < 0.021);
     let (many, _) = fit(", \"nodes\": 6, \"max_fits\": 3, \"budget\": 0.5, \"polyline\": 2");
     assert!(many.nodes >= free.nodes);
 }
@@ -624,7 +624,7 @@ fn arcs_of_arcs_are_themselves() {
     let spatial = format!(r#"{{"type": "arc-spline", "closed": true, "points": [{points}]}}"#);
     let made = of(&spatial, r#""tolerance": 1e-7"#).unwrap();
     assert_eq!(made[0].0, made[1].0);
-    // Neighbours of one circle are still one arc.
+    // Neighbors of one circle are still one arc.
     let halves = r#"{"type": "biarc", "from": [1, 0], "to": [-1, 0], "from_tangent": [0, 1], "to_tangent": [0, -1]}"#;
     let one = of(halves, r#""tolerance": 1e-6"#).unwrap();
     assert_eq!(one.iter().map(|(curve, _)| curve.as_curve().piece_count()).collect::<Vec<_>>(), [2, 1]);

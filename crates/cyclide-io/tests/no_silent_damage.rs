@@ -258,7 +258,7 @@ fn offsets_beyond_the_focal_set_say_how_far_they_can_go() {
     for near in [-0.999, 0.5, 1.99] {
         assert!(offset(near).remarks.is_empty(), "{near}");
     }
-    // Outwards the inner half of the ring has centres of curvature, 2 and farther away.
+    // Outwards the inner half of the ring has centers of curvature, 2 and farther away.
     let outwards = offset(2.5);
     let Some(cyclide::Warning::Net(NetWarning::BeyondFocalSet { radius, count, .. })) = outwards.remarks[0].warning
     else {

@@ -210,7 +210,7 @@ fn single_precision_is_taken_for_what_it_is() {
     assert!(rounded.moved > 0.0 && rounded.moved < 2e-5, "{}", rounded.moved);
 }
 
-/// A building in metres of a map, in an STL file: single precision has steps of 3 cm there, and the walls are cut into faces lower than what
+/// A building in meters of a map, in an STL file: single precision has steps of 3 cm there, and the walls are cut into faces lower than what
 /// counts as flat.
 #[test]
 fn walls_in_low_triangles_far_from_the_origin_stay_walls() {

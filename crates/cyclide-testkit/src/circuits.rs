@@ -1,10 +1,10 @@
-//! Closed curves as point lists, in the shapes that tempt an arc fit: circuits of several kilometres sampled every five
-//! metres, with survey noise, hairpins, chicanes and corners; the same thinned; outlines. The same set at every call.
+//! Closed curves as point lists, in the shapes that tempt an arc fit: circuits of several kilometers sampled every five
+//! meters, with survey noise, hairpins, chicanes and corners; the same thinned; outlines. The same set at every call.
 
 use cyclide::{Point2, Point3, Vec2};
 use std::f64::consts::TAU;
 
-/// Distance of neighbouring samples of a circuit, metres.
+/// Distance of neighboring samples of a circuit, meters.
 const SPACING: f64 = 5.0;
 
 /// A named closed point list; the first point is not repeated.

@@ -31,7 +31,7 @@ pub fn point() -> impl Strategy<Value = Point3> {
 }
 
 /// A point near another one: at a random place, nearby, or a few units in the last place away (possibly equal).
-pub fn neighbour(of: Point3) -> impl Strategy<Value = Point3> {
+pub fn neighbor(of: Point3) -> impl Strategy<Value = Point3> {
     let ulps = (-4_i8..=4, -4_i8..=4, -4_i8..=4).prop_map(move |(i, j, k)| {
         let [x, y, z] = of.to_array();
         Point3::new(stepped(x, i), stepped(y, j), stepped(z, k))
@@ -48,7 +48,7 @@ fn stepped(x: f64, steps: i8) -> f64 {
 
 /// Three points: general, nearly collinear, or close together; scaled, possibly far from the origin.
 pub fn three_points() -> impl Strategy<Value = [Point3; 3]> {
-    let general = point().prop_flat_map(|a| (Just(a), neighbour(a), neighbour(a))).prop_map(|(a, b, c)| [a, b, c]);
+    let general = point().prop_flat_map(|a| (Just(a), neighbor(a), neighbor(a))).prop_map(|(a, b, c)| [a, b, c]);
     let flat = (point(), point(), -1.0..2.0, direction(), decades(-17.0..-2.0)).prop_map(|(a, c, t, d, h)| {
         let b: Point3 = a.lerp(c, t) + d * h;
         [a, b, c]

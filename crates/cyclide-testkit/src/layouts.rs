@@ -54,7 +54,7 @@ pub fn ball(k: usize, bulge: f64) -> QuadLayout {
         let (axis, up) = (side / 2, side % 2 == 0);
         for q in 0..k * k {
             let corner = |a: usize, b: usize| {
-                // Equal angles between the planes through the centre.
+                // Equal angles between the planes through the center.
                 let t = [a, b].map(|c| ((c as f64 / k as f64 - 0.5) * TAU / 4.0).tan());
                 let mut p = [0.0; 3];
                 p[axis] = if up { 1.0 } else { -1.0 };
@@ -70,7 +70,7 @@ pub fn ball(k: usize, bulge: f64) -> QuadLayout {
     mesh.layout()
 }
 
-/// A plane of 5 x 5 quads of which two neighbours are a pentagon and a triangle, divided three times and smoothed: two vertices of three
+/// A plane of 5 x 5 quads of which two neighbors are a pentagon and a triangle, divided three times and smoothed: two vertices of three
 /// quads and two of five.
 #[must_use]
 pub fn pair(height: impl Fn(f64, f64) -> f64) -> QuadLayout {
@@ -115,7 +115,7 @@ fn divided(points: &mut Vec<[f64; 2]>, faces: &[Vec<usize>]) -> Vec<Vec<usize>> 
     quads
 }
 
-/// Inner vertices moved to the middle of their neighbours, again and again.
+/// Inner vertices moved to the middle of their neighbors, again and again.
 fn smooth(points: &mut [[f64; 2]], quads: &[Vec<usize>]) {
     let mut next = vec![Vec::new(); points.len()];
     for quad in quads {

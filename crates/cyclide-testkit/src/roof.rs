@@ -9,7 +9,7 @@ const AXIS: (f64, f64) = (44.0, 0.62);
 /// Half the angle of an arch.
 const ARCH: f64 = 1.2;
 
-/// A point of the roof in metres, `u` along and `v` across, both in `[-1, 1]`.
+/// A point of the roof in meters, `u` along and `v` across, both in `[-1, 1]`.
 ///
 /// Arches stand across an arc in plan. Their span and height change along the hall, it swells towards one end, and the
 /// crowns lean out over both entrances. Arches and lengthwise lines are near the curvature lines, as a designer
@@ -28,7 +28,7 @@ pub fn roof_point(u: f64, v: f64) -> Point3 {
     Point3::new((radius - across) * sine, radius - (radius - across) * cosine, height * share)
 }
 
-/// The roof with `faces` times `faces` quads, coordinates rounded to a millimetre as drawings have them.
+/// The roof with `faces` times `faces` quads, coordinates rounded to a millimeter as drawings have them.
 ///
 /// # Panics
 /// If `faces` is 0.

@@ -6,13 +6,13 @@ use std::fmt::Write;
 
 use crate::attack::Random;
 
-/// Noise of the scanner, millimetres.
+/// Noise of the scanner, millimeters.
 const NOISE: f64 = 0.04;
 
 /// Points and triangles of a mesh.
 pub type Mesh = (Vec<Point3>, Vec<[usize; 3]>);
 
-/// A place of the stone in millimetres, by a direction: an egg with a hollow on its upper side.
+/// A place of the stone in millimeters, by a direction: an egg with a hollow on its upper side.
 fn place(v: Vec3) -> Vec3 {
     let off = v - Vec3::new(-0.35, 0.1, 0.93);
     let hollow = 11.0 * (-4.0 * off.length_squared()).exp();
@@ -29,7 +29,7 @@ fn place(v: Vec3) -> Vec3 {
 pub fn scan(count: usize) -> Mesh {
     let mut random = Random::new(11, count as u64);
     let golden = PI * (3.0 - 5.0_f64.sqrt());
-    // About a tenth of the distance between neighbours.
+    // About a tenth of the distance between neighbors.
     let jitter = 0.35 / (count as f64).sqrt();
     let directions: Vec<Vec3> = (0..count)
         .map(|k| {
@@ -52,7 +52,7 @@ fn random_vector(random: &mut Random) -> Vec3 {
     Vec3::new(random.normal(), random.normal(), random.normal())
 }
 
-/// The scan as PLY text, coordinates in hundredths of a millimetre.
+/// The scan as PLY text, coordinates in hundredths of a millimeter.
 #[must_use]
 pub fn scan_ply(count: usize) -> String {
     let (points, triangles) = scan(count);

@@ -1,6 +1,6 @@
 //! How fast and how fair are fair fits: reads points (`x,y` or `x,y,z` per line) from a file, prints JSON.
 //!
-//! `cargo run --release --example fair_fit_time -- points.csv closed 0.4 0` fits within 0.4 with centre 0. It is the
+//! `cargo run --release --example fair_fit_time -- points.csv closed 0.4 0` fits within 0.4 with center 0. It is the
 //! half of `benches/compare_fits.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 

@@ -1,4 +1,4 @@
-//! `cyclide`: a geometric-modelling kernel whose primitive is the circle.
+//! `cyclide`: a geometric-modeling kernel whose primitive is the circle.
 //!
 //! Curves and surfaces are made of circles and are exact: an [`Arc`] is two points and one quaternion, a [`CyclidePatch`]
 //! four points and one frame. A circle spline in its rational variant is a rational curve, a patch a rational surface:

@@ -35,7 +35,7 @@ pub struct ShapeChange {
     pub normal_turn: Option<f64>,
     /// The turn of the normals, rms over the vertices, radians.
     pub turn: f64,
-    /// The part of the surface, 0 to 1, in whose neighbourhood less than half of the input's relief is left.
+    /// The part of the surface, 0 to 1, in whose neighborhood less than half of the input's relief is left.
     pub lost_relief: f64,
     /// Mean angle of the input's grid lines to its curvature lines, in `[0, pi/4]`, radians, weighted by how much the
     /// principal curvatures differ; `None` for surfaces that are nearly flat, or flat but for noise.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// A number as people write it: five digits, without an exponent from a thousandth to ten millions, else three digits and
-/// an exponent; zeros at the end are left out. With `{:#}` all digits that tell it from its neighbours. For messages and
+/// an exponent; zeros at the end are left out. With `{:#}` all digits that tell it from its neighbors. For messages and
 /// reports, not for files.
 ///
 /// ```

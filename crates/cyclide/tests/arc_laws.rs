@@ -180,7 +180,7 @@ proptest! {
     fn inversions_keep_the_parameter_and_map_the_weight(case in tame_arc(), d in direction(), distance in 0.2..3.0_f64) {
         let extent = case.arc.chord().length() * case.condition;
         let o = case.arc.point_at_length(0.5) + d * (distance * extent);
-        // Centres off the arc by a tenth of its size, or the image is too large to compare.
+        // Centers off the arc by a tenth of its size, or the image is too large to compare.
         prop_assume!(case.arc.closest_point(o).distance > 0.1 * extent);
         let map = Mobius::inversion(o, extent).unwrap();
         let image = case.arc.transformed(&map).unwrap();
@@ -267,7 +267,7 @@ fn nearly_full_circles_are_refused_with_their_limit() {
 
 #[test]
 fn images_below_rounding_are_segments() {
-    // Of radius 1e-12 at 1, brought to where coordinates are 8: the centre would be the same doubles as the points.
+    // Of radius 1e-12 at 1, brought to where coordinates are 8: the center would be the same doubles as the points.
     let small = Arc::from_center(Point3::new(1.0, 2.0, 0.0), Vec3::Z, Point3::new(1.0 + 1e-15, 2.0, 0.0), 3.0).unwrap();
     let moved = small.transformed(&Mobius::translation(Vec3::new(7.0, 0.5, 0.0)).unwrap()).unwrap();
     assert!(moved.is_straight() && moved.center().is_none());

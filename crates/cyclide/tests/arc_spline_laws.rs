@@ -6,7 +6,7 @@ use cyclide::{
     Arc, ArcError, ArcPath, ArcSplineOptions, Biarc, BiarcRule, Error, NumberError, ParamCurve, Point3, PointError,
     Vec3,
 };
-use cyclide_testkit::generators::{direction, neighbour, point, scale, three_points};
+use cyclide_testkit::generators::{direction, neighbor, point, scale, three_points};
 use proptest::prelude::*;
 
 fn angle(u: Vec3, v: Vec3) -> f64 {
@@ -178,7 +178,7 @@ proptest! {
     #[test]
     fn splines_pass_the_points_and_are_g1(
         points in prop::collection::vec(point(), 3..8),
-        close in point().prop_flat_map(|p| (Just(p), neighbour(p))),
+        close in point().prop_flat_map(|p| (Just(p), neighbor(p))),
         s in scale(),
         closed: bool,
         rule in rule(),

@@ -29,7 +29,7 @@ fn within(off: f64, limit: f64, what: &str) -> Checked {
 }
 
 /// A face is kept as a principal patch if it is one to 1e-13 of its size, which is twice that of the data at most.
-const RECOGNISED: f64 = 2e-13;
+const RECOGNIZED: f64 = 2e-13;
 
 /// Grid of places on a face.
 fn grid() -> impl Iterator<Item = (f64, f64)> {
@@ -246,7 +246,7 @@ fn config(cases: u32) -> ProptestConfig {
 proptest! {
     #![proptest_config(config(40))]
 
-    /// Whole turns have their meridian everywhere; the volume is the area times the way of its centre, of parts the part of it that the angle is; the image of data
+    /// Whole turns have their meridian everywhere; the volume is the area times the way of its center, of parts the part of it that the angle is; the image of data
     /// gives the image of the body.
     #[test]
     fn revolutions_have_their_meridian_and_the_volume_of_pappus(
@@ -351,7 +351,7 @@ proptest! {
 proptest! {
     #![proptest_config(config(60))]
 
-    /// The ball that touches the pipe in the first point of an arc touches the plate in its last one; all of the arc is on it. The envelope is across the way of the centres,
+    /// The ball that touches the pipe in the first point of an arc touches the plate in its last one; all of the arc is on it. The envelope is across the way of the centers,
     /// the other variant in planes along the axis. Both have the normals of pipe and plate along their borders.
     #[test]
     fn necks_are_on_the_balls_in_the_corner(slope in slope(), ball in decades(-4.0, 1.0), inside in any::<bool>(), upright in any::<bool>(), thick in any::<bool>(), frame in frame()) {
@@ -375,20 +375,20 @@ proptest! {
         prop_assert!(body.is_solid() == thick && !(folds && thick));
         let axis = Vec3::new(0.0, slope.sin(), cos);
         let across = Vec3::new(0.0, cos, -slope.sin());
-        // The way of the centres, from the cylinder about the axis and the plane in which they are.
+        // The way of the centers, from the cylinder about the axis and the plane in which they are.
         let centre = |u: f64| {
             let out = (Vec3::X * u.cos() + across * u.sin()) * q;
             Point3::ORIGIN + out + axis * ((ball - out.z) / cos)
         };
         let reach = (1.0 + ball) / cos;
-        // Coordinates grow with the slope; the centre is off by as much, or by the turn of a normal of the pipe times the radius of the ball.
+        // Coordinates grow with the slope; the center is off by as much, or by the turn of a normal of the pipe times the radius of the ball.
         let unit = frame.unit(4.0 * reach);
-        let limit = 32.0 * unit * (1.0 + ball) + RECOGNISED * reach;
+        let limit = 32.0 * unit * (1.0 + ball) + RECOGNIZED * reach;
         let blends = body.outer.faces().iter().filter(|face| match &face.surface {
             // All others are ruled.
             FaceSurface::Rational(surface) => surface.degrees()[1] == 2,
             // The torus of a ball that is small beside the pipe is not told from other cyclides.
-            FaceSurface::Cyclide(patch) => matches!(patch.recognise(), PatchKind::Torus { .. } | PatchKind::Cyclide),
+            FaceSurface::Cyclide(patch) => matches!(patch.recognize(), PatchKind::Torus { .. } | PatchKind::Cyclide),
         });
         let mut count = 0;
         for (face, s) in blends.flat_map(|face| PLACES.map(|s| (face, s))) {
@@ -494,7 +494,7 @@ proptest! {
             let reach = line.iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
             for p in line {
                 // As of the surface; arcs of nearly full circles are fifty chords wide.
-                let limit = (64.0 * frame.unit(2.0 + reach) + RECOGNISED * (2.0 + reach)) * (1.0 + (p - line[0]).length() / c.length()).powi(2);
+                let limit = (64.0 * frame.unit(2.0 + reach) + RECOGNIZED * (2.0 + reach)) * (1.0 + (p - line[0]).length() / c.length()).powi(2);
                 within(off_circle(c, way, p - line[0]), limit, "circle of a face")?;
             }
         }
@@ -564,7 +564,7 @@ proptest! {
                 let [from, to] = if rail.distance(on_first[0]) < rail.distance(on_second[1]) { on_first } else { on_second };
                 let (middle, half) = (from.midpoint(to), 0.5 * from.distance(to));
                 // The direction of the chord is known by its end: of ellipses a hundred times as long as they are wide to so much less.
-                let limit = (64.0 * unit + RECOGNISED) * (first[0] + first[1] + 4.0) / axes[0];
+                let limit = (64.0 * unit + RECOGNIZED) * (first[0] + first[1] + 4.0) / axes[0];
                 for p in line {
                     within((p.distance(middle) - half).abs(), limit, "half circle of a face")?;
                     within((p - middle).dot(Vec3::new(from.y - to.y, to.x - from.x, 0.0) / half).abs(), limit, "upright face")?;

@@ -116,7 +116,7 @@ fn the_bridge_of_circles_is_analytic() {
     let body = EllipseBridge::new([3.0, 3.0], [1.0, 1.0]).unwrap().body(Some(2.0)).unwrap();
     let mut kinds: Vec<&str> = Vec::new();
     for face in body.outer.faces() {
-        kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognise) {
+        kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognize) {
             Some(PatchKind::Torus { .. }) => "torus",
             Some(PatchKind::Cylinder { .. }) => "cylinder",
             Some(PatchKind::Plane { .. }) => "plane",

@@ -75,7 +75,7 @@ fn tubes_on_plates_are_solids() {
     }
 }
 
-/// The canals: faces of degree 2 across whose normals meet in centres of balls.
+/// The canals: faces of degree 2 across whose normals meet in centers of balls.
 fn canals(body: &Body, degree: usize) -> Vec<(&RationalBezierSurface, f64)> {
     let faces = body.outer.faces().iter();
     let rational = faces.filter_map(|face| match &face.surface {
@@ -116,7 +116,7 @@ fn ten_thousand_points_are_on_balls_that_touch_both() {
         for (surface, sense) in canals {
             for i in 0..=16 {
                 let s = f64::from(i) / 16.0;
-                // The envelope of balls that touch a plane or a sphere: the first normal gives centre and radius.
+                // The envelope of balls that touch a plane or a sphere: the first normal gives center and radius.
                 let at = |t: f64| (surface.point(s, t), surface.unit_normal(s, t) * sense);
                 let (p, n) = at(0.0);
                 let touches = |r: f64| match base {
@@ -200,7 +200,7 @@ fn an_upright_boss_has_the_volume_of_its_profile() {
     assert!((blend.made().unwrap().body.outer.volume() / wanted - 1.0).abs() < 1e-10);
 }
 
-/// Over a plane the centres are on an ellipse with the half axes `L/sin α` and L about the tube, L = r + R: it bends with the radius `L sin α` at its ends, where the arc
+/// Over a plane the centers are on an ellipse with the half axes `L/sin α` and L about the tube, L = r + R: it bends with the radius `L sin α` at its ends, where the arc
 /// passes the direction towards the tube, between the places of any grid.
 #[test]
 fn balls_up_to_the_bend_of_their_way_are_accepted_and_others_fold() {
@@ -307,7 +307,7 @@ fn the_canal_of_contacts_touches_both_surfaces() {
     assert_eq!(CanalPatch::at_contacts(&contacts, &normals, below).unwrap_err().reason(), "no-positive-radius");
 }
 
-/// Over a plane below, and over a sphere of radius 2 about this centre.
+/// Over a plane below, and over a sphere of radius 2 about this center.
 fn assert_touches_both([contacts, normals]: &[RationalBezier; 2], center: Point3) {
     for partner in [
         ContactPartner::Plane { normal: Vec3::new(0.2, -0.1, 3.0), offset: -1.0 },
@@ -340,7 +340,7 @@ fn assert_touches_both([contacts, normals]: &[RationalBezier; 2], center: Point3
     }
 }
 
-/// A tube whose wall comes near to the sphere on the far side of its centre, with a small ball: the contacts are nearly one point, on nearly one plane.
+/// A tube whose wall comes near to the sphere on the far side of its center, with a small ball: the contacts are nearly one point, on nearly one plane.
 #[test]
 fn a_tube_that_all_but_touches_the_sphere_from_inside_is_blended() {
     let through = Point3::new(0.43022944031001903, 0.0, 0.0);
@@ -396,7 +396,7 @@ proptest! {
     }
 }
 
-/// Centres are a ball's radius from the tube, and from the sphere or the plane.
+/// Centers are a ball's radius from the tube, and from the sphere or the plane.
 #[test]
 fn centres_are_a_path() {
     let strut = |through, direction: [f64; 3]| tube(through, direction, 1.0, 0.0);

@@ -412,7 +412,7 @@ fn frames_do_not_turn_over_where_they_were_kept() {
     ];
     let spline = spline_of(&points, false).unwrap();
     let frames = CurveFrames::new(&spline, &FrameRule::rotation_minimizing()).unwrap();
-    // Fractions of 2 and of 10, of which many are kept, and their neighbours.
+    // Fractions of 2 and of 10, of which many are kept, and their neighbors.
     for i in 0..=1280 {
         for t in [f64::from(i) / 1280.0, f64::from(i) / 1280.0 + 1e-15, f64::from(i) / 1280.0 - 1e-15] {
             let [frame, near] = [t, t - 1e-6].map(|t| frames.at(t).unwrap());

@@ -76,7 +76,7 @@ fn the_pipe_variant_is_at_the_radius_from_the_way_of_the_ball_and_has_its_normal
                 let way = arc.point(t) - m;
                 if variant == NeckVariant::Pipe {
                     assert!((way.length() - 0.8).abs() < 1e-13 / slope.cos(), "{slope} {angle} {t}");
-                    // Across the way of the centre; its direction is known to the square of the step.
+                    // Across the way of the center; its direction is known to the square of the step.
                     assert!(way.dot(along).abs() < 1e-8 * along.length(), "{slope} {angle} {t}");
                 } else {
                     // In a plane along the axis.
@@ -110,14 +110,14 @@ fn bodies(neck: &NeckBlend, side: NeckSide) -> Vec<Body> {
 }
 
 #[test]
-fn neighbours_are_tangent_along_the_contacts() {
+fn neighbors_are_tangent_along_the_contacts() {
     for (neck, slope, side, variant) in necks() {
         for body in bodies(&neck, side) {
             let edges = body.outer.faces_along_edges();
             let is_neck = |face: usize| match &body.outer.faces()[face].surface {
                 // Of far leaning pipes with even arcs.
                 FaceSurface::Rational(surface) => [[4, 2], [6, 2]].contains(&surface.degrees()),
-                FaceSurface::Cyclide(patch) => matches!(patch.recognise(), PatchKind::Torus { .. }),
+                FaceSurface::Cyclide(patch) => matches!(patch.recognize(), PatchKind::Torus { .. }),
             };
             let mut contacts = 0;
             for along in edges.iter().filter(|along| along.len() == 2) {
@@ -158,7 +158,7 @@ fn solids_of_upright_pipes_have_the_volumes_of_pappus() {
             assert!(body.is_solid());
             body.outer.known_volume().unwrap()
         };
-        // The corner outside a quarter of a disk: its area, and the distance of its centre from the axis.
+        // The corner outside a quarter of a disk: its area, and the distance of its center from the axis.
         let corner = ball * ball * (1.0 - 0.25 * PI);
         let moment =
             ball * ball * (pipe + 0.5 * ball) - 0.25 * PI * ball * ball * (pipe + ball - 4.0 * ball / (3.0 * PI));
@@ -273,7 +273,7 @@ fn large_balls_fold_outer_necks_and_are_warned_of() {
                     let surface = neck.surface(from, from + FRAC_PI_2).unwrap();
                     for (i, j) in (0..=40).flat_map(|i| (0..=40).map(move |j| (i, j))) {
                         let (s, t) = (f64::from(i) / 40.0, f64::from(j) / 40.0);
-                        // Seen along the way from the ball's centre the surface runs counter-clockwise outside, clockwise inside.
+                        // Seen along the way from the ball's center the surface runs counter-clockwise outside, clockwise inside.
                         let jet = surface.jet(s, t);
                         let half = 0.25 * PI;
                         let angle = from + 2.0 * (s * half.sin()).atan2(1.0 - s + s * half.cos());
@@ -347,7 +347,7 @@ fn upright_pipes_have_analytic_faces() {
     let kinds = |body: &Body| {
         let mut kinds: Vec<&str> = Vec::new();
         for face in body.outer.faces() {
-            kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognise) {
+            kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognize) {
                 Some(PatchKind::Torus { .. }) => "torus",
                 Some(PatchKind::Cylinder { .. }) => "cylinder",
                 Some(PatchKind::Plane { .. }) => "plane",

@@ -68,7 +68,7 @@ prop_compose! {
 }
 
 proptest! {
-    /// Knot insertion is a mean of neighbours: rounding of the largest coordinate, a few per insertion; ratios of weights up to 25.
+    /// Knot insertion is a mean of neighbors: rounding of the largest coordinate, a few per insertion; ratios of weights up to 25.
     #[test]
     fn clamped_curve_is_the_definition((degree, knots, points, weights) in spline()) {
         let curve = NurbsCurve::clamped(degree, knots.clone(), points.clone(), weights.clone()).unwrap();
@@ -143,7 +143,7 @@ fn circle_through_an_inversion_is_a_circle() {
         let p = image.point(f64::from(i) / 100.0);
         assert!((p.distance(Point3::new(2.625, 0.0, 0.0)) - 0.125).abs() < 1e-14);
     }
-    // Through the centre of a similar map it is a straight line; on the circle it is refused.
+    // Through the center of a similar map it is a straight line; on the circle it is refused.
     let inversion = Mobius::inversion(Point3::new(1.0, 0.0, 0.0), 1.0).unwrap();
     let error = circle().transformed(&inversion).unwrap_err();
     assert!(matches!(error, Error::Point(PointError::AtInfinity { what: ErrorItem::Curve, .. })), "{error:?}");

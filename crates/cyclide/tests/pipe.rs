@@ -1,4 +1,4 @@
-//! Pipes about chains of arcs and segments: closed forms of their volume and area, joints, mitres, closed runs, and what is refused.
+//! Pipes about chains of arcs and segments: closed forms of their volume and area, joints, miters, closed runs, and what is refused.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
@@ -39,7 +39,7 @@ fn off_tube(shell: &Shell, spine: &ArcPath, radius: f64) -> f64 {
     faces.map(|p| (spine.closest_point(p).distance - radius).abs()).fold(0.0, f64::max)
 }
 
-/// The largest angle between the normals of neighbours.
+/// The largest angle between the normals of neighbors.
 fn kink(body: &Body) -> f64 {
     body.shells().flat_map(surface_joints).map(|joint| joint.angle).fold(0.0, f64::max)
 }
@@ -73,7 +73,7 @@ fn a_run_has_the_measures_of_pappus() {
 #[test]
 fn faces_are_tori_cylinders_planes_and_spheres() {
     let kind = |face: &cyclide::ShellFace| match &face.surface {
-        FaceSurface::Cyclide(patch) => match patch.recognise() {
+        FaceSurface::Cyclide(patch) => match patch.recognize() {
             PatchKind::Torus { major_radius, minor_radius, .. } => {
                 assert!((major_radius - 15.0).abs() < 1e-9 && (minor_radius - 6.0).abs() < 1e-9);
                 "torus"
@@ -103,7 +103,7 @@ fn corners_of_segments_are_mitred() {
         [at(0.0, 0.0, 0.0), at(50.0, 0.0, 0.0), at(50.0, 40.0, 0.0), at(20.0, 70.0, 30.0), at(20.0, 70.0, 90.0)];
     let spine = ArcPath::rounded_polyline(&points, false, &[0.0; 5]).unwrap();
     let body = Pipe::new(5.0).unwrap().body(&spine).unwrap();
-    // What a mitre cuts off on the inner side it adds on the outer one.
+    // What a miter cuts off on the inner side it adds on the outer one.
     assert!(body.is_solid());
     assert!((body.outer.volume() / (PI * 25.0 * spine.length()) - 1.0).abs() < 1e-12);
     // Each face is on the cylinder of its segment.
@@ -122,7 +122,7 @@ fn corners_of_segments_are_mitred() {
         let spine = ArcPath::rounded_polyline(points, false, &vec![0.0; points.len()]).unwrap();
         Pipe::new(radius).unwrap().body(&spine).unwrap_err()
     };
-    // A step that is shorter than the pipe is wide: the mitres cross.
+    // A step that is shorter than the pipe is wide: the miters cross.
     let step = [at(0.0, 0.0, 0.0), at(50.0, 0.0, 0.0), at(50.0, 9.0, 0.0), at(0.0, 9.0, 0.0)];
     assert_eq!(refused(&step, 5.0).reason(), "mitre-does-not-fit");
     assert_eq!(refused(&[at(0.0, 0.0, 0.0), at(50.0, 0.0, 0.0), at(0.0, 1.0, 0.0)], 5.0).reason(), "corner-not-mitred");
@@ -161,7 +161,7 @@ fn closed_runs_close() {
 
 #[test]
 fn mitred_closed_frames_close() {
-    // A crooked quadrilateral of four segments: every section is a mitre, one segment is twisted.
+    // A crooked quadrilateral of four segments: every section is a miter, one segment is twisted.
     let points = [at(0.0, 0.0, 0.0), at(60.0, 0.0, 10.0), at(70.0, 50.0, -20.0), at(-10.0, 40.0, 30.0)];
     let spine = ArcPath::rounded_polyline(&points, true, &[0.0; 4]).unwrap();
     let body = Pipe::new(4.0).unwrap().body(&spine).unwrap();
@@ -223,7 +223,7 @@ fn bends_fit_or_are_refused() {
     assert!(circle.arcs().len() == 4 && (circle.length() - 2.0 * PI).abs() < 1e-14);
 }
 
-/// The spike of a sharp mitre reaches far beyond the balls about the spine, the rim of a slanted end half as far.
+/// The spike of a sharp miter reaches far beyond the balls about the spine, the rim of a slanted end half as far.
 #[test]
 fn spikes_and_rims_that_run_into_the_pipe_are_found() {
     let body = |points: &[[f64; 3]], bend: f64, radius: f64| {

@@ -81,7 +81,7 @@ fn kinds(body: &Body) -> [usize; 3] {
     for face in body.outer.faces() {
         let kind = match &face.surface {
             FaceSurface::Cyclide(patch) => {
-                assert!(matches!(patch.recognise(), PatchKind::Cylinder { outward: true, .. }));
+                assert!(matches!(patch.recognize(), PatchKind::Cylinder { outward: true, .. }));
                 1
             }
             FaceSurface::Rational(surface) => usize::from(surface.degrees() == [2, 4]) * 2,

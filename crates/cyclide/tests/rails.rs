@@ -65,10 +65,10 @@ fn arcs_that_fold_over_in_their_plane_are_refused() {
     assert_eq!(Body::circular([&line[0], &line[1]], &[Vec3::X], false).unwrap_err().reason(), "arcs-cross");
 }
 
-/// Rails in planes that hold all neighbours of the arc at 0, where both run along one direction: neighbours come through the cylinder
+/// Rails in planes that hold all neighbors of the arc at 0, where both run along one direction: neighbors come through the cylinder
 /// over it, and then through its plane.
 #[test]
-fn arcs_that_touch_their_neighbours_are_refused() {
+fn arcs_that_touch_their_neighbors_are_refused() {
     let rail = |y: f64, z: f64| cubic([[0.0, y, 0.0], [1.0, y, 0.0], [2.0, y, z], [3.0, y, 3.0 * z]]);
     let both = |tangent: Vec3| Body::circular([&[rail(0.0, 1.0)], &[rail(20.0, 1.0)]], &[tangent], false);
     assert!(both(Vec3::new(1.0, 1.0, 0.0)).is_ok());

@@ -31,7 +31,7 @@ fn strip(a: f64, b: f64, top: f64, angle: f64) -> RationalBezierSurface {
 }
 
 fn is_cylinder(surface: &RationalBezierSurface) -> bool {
-    matches!(surface.recognise(), PatchKind::Cylinder { .. })
+    matches!(surface.recognize(), PatchKind::Cylinder { .. })
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn parts_of_the_pipes_of_a_tee_are_cylinders_wherever_they_are() {
         let placed = tee.transformed(&map).expect("an image");
         let mut found = [0, 0];
         for surface in rational(&placed) {
-            let kind = surface.recognise();
+            let kind = surface.recognize();
             let PatchKind::Cylinder { frame, radius, outward } = kind else {
                 assert!(matches!(kind, PatchKind::Plane { .. }) || surface.degrees() == [12, 2], "{kind:?}");
                 continue;
@@ -97,9 +97,9 @@ fn planes_are_planes_and_weights_have_to_be_positive() {
         vec![[0.0, 0.0, 2.0, 1.0], [0.0, 2.0, 4.0, 2.0], [1.0, 0.0, 2.0, 1.0], [1.0, 1.0, 2.0, 1.0]],
     )
     .expect("a surface");
-    assert!(matches!(flat.recognise(), PatchKind::Plane { .. }));
+    assert!(matches!(flat.recognize(), PatchKind::Plane { .. }));
     // More than half a turn: the middle weight is negative.
-    assert_eq!(strip(2.0, 2.0, 1.0, 3.5).recognise(), PatchKind::Cyclide);
+    assert_eq!(strip(2.0, 2.0, 1.0, 3.5).recognize(), PatchKind::Cyclide);
 }
 
 /// A conical strut on a ball: parts of a cone between a contact of high degree and a circle, and canals.
@@ -125,7 +125,7 @@ fn parts_of_cones_are_cones_wherever_they_are() {
             let placed = shell.transformed(&map).expect("an image");
             let mut found = 0;
             for surface in rational(&placed).filter(|surface| surface.degrees()[1] == 1) {
-                let kind = surface.recognise();
+                let kind = surface.recognize();
                 let PatchKind::Cone { frame, radius, half_angle, outward } = kind else { continue };
                 found += 1;
                 // Angles of strips that turn by tenths lose the square of that of the digits of their coordinates.
@@ -150,7 +150,7 @@ fn parts_of_cones_are_cones_wherever_they_are() {
 
 #[test]
 fn what_is_near_a_cone_only_is_none() {
-    let is_cone = |surface: &RationalBezierSurface| matches!(surface.recognise(), PatchKind::Cone { .. });
+    let is_cone = |surface: &RationalBezierSurface| matches!(surface.recognize(), PatchKind::Cone { .. });
     assert!(is_cone(&strip(2.0, 2.0, 1.5, 2.5)) && is_cone(&strip(2.0, 2.0, 0.5, 2.5)));
     for off in [1e-9, 1e-6, 0.1] {
         assert!(!is_cone(&strip(2.0, 2.0 * (1.0 + off), 1.5, 2.5)), "elliptic, {off}");

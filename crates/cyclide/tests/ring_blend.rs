@@ -73,7 +73,7 @@ fn a_ring_on_a_plate_has_the_volume_of_its_profile() {
     assert!((on_plate(ring(a, b, h), r).unwrap().body.outer.volume() / wanted - 1.0).abs() < 1e-9);
 }
 
-/// In the half plane of the axis: a point on the skin with its normal leads to the centre of a ball that touches both, or lies on one of both.
+/// In the half plane of the axis: a point on the skin with its normal leads to the center of a ball that touches both, or lies on one of both.
 #[test]
 fn every_point_is_on_the_ring_the_sphere_or_a_ball_that_touches_both() {
     let (a, b, h, sphere, ball) = (20.0_f64, 6.0_f64, 18.0_f64, 30.0_f64, 2.0_f64);

@@ -78,7 +78,7 @@ fn gaps_and_angles_are_those_of_dense_samples() {
     let mesh = make_circular(&before, &CircularMeshOptions::default(), &mut |_| {}).unwrap();
     let net = CyclidicNet::new(mesh.grid, NetFrame::Auto).unwrap();
     let measure = net.measure_seam(before.seams()[0]).unwrap();
-    // Cut open, the sides of the seam go their own ways: by about half a metre of 120.
+    // Cut open, the sides of the seam go their own ways: by about half a meter of 120.
     assert!(measure.gap > 0.1, "{measure:?}");
     let border = |column: usize, s: f64| -> Vec<(Point3, cyclide::Vec3)> {
         let rows = (0..net.size()[1]).map(|row| net.patch(column, row));

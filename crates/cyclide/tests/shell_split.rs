@@ -162,7 +162,7 @@ fn a_singular_patch_is_cut_at_its_singular_points() {
 }
 
 #[test]
-fn neighbours_are_cut_together() {
+fn neighbors_are_cut_together() {
     // A torus of radii 5 and 2 over arcs of 166 and 63 degrees: both faces of the wide column are halved.
     let (th, ps) = ([0.0_f64, 2.9, 4.0], [0.2_f64, 1.0, 2.0]);
     let at = |th: f64, ps: f64| {
@@ -217,7 +217,7 @@ fn the_parts_of_cuts_follow_the_faces() {
     let halves = CutShell::from(Shell::from_surface(bent()).unwrap()).halved(|_, _| [true, false], 1).unwrap();
     let [a, b] = halves.parts() else { panic!("{:?}", halves.parts()) };
     assert_eq!((a.s[0], a.s[1], b.s[1], a.t, b.t), (0.0, b.s[0], 1.0, [0.0, 1.0], [0.0, 1.0]));
-    // The second half alone is halved along t, and its neighbour with it.
+    // The second half alone is halved along t, and its neighbor with it.
     let corner = halves.shell().faces()[1].surface.corners()[1];
     let quarters = halves.clone().halved(|_, face| [false, face.surface.corners()[1] == corner], 1).unwrap();
     let places: Vec<([f64; 2], f64)> = quarters.parts().iter().map(|part| (part.s, part.t[0])).collect();

@@ -292,7 +292,7 @@ fn spheres_cancel_if_the_origin_is_between_their_angles() {
         // They do so where the error says, to the margin.
         assert!(sum(|v| v.0).hypot(sum(|v| v.1)) < 1e-4, "{torn:?}");
     }
-    // Next to it no blend is torn: the normals of neighbouring places differ by little.
+    // Next to it no blend is torn: the normals of neighboring places differ by little.
     for whole in [[0.0, 90.0, 179.5], [0.0, 89.0, -90.0], [0.0, 100.0, 179.0]] {
         let patch = leaning(whole).unwrap();
         let n = 4000;
@@ -309,7 +309,7 @@ fn spheres_cancel_if_the_origin_is_between_their_angles() {
     }
 }
 
-/// The plane turned over goes to infinity in its circumcentre alone: across other places it is as smooth as elsewhere.
+/// The plane turned over goes to infinity in its circumcenter alone: across other places it is as smooth as elsewhere.
 #[test]
 fn only_the_circumcentre_goes_to_infinity() {
     assert_eq!(leaning([180.0; 3]).unwrap_err().reason(), "patch-through-infinity");

@@ -1,4 +1,4 @@
-//! Laws of structured grids: rows agree with places one by one, neighbours share nodes, cells are right (`docs/math/volumes.md#structured-grids`).
+//! Laws of structured grids: rows agree with places one by one, neighbors share nodes, cells are right (`docs/math/volumes.md#structured-grids`).
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 

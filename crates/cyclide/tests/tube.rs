@@ -18,7 +18,7 @@ fn volume(body: &Body) -> f64 {
     body.outer.volume() + body.voids.iter().map(|void| void.volume()).sum::<f64>()
 }
 
-/// Neighbours share their edges with the parameter, and tangent planes but at the rims of plane ends.
+/// Neighbors share their edges with the parameter, and tangent planes but at the rims of plane ends.
 fn is_sewn(body: &Body, gap: f64) -> bool {
     let sewn =
         |shell| surface_joints(shell).iter().all(|joint| joint.gap < gap && (joint.angle < 1e-9 || joint.angle > 0.5));
@@ -142,7 +142,7 @@ fn closed_tubes_in_space_come_round() {
 
 #[test]
 fn a_ring_of_balls_is_a_whole_cyclide() {
-    // Four balls of a Dupin ring: centres on a circle here, radii linear in x, is a circle of balls.
+    // Four balls of a Dupin ring: centers on a circle here, radii linear in x, is a circle of balls.
     let place = |angle: f64| {
         let (x, y) = (5.0 * angle.cos(), 4.0 * angle.sin());
         ball([x, y, 0.0, 1.5 + 0.6 * angle.cos()])
@@ -265,7 +265,7 @@ fn tubes_along_splines_are_within_their_bound() {
     }
 }
 
-/// On the plane end of a tube: nearer to the first or the last centre than to the skin.
+/// On the plane end of a tube: nearer to the first or the last center than to the skin.
 fn is_end(p: Point3, balls: &[Ball]) -> bool {
     [balls.first(), balls.last()].into_iter().flatten().any(|b| p.distance(b.center) < 0.99 * b.radius)
 }
@@ -318,7 +318,7 @@ fn long_thin_tubes_that_cross_themselves_are_refused() {
     assert!(Tube::first_meeting(&[rod(0.0, false), rod(2.01e-5, true)]).is_none());
 }
 
-/// Neighbours are told by the radii between: a thin end that comes back to a thick one is none, and balls of a steep cone, which overlap, are.
+/// Neighbors are told by the radii between: a thin end that comes back to a thick one is none, and balls of a steep cone, which overlap, are.
 /// A way that crosses itself has the distance 0 from itself, however thin the tube.
 #[test]
 fn tubes_that_cross_themselves_are_told_where() {

@@ -1,5 +1,5 @@
 //! Blocks with sides of one point, given by their corners: wedges about an axis, shells to the pole of a sphere, parts of balls.
-//! A corner that follows is on its neighbour then, bit for bit, and lines stand still there exactly.
+//! A corner that follows is on its neighbor then, bit for bit, and lines stand still there exactly.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::float_cmp, reason = "what stands still does so exactly")]
@@ -129,7 +129,7 @@ proptest! {
         prop_assert_eq!(points(&block), [2, 0, 0]);
     }
 
-    /// Parts of balls from a meridian to another one: four corners at the centre, two at the pole.
+    /// Parts of balls from a meridian to another one: four corners at the center, two at the pole.
     #[test]
     fn parts_of_balls_are_solids(place in place(), angle in 0.3..3.0_f64, latitude in -0.5..1.0_f64) {
         let at = |[inwards, round, up]: [f64; 3]| {
@@ -145,7 +145,7 @@ proptest! {
     }
 }
 
-/// Corners that are typed with ten decimals are on their neighbours as well.
+/// Corners that are typed with ten decimals are on their neighbors as well.
 #[test]
 fn rounded_corners_of_a_wedge_are_on_its_axis() {
     let (cosine, sine) = (0.731_688_868_9, 0.681_638_760_0); // of 0.75

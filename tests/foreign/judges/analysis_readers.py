@@ -26,7 +26,7 @@ DOCUMENTS = {
     "block": {"b": {"type": "cyclide-volume", "corners": CORNERS, "inside": [1, 1.3, 0.8], "frame": FRAME}},
     # Sides of half a circle: four parts, which share faces.
     "half ring": {"ring": {"type": "cyclide-volume", "corners": HALF_RING, "frame": [[0, 1, 0], [0, 0, 1]]}},
-    # Closed round and round: every block has neighbours on four sides.
+    # Closed round and round: every block has neighbors on four sides.
     "layers": {
         "tube": {"type": "cyclide", "a": 3, "c": 1, "mu": 1.5, "construction": True},
         "wall": {"type": "layers", "of": "tube", "distances": [-0.3, -0.1, 0, 0.2]},

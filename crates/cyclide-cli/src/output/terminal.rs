@@ -1,4 +1,4 @@
-//! Standard output and standard error: colour only on a terminal, a closed pipe is no error, and of names and pieces of files
+//! Standard output and standard error: color only on a terminal, a closed pipe is no error, and of names and pieces of files
 //! nothing that a terminal acts on or does not show.
 
 use std::io::{self, Write as _};
@@ -61,7 +61,7 @@ pub fn warning(message: &str) {
     show(YELLOW, "warning", message);
 }
 
-/// The stream takes the colours out where they are not wanted: no terminal, `NO_COLOR`, `TERM=dumb`.
+/// The stream takes the colors out where they are not wanted: no terminal, `NO_COLOR`, `TERM=dumb`.
 fn show(colour: &str, label: &str, message: &str) {
     // There is no one left to tell that standard error is closed.
     let _ = writeln!(anstream::stderr().lock(), "{colour}{label}:{PLAIN} {}", escaped_lines(message));
@@ -73,7 +73,7 @@ pub fn exit(error: &clap::Error) -> ! {
     if std::env::args_os().all(is_plain) {
         error.exit();
     }
-    // It quotes what was typed: then without colours, which are escapes too.
+    // It quotes what was typed: then without colors, which are escapes too.
     print_aside(&error.render().to_string());
     std::process::exit(error.exit_code())
 }

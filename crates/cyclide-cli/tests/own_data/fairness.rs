@@ -102,7 +102,7 @@ fn frames_that_turn_over_are_named_with_their_place() {
     let run = folder.run("sample m.json --object dolly --count 200 --frames look-at --toward 0,0,0 -o s.csv");
     assert!(run.code == 0 && run.stderr.contains("[frame-jumps]"), "{}", run.stderr);
     assert!(run.stderr.contains("station 10 ") && run.stderr.contains("180 degrees"), "{}", run.stderr);
-    // Halfway along 20 metres at a height of 5, whatever the samples are.
+    // Halfway along 20 meters at a height of 5, whatever the samples are.
     for count in [2, 3, 8, 57, 1000] {
         let text =
             folder.ok(&format!("sample m.json --object dolly --count {count} --frames look-at --toward 0,0,0 --json"));

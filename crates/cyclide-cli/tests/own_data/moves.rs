@@ -69,7 +69,7 @@ fn straight_poses_say_how_far_they_are_left() {
     // 1.02 m aside of the line, and that behind its first pose.
     assert!((1.02..2.0).contains(&off_chords(&found)[0]) && reasons(&found) == ["motion-swings"], "{found}");
     let (found, _) = report(&case("motion_sclerp.json"));
-    // A turn by 40 degrees over half a metre: the arc rises by 250 mm times tan 10°.
+    // A turn by 40 degrees over half a meter: the arc rises by 250 mm times tan 10°.
     assert!((off_chords(&found)[0] - 0.25 * 10.0_f64.to_radians().tan()).abs() < 1e-9, "{found}");
     for name in ["motion_straight_poses.json", "motion_sclerp.json"] {
         let (found, _) = report(&with_kind(&case(name), "linear"));

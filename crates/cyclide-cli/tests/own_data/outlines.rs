@@ -77,7 +77,7 @@ fn a_cul_de_sac_is_symmetric_at_any_tolerance() {
         let folder = Folder::with(&[]);
         let report = fit(&folder, "culdesac", &format!("--tolerance {tolerance}"));
         assert_eq!(counts(&report), (2, 3), "{tolerance}");
-        // The points are rounded to centimetres.
+        // The points are rounded to centimeters.
         assert!(report["fit"]["deviation"].as_f64().unwrap() < 0.02, "{tolerance}");
         let tightest = 1.0 / report["curvature"]["max"].as_f64().unwrap();
         assert!((tightest - 7.5).abs() < 0.05, "radius {tightest} at {tolerance}");

@@ -5,7 +5,7 @@ use crate::common::Folder;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
-/// The report on a document of these objects, in millimetres.
+/// The report on a document of these objects, in millimeters.
 fn report(objects: &Value) -> Value {
     let folder = Folder::with(&[("d.json", &json!({"cyclide": 1, "units": "mm", "objects": objects}).to_string())]);
     folder.json("report d.json --json")

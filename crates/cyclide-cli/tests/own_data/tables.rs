@@ -8,7 +8,7 @@ use cyclide_io::{PointColumns, PointTable, read_points};
 use crate::case;
 use crate::common::Folder;
 
-/// The points of `survey_fr.csv` lie on an ellipse with half axes 50 and 30, whose circumference is this, to the millimetre
+/// The points of `survey_fr.csv` lie on an ellipse with half axes 50 and 30, whose circumference is this, to the millimeter
 /// that they are written to and what a smooth curve through 24 of them leaves.
 const SURVEY_LENGTH: f64 = 255.27;
 

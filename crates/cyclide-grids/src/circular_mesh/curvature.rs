@@ -1,6 +1,6 @@
 //! Curvatures of a grid at a vertex, by least squares over it and the eight vertices around it, at any stride.
 
-use super::neighbours::around;
+use super::neighbors::around;
 use cyclide::QuadGrid;
 use cyclide::{Point3, Vec3};
 

@@ -1,14 +1,14 @@
 //! The order in which the vertices of a grid are eliminated: nested dissection by the indices
 //! (`docs/math/circular-meshes.md#factor`).
 //!
-//! Two neighbouring lines part a set of vertices in two that no equation couples. They are eliminated last, the two
+//! Two neighboring lines part a set of vertices in two that no equation couples. They are eliminated last, the two
 //! parts before them in the same way. What couples are vertices at most two steps along grid lines apart, so lines along
 //! the diagonals part as well as grid lines do, and a part with four of each has less border than a rectangle as large:
 //! half the products that grid lines alone, or an approximate minimum degree, come to.
 
 use cyclide::QuadGrid;
 
-/// Neighbouring lines that no equation reaches across: second differences reach two vertices far, and so do, along the
+/// Neighboring lines that no equation reaches across: second differences reach two vertices far, and so do, along the
 /// diagonals, the diagonals of quads.
 const WIDTH: usize = 2;
 /// So few vertices are not parted.

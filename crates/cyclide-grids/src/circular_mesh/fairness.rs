@@ -8,7 +8,7 @@
 //! diverges.
 
 use super::block::Block;
-use super::neighbours::place;
+use super::neighbors::place;
 use super::normal_equations::{BlockMatrix, Pattern};
 use cyclide::QuadGrid;
 use cyclide::Vec3;

@@ -2,7 +2,7 @@
 //! vertices.
 
 use super::curvature::{Curvature, angle_to};
-use super::neighbours::{pair, place, vertices};
+use super::neighbors::{pair, place, vertices};
 use cyclide::QuadGrid;
 use cyclide::workspace::on_triangle;
 use cyclide::{Point3, Vec3};

@@ -12,7 +12,7 @@ mod finish;
 mod guard;
 mod input_surface;
 mod layout;
-mod neighbours;
+mod neighbors;
 mod normal_equations;
 mod options;
 mod report;
@@ -109,7 +109,7 @@ impl CircularMesh {
 /// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range), `cells-unfit` (curves for
 /// the sides of a grid with quads left out),
 /// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves),
-/// `collapsed-on-curve` (neighbours have the same nearest point on the curve of their side), `not-converged` (with the
+/// `collapsed-on-curve` (neighbors have the same nearest point on the curve of their side), `not-converged` (with the
 /// step and the residual reached: the border is held too tightly, or the grid is folded), `net-does-not-close` (a pinned
 /// closed row that turns the frame, which nothing can close; or the quads have circles and a direction does not close),
 /// `shape-lost` (unless allowed, or quads cross: those are named in the report).

@@ -2,7 +2,7 @@
 //! restriction to the moves that border vertices may make.
 //!
 //! The pattern never changes, so faer analyses it once, in an order of elimination that it is given; each step is one sparse
-//! Cholesky factorisation into the memory of the last one. Everything runs on one thread in a fixed order.
+//! Cholesky factorization into the memory of the last one. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -28,7 +28,7 @@ pub(super) struct Pattern {
 }
 
 /// Memory of a factor and of what it takes to make it, used again from step to step: of large grids half a gigabyte,
-/// which takes as long to get as a tenth of the factorisation.
+/// which takes as long to get as a tenth of the factorization.
 pub(super) struct Workspace {
     values: Vec<f64>,
     factor: Vec<f64>,
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use cyclide::Vec3;
 
-    /// A ring of six vertices with a chord: eliminating any of them couples its neighbours.
+    /// A ring of six vertices with a chord: eliminating any of them couples its neighbors.
     const PAIRS: [[usize; 2]; 7] = [[1, 0], [2, 1], [3, 2], [4, 3], [5, 4], [0, 5], [4, 1]];
 
     fn off_diagonal() -> Block {

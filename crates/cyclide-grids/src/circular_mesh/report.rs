@@ -14,7 +14,7 @@ const FAR_MOVE: f64 = 2.0;
 const FAR_OFF: f64 = 1.0;
 /// Grid lines that turn by less than this at a typical vertex (radians) are smooth enough, whatever their turns do.
 const SMOOTH_TURN: f64 = 0.01;
-/// Neighbouring turns agree by less than this: independent errors of the vertices give -2/3, smooth curves 1.
+/// Neighboring turns agree by less than this: independent errors of the vertices give -2/3, smooth curves 1.
 const ZIGZAG: f64 = 0.0;
 
 /// Lengths and angles of what was done; lengths in the unit of the points.
@@ -263,7 +263,7 @@ pub(super) fn rejected(points: &[Point3], grid: &QuadGrid) -> Vec<usize> {
     grid.all_quads().filter(|quad| !embedded(quad)).map(|[i, j]| i + j * grid.quads()[0]).collect()
 }
 
-/// How neighbouring turns of the grid lines agree (cosine, weighted by their sizes) and the mean turn, if they zigzag:
+/// How neighboring turns of the grid lines agree (cosine, weighted by their sizes) and the mean turn, if they zigzag:
 /// the turn at a vertex is the second difference over the mean edge there.
 fn zigzag(points: &[Point3], triples: &[[usize; 3]]) -> Option<(f64, f64)> {
     let second = |t: &[usize; 3]| (points[t[2]] - points[t[1]]) - (points[t[1]] - points[t[0]]);

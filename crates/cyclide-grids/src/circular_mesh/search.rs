@@ -107,7 +107,7 @@ impl Residuals {
 }
 
 /// The problem about a place.
-struct Linearised {
+struct Linearized {
     /// `J^T J` and `-J^T r` of the quads.
     matrix: BlockMatrix,
     downhill: Vec<Vec3>,
@@ -147,7 +147,7 @@ impl Problem<'_> {
                 return self.given_up(points, &r, step - 1);
             }
             if linear.is_none() {
-                linear = Some(self.linearised(points, &r).ok_or(refused(step - 1, residual))?);
+                linear = Some(self.linearized(points, &r).ok_or(refused(step - 1, residual))?);
             }
             if workspace.is_none() {
                 workspace = Some(self.pattern.workspace().ok_or(refused(step - 1, residual))?);
@@ -199,7 +199,7 @@ impl Problem<'_> {
         largest(&r.quads) < GOOD_ENOUGH && self.closing.is_below(points, GOOD_ENOUGH)
     }
 
-    fn linearised(&self, points: &[Point3], r: &Residuals) -> Option<Linearised> {
+    fn linearized(&self, points: &[Point3], r: &Residuals) -> Option<Linearized> {
         let mut matrix = self.pattern.zero();
         let mut downhill = vec![Vec3::ZERO; points.len()];
         for (quad, r) in self.quads.iter().zip(&r.quads) {
@@ -212,14 +212,14 @@ impl Problem<'_> {
                 }
             }
         }
-        Some(Linearised { matrix, downhill, rows: self.closing.gradients(points)? })
+        Some(Linearized { matrix, downhill, rows: self.closing.gradients(points)? })
     }
 
     /// The points after a step and their residuals, if there is such a step and it is not too long.
     fn trial(
         &self,
         points: &[Point3],
-        about: (&Linearised, &Residuals),
+        about: (&Linearized, &Residuals),
         damping: f64,
         workspace: &mut Workspace,
     ) -> Option<(Vec<Point3>, Residuals)> {
@@ -246,7 +246,7 @@ impl Problem<'_> {
 
     fn moves(
         &self,
-        (linear, r): (&Linearised, &Residuals),
+        (linear, r): (&Linearized, &Residuals),
         damping: f64,
         projectors: &[Block],
         workspace: &mut Workspace,

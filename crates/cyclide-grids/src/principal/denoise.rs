@@ -15,7 +15,7 @@ const MOST_MOVE: f64 = 3.0;
 const SMOOTHING_COUNT: usize = 80;
 
 /// By how much noise alone makes the principal curvatures differ, in the median, times half as much again: in residuals of the fits over
-/// the square of the distance of neighbours. The first of noise as it is, in fits to 24, which makes 0.5 to 0.6; the second of noise
+/// the square of the distance of neighbors. The first of noise as it is, in fits to 24, which makes 0.5 to 0.6; the second of noise
 /// smoothed away, in fits to 40, which makes 0.06 to 0.085.
 const DIFFERENCE: [f64; 2] = [0.9, 0.13];
 
@@ -25,12 +25,12 @@ pub(super) fn difference(table: &MeshTable, noise: f64, smoothed_away: bool) -> 
     DIFFERENCE[usize::from(smoothed_away)] * noise / of_vertex
 }
 
-/// The median distance of vertices from the fit to their neighbours: of noise, not of a crease here and there.
+/// The median distance of vertices from the fit to their neighbors: of noise, not of a crease here and there.
 pub(super) fn noise(jets: &[VertexJet]) -> f64 {
     median(&jets.iter().map(|jet| jet.residual).collect::<Vec<_>>())
 }
 
-/// The mesh with every vertex moved once by the constant term of a quadratic fit to many neighbours: if `wanted`, or if nothing is said
+/// The mesh with every vertex moved once by the constant term of a quadratic fit to many neighbors: if `wanted`, or if nothing is said
 /// and there is noise beside this edge.
 ///
 /// # Errors

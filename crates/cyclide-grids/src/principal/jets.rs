@@ -60,7 +60,7 @@ impl VertexJet {
     }
 }
 
-/// Fits of all vertices to their `count` nearest, with a cubic or a quadratic. A vertex with too few neighbours on its side of the
+/// Fits of all vertices to their `count` nearest, with a cubic or a quadratic. A vertex with too few neighbors on its side of the
 /// surface has the plane of its normal.
 pub(super) fn jets(table: &MeshTable, count: usize, degree: usize) -> Vec<VertexJet> {
     let normals = table.vertex_normals();

@@ -8,7 +8,7 @@ use cyclide::{Point3, Vec3};
 /// No half edge: the border.
 pub(super) const NONE: usize = usize::MAX;
 
-/// Triangles with their neighbours. Half edge `3 f + k` runs from corner `k` of triangle `f` to the next.
+/// Triangles with their neighbors. Half edge `3 f + k` runs from corner `k` of triangle `f` to the next.
 #[derive(Debug, Clone)]
 pub(super) struct MeshTable {
     pub(super) points: Vec<Point3>,

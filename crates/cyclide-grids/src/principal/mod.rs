@@ -80,7 +80,7 @@ const OFF_LINES: f64 = 0.01;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PrincipalStage {
-    /// Fits to the neighbours of every vertex.
+    /// Fits to the neighbors of every vertex.
     Curvature,
     /// The directions were smoothed this much, and have so many umbilics.
     Directions {

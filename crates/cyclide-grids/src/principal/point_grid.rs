@@ -16,7 +16,7 @@ pub(super) struct PointGrid<'a> {
 }
 
 impl<'a> PointGrid<'a> {
-    /// Grid of cubes with this side, which should be near the distance of neighbours.
+    /// Grid of cubes with this side, which should be near the distance of neighbors.
     pub(super) fn new(points: &'a [Point3], cell: f64) -> Self {
         let origin = Aabb::of_points(points.iter().copied()).map_or(Point3::ORIGIN, |b| b.min);
         let mut grid = Self { points, origin, cell, cells: HashMap::with_capacity(points.len()) };

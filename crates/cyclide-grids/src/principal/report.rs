@@ -48,7 +48,7 @@ pub struct PrincipalGridReport {
     pub coverage: f64,
     /// How far the grids go.
     pub border: GridBorder,
-    /// The distance of the vertices from a smooth surface: the median of the rms distances from fits to neighbours, as given.
+    /// The distance of the vertices from a smooth surface: the median of the rms distances from fits to neighbors, as given.
     /// Of a coarse mesh of a curved surface that is mostly what the fits miss of its shape.
     pub noise: f64,
     /// Whether that was smoothed away.

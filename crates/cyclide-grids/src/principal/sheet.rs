@@ -16,7 +16,7 @@ pub(super) struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// The surface without some triangles and along some edges (half edges) cut. Directions are turned round so that neighbours agree,
+    /// The surface without some triangles and along some edges (half edges) cut. Directions are turned round so that neighbors agree,
     /// the surest first; where they cannot, it is cut too.
     pub(super) fn new(table: &'a MeshTable, field: &CrossField, active: Vec<bool>, cuts: &[usize]) -> Self {
         let mut sheet = Self { table, active, cut: vec![false; 3 * table.triangles.len()], directions: Vec::new() };

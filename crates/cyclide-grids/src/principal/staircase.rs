@@ -34,9 +34,9 @@ pub(super) fn piece(valid: &[bool], size: [usize; 2], least: usize) -> Option<Ve
     Some((0..m * n).map(cell).collect())
 }
 
-/// Takes one of each two cells away that meet in a corner alone: that with fewer neighbours. True if there were any.
+/// Takes one of each two cells away that meet in a corner alone: that with fewer neighbors. True if there were any.
 fn drop_corners(kept: &mut [bool], [m, n]: [usize; 2]) -> bool {
-    let neighbours = |kept: &[bool], k: usize| beside(k, [m, n]).filter(|k| kept[*k]).count();
+    let neighbors = |kept: &[bool], k: usize| beside(k, [m, n]).filter(|k| kept[*k]).count();
     let mut any = false;
     for k in (1..n).flat_map(|j| (1..m).map(move |i| i + j * m)) {
         let around = [k - m - 1, k - m, k - 1, k];
@@ -45,7 +45,7 @@ fn drop_corners(kept: &mut [bool], [m, n]: [usize; 2]) -> bool {
             [false, true, true, false] => [around[1], around[2]],
             _ => continue,
         };
-        let [a, b] = pair.map(|k| neighbours(kept, k));
+        let [a, b] = pair.map(|k| neighbors(kept, k));
         kept[if a < b { pair[0] } else { pair[1] }] = false;
         any = true;
     }

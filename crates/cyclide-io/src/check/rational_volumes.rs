@@ -66,7 +66,7 @@ mod tests {
         let range = [[0.0, 0.3], [0.3, 1.0]];
         let octants: Vec<VolumePart> = (0..8_usize).map(|k| [range[k & 1], range[k >> 1 & 1], range[k >> 2]]).collect();
         assert!(tile(&octants) && tile(&[[[0.0, 1.0]; 3]]));
-        // One of them in halves, beside neighbours that are whole.
+        // One of them in halves, beside neighbors that are whole.
         let [s, t, u] = octants[5];
         let halves = [[[s[0], 0.6], t, u], [[0.6, s[1]], t, u]];
         let with = |other: &[VolumePart]| [&octants[..5], &octants[6..], other].concat();

@@ -1,7 +1,7 @@
-//! Colours for numbers. Equal steps of a number are equal steps to the eye: the colours run along straight lines of Oklab (B. Ottosson,
+//! Colors for numbers. Equal steps of a number are equal steps to the eye: the colors run along straight lines of Oklab (B. Ottosson,
 //! 2020) with lightness falling all the way, so that they are told apart without hue too, in print and by eyes that miss red or green.
 
-/// Which colours.
+/// Which colors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ramp {
     /// From pale yellow over green to dark violet.
@@ -10,12 +10,12 @@ pub(crate) enum Ramp {
     Diverging,
 }
 
-/// Lightness, chroma, and hue in degrees, of the colours that a ramp runs through.
+/// Lightness, chroma, and hue in degrees, of the colors that a ramp runs through.
 const SEQUENTIAL: [[f64; 3]; 4] = [[0.95, 0.075, 105.0], [0.79, 0.12, 148.0], [0.59, 0.09, 222.0], [0.39, 0.13, 290.0]];
 const DIVERGING: [[f64; 3]; 3] = [[0.47, 0.13, 255.0], [0.955, 0.006, 100.0], [0.47, 0.13, 35.0]];
 
 impl Ramp {
-    /// The colour at a place from 0 to 1, in linear light.
+    /// The color at a place from 0 to 1, in linear light.
     pub(crate) fn linear(self, place: f64) -> [f64; 3] {
         let stops: Vec<[f64; 3]> = match self {
             Self::Sequential => SEQUENTIAL.map(lab).to_vec(),
@@ -35,7 +35,7 @@ impl Ramp {
         light(stops[0])
     }
 
-    /// The colours at so many even places from 0 to 1, in linear light.
+    /// The colors at so many even places from 0 to 1, in linear light.
     pub(crate) fn table(self, count: usize) -> Vec<[f64; 3]> {
         (0..count).map(|k| self.linear(k as f64 / (count - 1) as f64)).collect()
     }
@@ -50,7 +50,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Linear light of a colour in Oklab.
+/// Linear light of a color in Oklab.
 fn light([l, a, b]: [f64; 3]) -> [f64; 3] {
     let cones = [
         l + 0.396_337_777_4 * a + 0.215_803_757_3 * b,

@@ -14,8 +14,8 @@ pub(crate) struct Lattice {
     pub(crate) closed: [bool; 3],
 }
 
-/// The neighbours of a block: before and behind it along each direction.
-type Neighbours = [[Option<usize>; 2]; 3];
+/// The neighbors of a block: before and behind it along each direction.
+type Neighbors = [[Option<usize>; 2]; 3];
 
 impl Lattice {
     /// The lattices that blocks lie in, in the order of their first blocks; `None` for those that have no places in rows.
@@ -23,22 +23,22 @@ impl Lattice {
     /// # Errors
     /// As [`StructuredGrid::new`].
     pub(crate) fn all(blocks: &[CyclideVolume]) -> cyclide::Result<Vec<Option<Self>>> {
-        let neighbours = neighbours(blocks)?;
+        let neighbors = neighbors(blocks)?;
         let mut lattices = Vec::new();
         let mut seen = vec![false; blocks.len()];
         for first in 0..blocks.len() {
             if !seen[first] {
-                lattices.push(Self::from_block(first, &neighbours, &mut seen));
+                lattices.push(Self::from_block(first, &neighbors, &mut seen));
             }
         }
         Ok(lattices)
     }
 
-    fn from_block(first: usize, neighbours: &[Neighbours], seen: &mut [bool]) -> Option<Self> {
+    fn from_block(first: usize, neighbors: &[Neighbors], seen: &mut [bool]) -> Option<Self> {
         // Blocks along a closed direction; 0 along an open one.
         let period: [i64; 3] = std::array::from_fn(|axis| {
-            let next = |block: &usize| neighbours[*block][axis][1];
-            let row = std::iter::successors(next(&first), next).take(neighbours.len());
+            let next = |block: &usize| neighbors[*block][axis][1];
+            let row = std::iter::successors(next(&first), next).take(neighbors.len());
             row.zip(1..).find(|(block, _)| *block == first).map_or(0, |(_, count)| count)
         });
         let wrapped = |at: [i64; 3]| -> [i64; 3] {
@@ -52,7 +52,7 @@ impl Lattice {
         while let Some(&block) = row.get(next) {
             next += 1;
             for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
-                let Some(other) = neighbours[block][axis][end] else { continue };
+                let Some(other) = neighbors[block][axis][end] else { continue };
                 let mut at = places[&block];
                 at[axis] += if end == 1 { 1 } else { -1 };
                 let at = wrapped(at);
@@ -83,9 +83,9 @@ impl Lattice {
     }
 }
 
-/// The neighbours of each block: those that have its face at the other end of the same direction.
-fn neighbours(blocks: &[CyclideVolume]) -> cyclide::Result<Vec<Neighbours>> {
-    // The node in the middle of a face is that of its neighbour.
+/// The neighbors of each block: those that have its face at the other end of the same direction.
+fn neighbors(blocks: &[CyclideVolume]) -> cyclide::Result<Vec<Neighbors>> {
+    // The node in the middle of a face is that of its neighbor.
     let halves = || vec![0.0, 0.5, 1.0];
     let grid = StructuredGrid::new(blocks, [halves(), halves(), halves()])?;
     let middle = |axis: usize, end: usize| 13 + [1, 3, 9][axis] * 2 * end - [1, 3, 9][axis];

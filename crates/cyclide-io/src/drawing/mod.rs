@@ -1,4 +1,4 @@
-//! What drawings and pictures show: which lines of a surface, in which colours, and beside the curves their curvature combs
+//! What drawings and pictures show: which lines of a surface, in which colors, and beside the curves their curvature combs
 //! and joints.
 
 pub(crate) mod block_directions;

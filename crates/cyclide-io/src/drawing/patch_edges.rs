@@ -48,7 +48,7 @@ mod tests {
         assert_eq!(patch_edges(triangles.into_iter()), [(0, 0), (0, 1), (1, 1), (1, 2), (2, 1), (2, 2)]);
     }
 
-    /// A triangle that has become a line is beside nothing: the border there is that of its neighbour.
+    /// A triangle that has become a line is beside nothing: the border there is that of its neighbor.
     #[test]
     fn triangles_without_area_have_no_sides() {
         let around = [(0, [0, 1, 2]), (0, [0, 2, 2]), (0, [2, 1, 1])];

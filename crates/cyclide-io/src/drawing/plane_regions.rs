@@ -25,7 +25,7 @@ pub(crate) fn plane_regions(shell: &Shell) -> Vec<usize> {
 pub(crate) fn drawn_edges(shell: &Shell) -> Vec<bool> {
     let region = plane_regions(shell);
     let kind = |face: &ShellFace| match &face.surface {
-        FaceSurface::Rational(surface) => Some(surface.recognise()),
+        FaceSurface::Rational(surface) => Some(surface.recognize()),
         FaceSurface::Cyclide(_) => None,
     };
     let kinds: Vec<Option<PatchKind>> = shell.faces().iter().map(kind).collect();
@@ -85,8 +85,8 @@ mod tests {
         let drawn = drawn_edges(shell);
         let along = shell.faces_along_edges();
         let kind = |face: usize| match &shell.faces()[face].surface {
-            FaceSurface::Rational(surface) => surface.recognise(),
-            FaceSurface::Cyclide(patch) => patch.recognise(),
+            FaceSurface::Rational(surface) => surface.recognize(),
+            FaceSurface::Cyclide(patch) => patch.recognize(),
         };
         let is_blend = |face: usize| kind(face) == PatchKind::Cyclide;
         let (mut of_blends, mut at_ends) = (0, 0);

@@ -1,8 +1,8 @@
-//! A scale for numbers that are shown as colours: its range, round numbers on it, and the colour of each value.
+//! A scale for numbers that are shown as colors: its range, round numbers on it, and the color of each value.
 
 use super::colour_map::Ramp;
 
-/// Colours of the table.
+/// Colors of the table.
 const COLOURS: usize = 512;
 /// Ranges narrower than this part of the values are one value: rounding.
 const ONE_VALUE: f64 = 1e-6;
@@ -79,7 +79,7 @@ impl ValueScale {
         [self.all[0] < self.shown[0] - rounding, self.all[1] > self.shown[1] + rounding]
     }
 
-    /// The colour of a value in linear light. Zero is the middle of a scale with both signs.
+    /// The color of a value in linear light. Zero is the middle of a scale with both signs.
     pub(crate) fn colour(&self, value: f64) -> [f64; 3] {
         let [low, high] = self.shown;
         let place = match self.ramp {
@@ -133,7 +133,7 @@ mod tests {
         let [r, g, b] = scale.colour(0.0);
         // A warm grey: its chroma of 0.006 takes 0.036 of the blue.
         assert!((r - g).abs() < 0.01 && (g - b - 0.036).abs() < 0.001 && r > 0.8);
-        // One step of a value is one step of colour on both sides: -1 is as pale as 1.
+        // One step of a value is one step of color on both sides: -1 is as pale as 1.
         let luminance =
             |v: f64| scale.colour(v).iter().zip([0.2126, 0.7152, 0.0722]).map(|(c, part)| c * part).sum::<f64>();
         assert!((luminance(-1.0) / luminance(1.0) - 1.0).abs() < 0.12);

@@ -1,6 +1,6 @@
 //! What rounding leaves no triangle of.
 //!
-//! A triangle of which two corners round to one place is a line, or a point, and is not written. Mostly its neighbours
+//! A triangle of which two corners round to one place is a line, or a point, and is not written. Mostly its neighbors
 //! close the gap: the line is a side of one of them. Where a whole tube is thinner than the steps of single precision,
 //! no triangle is left beside the line, and what was round it is as far from the file as the line's places are from
 //! the triangles that are written.
@@ -90,7 +90,7 @@ mod tests {
     const E: [f32; 3] = [0.0, 0.0, 9.0];
 
     #[test]
-    fn neighbours_close_gaps_and_spikes_are_measured() {
+    fn neighbors_close_gaps_and_spikes_are_measured() {
         let whole = [[A, B, C]];
         assert!(is_whole(&whole[0]) && !is_whole(&[A, B, B]) && !is_whole(&[A, A, A]));
         assert!(is_reached(&whole, &[], 0.0));

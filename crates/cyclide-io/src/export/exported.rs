@@ -248,7 +248,7 @@ impl Promise {
 /// Rounding of the points of a spline with even weights, relative to its coordinates.
 const WEIGHT_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Smallest radius that is kept as an arc, relative to its coordinates: of a smaller one the centre and the points round
+/// Smallest radius that is kept as an arc, relative to its coordinates: of a smaller one the center and the points round
 /// to the same numbers.
 pub(crate) const SMALLEST_RADIUS: f64 = 8.0 * f64::EPSILON;
 

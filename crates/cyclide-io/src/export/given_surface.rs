@@ -57,7 +57,7 @@ impl GivenSurface {
     }
 }
 
-/// The direction of a line of a grid at a vertex: of the parabola through it and its neighbours, of three at an end.
+/// The direction of a line of a grid at a vertex: of the parabola through it and its neighbors, of three at an end.
 fn tangent(grid: &QuadGrid, at: [usize; 2], direction: usize) -> Vec3 {
     let (k, count, closed) = (at[direction], grid.size()[direction], grid.closed()[direction]);
     let point = |k: usize| {

@@ -139,7 +139,7 @@ pub(crate) fn polygons(face: &MeshFace, in_triangles: bool) -> Vec<Vec<MeshCorne
     }
 }
 
-/// Rounding of points to single precision, relative to a centre, with the largest distance that it moved one.
+/// Rounding of points to single precision, relative to a center, with the largest distance that it moved one.
 pub(crate) struct Single {
     center: Point3,
     pub(crate) moved: f64,
@@ -150,7 +150,7 @@ impl Single {
         Self { center, moved: 0.0 }
     }
 
-    /// The rounded coordinates relative to the centre.
+    /// The rounded coordinates relative to the center.
     pub(crate) fn point(&mut self, p: Point3) -> [f32; 3] {
         let exact = p - self.center;
         let rounded = exact.to_array().map(single);

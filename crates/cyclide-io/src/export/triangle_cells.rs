@@ -22,7 +22,7 @@ impl TriangleCell {
         Self { divisions: n as usize, i: at(source.s[0]), j: at(source.t[0]) }
     }
 
-    /// The part that points as the whole does, and the one between its neighbours unless the cell is at the side: in the order of the
+    /// The part that points as the whole does, and the one between its neighbors unless the cell is at the side: in the order of the
     /// mesh.
     pub(crate) fn parts(self) -> impl Iterator<Item = Part> {
         let Self { divisions, i, j } = self;

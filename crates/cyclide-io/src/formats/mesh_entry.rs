@@ -31,7 +31,7 @@ pub(crate) struct ReadMesh {
     pub(crate) mesh: PolygonMesh,
     /// What was passed over: reason and sentence.
     pub(crate) remarks: Vec<(&'static str, String)>,
-    /// True if the file counts in metres, whatever the document does.
+    /// True if the file counts in meters, whatever the document does.
     pub(crate) in_metres: bool,
 }
 

@@ -35,7 +35,7 @@ pub(crate) fn doubled(faces: &[impl AsRef<[usize]>]) -> Option<[usize; 2]> {
 /// two equal ones that without the first face. Parts without a side (Möbius strips), and edges of three faces, are left as they are:
 /// they are refused elsewhere.
 pub(crate) fn turned_over(faces: &[impl AsRef<[usize]>]) -> Vec<bool> {
-    let neighbours = neighbours(faces);
+    let neighbors = neighbors(faces);
     let mut turned = vec![false; faces.len()];
     let mut reached = vec![false; faces.len()];
     for start in 0..faces.len() {
@@ -45,7 +45,7 @@ pub(crate) fn turned_over(faces: &[impl AsRef<[usize]>]) -> Vec<bool> {
         let (mut part, mut next, mut has_sides) = (vec![start], 0, true);
         while let Some(&face) = part.get(next) {
             next += 1;
-            for &(other, agrees) in &neighbours[face] {
+            for &(other, agrees) in &neighbors[face] {
                 let wanted = turned[face] == agrees;
                 if !std::mem::replace(&mut reached[other], true) {
                     turned[other] = wanted;
@@ -62,7 +62,7 @@ pub(crate) fn turned_over(faces: &[impl AsRef<[usize]>]) -> Vec<bool> {
 }
 
 /// Of each face those that share an edge with it, edges of two faces only, and whether they run along it in opposite directions.
-fn neighbours(faces: &[impl AsRef<[usize]>]) -> Vec<Vec<(usize, bool)>> {
+fn neighbors(faces: &[impl AsRef<[usize]>]) -> Vec<Vec<(usize, bool)>> {
     let mut uses: HashMap<[usize; 2], Vec<(usize, bool)>> = HashMap::new();
     for (index, face) in faces.iter().enumerate() {
         let face = face.as_ref();
@@ -71,18 +71,18 @@ fn neighbours(faces: &[impl AsRef<[usize]>]) -> Vec<Vec<(usize, bool)>> {
             uses.entry([a.min(b), a.max(b)]).or_default().push((index, a < b));
         }
     }
-    let mut neighbours = vec![Vec::new(); faces.len()];
+    let mut neighbors = vec![Vec::new(); faces.len()];
     for (index, face) in faces.iter().enumerate() {
         let face = face.as_ref();
         for (k, &a) in face.iter().enumerate() {
             let b = face[(k + 1) % face.len()];
             if let [one, two] = uses[&[a.min(b), a.max(b)]][..] {
                 let other = if one.0 == index { two.0 } else { one.0 };
-                neighbours[index].push((other, one.1 != two.1));
+                neighbors[index].push((other, one.1 != two.1));
             }
         }
     }
-    neighbours
+    neighbors
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub(crate) struct TriangleMesh {
     /// Polygons that were cut, and those of which two corners at most are different, with the first of each.
     pub(crate) cut: Counted,
     pub(crate) collapsed: Counted,
-    /// Polygons that were turned over, to agree with most of their neighbours.
+    /// Polygons that were turned over, to agree with most of their neighbors.
     pub(crate) turned: Counted,
 }
 

@@ -1,9 +1,9 @@
-//! Turns of frames between neighbouring samples that are too large to be followed.
+//! Turns of frames between neighboring samples that are too large to be followed.
 
 use cyclide::{ArcLength, ShortNumber, Vec3};
 use serde::Serialize;
 
-/// Turns between neighbouring samples above this are reported: between such frames there is no nearest way.
+/// Turns between neighboring samples above this are reported: between such frames there is no nearest way.
 const LARGEST: f64 = std::f64::consts::FRAC_PI_2 + 1e-6;
 /// Halvings of the interval between two samples in search of a jump.
 const HALVINGS: usize = 40;
@@ -41,7 +41,7 @@ pub struct FrameTurn {
 }
 
 impl FrameTurn {
-    /// The large turns between neighbours of `frames`, which are at the parameters `places`; `at` gives the frame anywhere.
+    /// The large turns between neighbors of `frames`, which are at the parameters `places`; `at` gives the frame anywhere.
     /// Samples without a frame are passed over, also round the start of a closed curve.
     pub(super) fn find(
         places: &[f64],

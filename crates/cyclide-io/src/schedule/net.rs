@@ -121,7 +121,7 @@ impl Net {
         for (index, (face, (piece, (place, patch)))) in shell.faces().iter().zip(patches).enumerate() {
             let other = other.as_ref().map(|other| &other.nets()[piece]);
             let offset_area = other.map(|other| area(other.patch(place[0], place[1]))).transpose()?;
-            let (kind, measures) = (patch.recognise(), PanelMeasures::new(&patch)?);
+            let (kind, measures) = (patch.recognize(), PanelMeasures::new(&patch)?);
             let (nodes, sides) = (corners[index], face.sides);
             panels.push(Panel { piece, place, patch, kind, measures, offset_area, nodes, sides });
         }

@@ -1,6 +1,6 @@
 //! What terminals act on, or do not show, made visible: names, messages and pieces of files may hold it.
 //!
-//! Control characters move the cursor and change colours, bidirectional controls show a text in another order than it has, and
+//! Control characters move the cursor and change colors, bidirectional controls show a text in another order than it has, and
 //! format characters are not seen at all. Each is shown by its number, as in Rust: `\u{202e}`.
 
 use std::borrow::Cow;

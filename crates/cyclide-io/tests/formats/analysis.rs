@@ -12,7 +12,7 @@ use cyclide_io::{
 
 const FORMATS: [Format; 3] = [Format::Vtu, Format::Mfem, Format::Gismo];
 
-/// Layers round a whole torus: every block has neighbours on four sides.
+/// Layers round a whole torus: every block has neighbors on four sides.
 fn layers() -> Model {
     let torus = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
     let wall = CyclideGrid::layers(&torus, &[-0.5, -0.1, 0.0]).unwrap();
@@ -78,7 +78,7 @@ fn arcs_that_follow_each_other_are_one_curve() {
 }
 
 #[test]
-fn neighbours_are_joined_and_what_differs_is_said() {
+fn neighbors_are_joined_and_what_differs_is_said() {
     let text = |model: &Model, format| {
         let file = export(model, format, &ExportOptions::default()).unwrap();
         (String::from_utf8(file.bytes).unwrap(), file.notes.join(" "))
@@ -112,7 +112,7 @@ fn neighbours_are_joined_and_what_differs_is_said() {
     }
 }
 
-/// A unit box beside the centre of an inversion, in units of whose distance it reaches far.
+/// A unit box beside the center of an inversion, in units of whose distance it reaches far.
 fn inverted(center: [f64; 3]) -> CyclideVolume {
     let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z]).unwrap();
     let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
@@ -229,7 +229,7 @@ fn weights_are_of_the_size_of_one() {
         assert!((1.0..2.0).contains(&most), "{most}");
         from = end as usize;
     }
-    // Neighbours still meet: the shape read back is the model's.
+    // Neighbors still meet: the shape read back is the model's.
     assert!(file_deviation(&model, Format::Vtu, &file).unwrap() < 1e-12);
     let step = export(&model, Format::Step, &ExportOptions::default()).unwrap();
     let text = String::from_utf8(step.bytes.clone()).unwrap();
@@ -322,7 +322,7 @@ fn damage_is_found_out() {
     );
     assert!(xml.refused(&[("10 2 11 1 0 1 2 1 1 1", "10 2 11 1 1 0 2 1 1 1")]).contains("interfaces and boundary"));
     for damage in [mesh, xml] {
-        // A control point moved by a tenth: no longer that of its neighbour, or off.
+        // A control point moved by a tenth: no longer that of its neighbor, or off.
         let text = String::from_utf8(damage.file.bytes.clone()).unwrap();
         let moved = damage.bytes(|bytes| {
             let number = text
@@ -380,7 +380,7 @@ fn divided_blocks_are_exact_cells() {
     }
 }
 
-/// Cells of a grid whose nodes neighbours share, in place of blocks: off by less, the more there are.
+/// Cells of a grid whose nodes neighbors share, in place of blocks: off by less, the more there are.
 #[test]
 fn divided_blocks_are_plain_hexahedra() {
     let (model, options) = (layers(), ExportOptions { vtu_cells: VtuCells::Linear, ..ExportOptions::default() });

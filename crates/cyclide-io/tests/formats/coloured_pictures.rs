@@ -1,4 +1,4 @@
-//! Pictures that show a quantity of surfaces as colours: the colours at known places, their scale, labels, and fields of directions.
+//! Pictures that show a quantity of surfaces as colors: the colors at known places, their scale, labels, and fields of directions.
 
 use cyclide::{
     CyclidePatch, CyclidicNet, DupinCyclide, GridObject, Item, Model, NetFrame, Point3, QuadGrid, SurfaceObject, Units,
@@ -54,7 +54,7 @@ fn a_sphere_has_one_colour_of_gaussian_curvature() {
     let model = Model::new(Units::Metre).with_surface("octant", octant);
     for colour in [PictureColour::Gaussian, PictureColour::Mean, PictureColour::K1, PictureColour::K2] {
         let picture = drawn(&model, &[], &options(colour, true)).0;
-        // Light and lines change how bright a colour is, not which it is: red, green and blue keep their shares. Pixels of the shadow are
+        // Light and lines change how bright a color is, not which it is: red, green and blue keep their shares. Pixels of the shadow are
         // grey, those of the outline mixed.
         let (x, y, half) = MIDDLE;
         let share = |[r, g, b]: [i32; 3]| linear(g) / (linear(r) + linear(g) + linear(b));
@@ -118,7 +118,7 @@ fn distances_have_the_sign_of_the_side_and_zero_is_pale() {
     }
 }
 
-/// Rows of a picture, in its lower part, with a long line of pixels of saturated colours.
+/// Rows of a picture, in its lower part, with a long line of pixels of saturated colors.
 fn bars(picture: &Pixmap) -> Vec<usize> {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let vivid = |x: usize, y: usize| {
@@ -149,7 +149,7 @@ fn pictures_of_a_quantity_have_one_scale_and_name_what_lacks_it() {
     let plain = drawn(&model, &provenance, &front(PictureColour::Object)).0;
     assert!(grey(&picture) > 10_000 + grey(&plain), "{} {}", grey(&picture), grey(&plain));
     assert!(bars(&plain).is_empty());
-    // Both have curvatures, of the value 0: no grey, and a bar of one pale colour.
+    // Both have curvatures, of the value 0: no grey, and a bar of one pale color.
     let flat = drawn(&model, &provenance, &front(PictureColour::Mean)).0;
     assert!(bars(&flat).is_empty() && grey(&flat) < 10_000 + grey(&plain));
     // What no object has leaves the picture as it is.
@@ -181,7 +181,7 @@ fn pictures_are_as_high_as_asked_for() {
 
 #[test]
 fn panels_in_sight_are_numbered() {
-    let labelled = |width, camera: &str| ExportOptions {
+    let labeled = |width, camera: &str| ExportOptions {
         png_labels: true,
         png_width: Some(width),
         camera: camera.parse().ok(),
@@ -190,19 +190,19 @@ fn panels_in_sight_are_numbered() {
     let model = Model::new(Units::Metre).with_surface("plate", plane(0.0, 0.0));
     let note = |model: &Model, options: &ExportOptions| drawn(model, &[], options).1.notes.join("\n");
     assert_eq!(
-        note(&model, &labelled(1600, "top")),
+        note(&model, &labeled(1600, "top")),
         "r03-c07 is row 3, column 7; 16 of 16 panels are numbered, 16 are visible"
     );
     // Seen edge on there is no room.
-    assert!(note(&model, &labelled(1600, "front")).contains("no panel is numbered"));
+    assert!(note(&model, &labeled(1600, "front")).contains("no panel is numbered"));
     let ring = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([24, 16]).unwrap().remove(0);
     let two = model.clone().with_surface("ring", ring);
-    let said = note(&two, &labelled(1600, "40,50"));
+    let said = note(&two, &labeled(1600, "40,50"));
     assert!(said.contains(" of 400 panels are numbered, "), "{said}");
     // Text is drawn where there was none.
     let dark = |options: &ExportOptions| drawn(&model, &[], options).0.pixels().iter().filter(|p| p.red() < 60).count();
-    let plain = ExportOptions { png_labels: false, ..labelled(1600, "top") };
-    assert!(dark(&labelled(1600, "top")) > dark(&plain) + 1000);
+    let plain = ExportOptions { png_labels: false, ..labeled(1600, "top") };
+    assert!(dark(&labeled(1600, "top")) > dark(&plain) + 1000);
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn curves_in_space_are_grouped_arcs_and_lines() {
 
 #[test]
 fn a_short_line_before_a_large_arc_is_one_curve_with_it() {
-    // The arc begins where its centre and radius say: to the rounding of 2000, not of the line of 1e-6.
+    // The arc begins where its center and radius say: to the rounding of 2000, not of the line of 1e-6.
     let (from, bend) = (cyclide::Point3::new(0.0, 0.0, -1e-6), cyclide::Point3::new(0.0, 0.0, 0.0));
     let (through, end) = (cyclide::Point3::new(700.0, 500.0, 100.0), cyclide::Point3::new(1700.0, 700.0, 300.0));
     let line = cyclide::Arc::segment(from, bend).unwrap();

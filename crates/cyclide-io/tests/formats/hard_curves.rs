@@ -83,7 +83,7 @@ fn what_has_lost_its_digits_is_refused_where_it_stands() {
             assert!(refused.contains(part), "{part}: {refused}");
         }
     }
-    // A polyline is its vertices, a circle its centre and radius.
+    // A polyline is its vertices, a circle its center and radius.
     for object in [
         json!({"type": "arc-spline", "points": [[1e11, 0], [1e11, 1e-6]]}),
         json!({"type": "circle", "center": [1e11, 0], "radius": 1e-3}),

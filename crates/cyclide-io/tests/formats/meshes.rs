@@ -35,7 +35,7 @@ fn files_keep_their_promise_and_use_it() {
                 let d = file_deviation(&m, format, &file).unwrap();
                 assert!(d <= file.bound, "{name} {format:?}: {d:e} of {:e}", file.bound);
                 assert!(!file.exact && d > 0.05 * tolerance, "{name} {format:?}: {d:e} of {tolerance:e}");
-                // 6e-8 of the distance from the origin, 3.8e4, in STL; from the centre of the object, up to 27, in GLB.
+                // 6e-8 of the distance from the origin, 3.8e4, in STL; from the center of the object, up to 27, in GLB.
                 let rounding = if format == Format::Stl { 2.3e-3 } else { 1.7e-6 };
                 assert!(file.bound <= tolerance + rounding, "{name} {format:?}: {:e}", file.bound);
             }

@@ -145,7 +145,7 @@ pub fn annulus() -> CyclidePatch {
     CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap()
 }
 
-/// A part of a torus of radii 2 and 0.5 about a centre: 100 degrees round the axis, 120 round the tube.
+/// A part of a torus of radii 2 and 0.5 about a center: 100 degrees round the axis, 120 round the tube.
 pub fn torus_part(center: Point3) -> CyclidePatch {
     let at = |u: f64, v: f64| {
         let r = 2.0 + 0.5 * v.cos();

@@ -122,7 +122,7 @@ fn blocks_show_their_inside() {
 
 #[test]
 fn curves_are_hidden_by_surfaces() {
-    // The ring is the first object, for the dark colour.
+    // The ring is the first object, for the dark color.
     let vault_with = |contours: Vec<CurveObject>| {
         let ring = Model { items: vec![Item::new("ring", contours)], ..Model::default() };
         picture(&ring.with_surface("vault", vault(1.0)))

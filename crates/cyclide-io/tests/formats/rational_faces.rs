@@ -51,7 +51,7 @@ fn every_format_holds_them_within_its_promise() {
 }
 
 /// A plane face whose lines bend more inside than at its border: its mesh promises what the border is off, and a cell inside lies
-/// over the polygons of its neighbours, which is no deviation.
+/// over the polygons of its neighbors, which is no deviation.
 #[test]
 fn what_bends_inside_a_plane_face_is_no_deviation() {
     // Across, the lines at both ends are straight and those between bend by up to 0.3.

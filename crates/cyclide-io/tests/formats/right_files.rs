@@ -113,7 +113,7 @@ fn arcs_after_inversions() {
     checked(&image, &[Format::Dxf], &options);
 }
 
-/// The image of an arc that passes within 1e-8 of the centre: nearly a full circle of radius 2e7 on a chord of 1.
+/// The image of an arc that passes within 1e-8 of the center: nearly a full circle of radius 2e7 on a chord of 1.
 #[test]
 fn an_arc_that_comes_near_infinity_is_written_with_what_its_digits_hold() {
     let arc = json!({"type": "arc", "through": [[1, 0], [0, 1], [-0.416_146_836_547_142_4, 0.909_297_426_825_681_7]],
@@ -232,7 +232,7 @@ fn a_ring_within_rounding_of_a_horn_is_as_near_as_proved() {
     checked(&json!({"a": ring}), &[Format::Obj], &options);
 }
 
-/// What no digits can hold is refused by name, and is no fault of the writer: arcs of two kilometres that are nearly straight,
+/// What no digits can hold is refused by name, and is no fault of the writer: arcs of two kilometers that are nearly straight,
 /// within 2e-9.
 #[test]
 fn too_few_digits_are_told_from_wrong_files() {
@@ -344,7 +344,7 @@ fn a_tolerance_that_ruins_the_shape_is_named() {
     }
 }
 
-/// A curve that comes next to the centre of an inversion has an image that no numbers hold; a little farther away it has.
+/// A curve that comes next to the center of an inversion has an image that no numbers hold; a little farther away it has.
 #[test]
 fn images_of_curves_next_to_the_centre_are_refused_where_the_map_stands() {
     let arc = json!({"type": "arc", "through": [[-1, 0], [0, 1], [1, 0]], "construction": true});

@@ -6,7 +6,7 @@ use cyclide_io::{Camera, ExportOptions, Exporter, Format, Provenance, export};
 use std::collections::HashMap;
 use tiny_skia::Pixmap;
 
-/// Colours of the first objects, of the paper, of text, and of the line over a comb.
+/// Colors of the first objects, of the paper, of text, and of the line over a comb.
 const FIRST: [u8; 3] = [0x1B, 0x2A, 0x41];
 const SECOND: [u8; 3] = [0x0B, 0x6E, 0x6E];
 const PAPER: [u8; 3] = [0xFB, 0xFB, 0xF9];
@@ -22,7 +22,7 @@ fn options(change: impl FnOnce(&mut ExportOptions)) -> ExportOptions {
     options
 }
 
-/// Columns and rows of the pixels of a colour, to a few steps of the screen.
+/// Columns and rows of the pixels of a color, to a few steps of the screen.
 fn places(picture: &Pixmap, colour: [u8; 3]) -> Vec<(usize, usize)> {
     places_near(picture, colour, 4)
 }
@@ -62,7 +62,7 @@ fn spline(points: &[Point3]) -> CurveObject {
     circle_spline(points, true, BlendVariant::Rational, vec![])
 }
 
-/// The longest row of text colour in the lower band.
+/// The longest row of text color in the lower band.
 fn bar(picture: &Pixmap) -> usize {
     let lower = picture.height() as usize * 8 / 10;
     let mut rows: HashMap<usize, Vec<usize>> = HashMap::new();
@@ -135,7 +135,7 @@ fn title_and_legend_stand_outside_of_the_drawing() {
         let text = places(&decorated, TEXT);
         assert!(text.iter().any(|(_, y)| *y < header), "a title");
         assert!(places(&plain, TEXT).is_empty(), "a plain picture has no text");
-        // The drawing is the upper part of the colour, the legend's line the lower one, with paper between them.
+        // The drawing is the upper part of the color, the legend's line the lower one, with paper between them.
         let rows =
             |colour| places(&decorated, colour).into_iter().map(|(_, y)| y).collect::<std::collections::BTreeSet<_>>();
         for colour in [FIRST, SECOND] {
@@ -160,8 +160,8 @@ fn many_objects_are_named_where_they_stand() {
     let m = model(names.iter().enumerate().map(|(i, n)| (n.as_str(), vec![row(i)])).collect());
     let decorated = picture(&m, &ExportOptions::default());
     let plain = picture(&m, &options(|o| o.png_plain = true));
-    // A name has the colour of its object: more of it, beside the line, and no pixel of the lines is hidden.
-    // Strokes of letters are little wider than a pixel, so seldom of the full colour.
+    // A name has the color of its object: more of it, beside the line, and no pixel of the lines is hidden.
+    // Strokes of letters are little wider than a pixel, so seldom of the full color.
     let [more, less] = [&decorated, &plain].map(|p| places_near(p, SECOND, 50));
     let rows = |p: &[(usize, usize)]| range(p.iter().map(|(_, y)| *y));
     assert!(rows(&more).1 - rows(&more).0 > rows(&less).1 - rows(&less).0 + 10, "text above or below the line");
@@ -235,7 +235,7 @@ fn a_curve_on_another_leaves_both_colours_to_be_seen() {
     let picture = picture(&twice, &ExportOptions::default());
     let upper = picture.height() as usize * 8 / 10;
     let [one, two] = [FIRST, SECOND].map(|c| places(&picture, c).into_iter().filter(|(_, y)| *y < upper).count());
-    // Dashes and gaps are equally long; the dots on the joints have the first colour.
+    // Dashes and gaps are equally long; the dots on the joints have the first color.
     assert!(two > 1000 && one > two / 2 && one < 3 * two, "{one} {two}");
 }
 

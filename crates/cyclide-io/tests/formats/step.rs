@@ -123,7 +123,7 @@ fn every_curve_set_has_the_colour_of_its_object() {
     for (set, _) in &sets {
         assert_eq!(styled.iter().filter(|(_, refs)| refs.last() == Some(&number(set))).count(), 1, "{set}");
     }
-    // The first object's colour in pictures, 0x1B2A41.
+    // The first object's color in pictures, 0x1B2A41.
     let first = [27.0, 42.0, 65.0].map(|v: f64| (v / 255.0).to_string()).join(",");
     assert!(text.contains(&format!("=COLOUR_RGB('',{first})")), "{first}");
 }
@@ -166,7 +166,7 @@ fn nearly_straight_arcs_keep_their_digits() {
     for map in [flat as Map, tilted] {
         let m = model(vec![("a", vec![CurveObject::ArcPath(bulges(map, &square, &[1e-3, 1e-5, 1e-7, 1e-9]))])]);
         let file = export(&m, Format::Step, &ExportOptions::default()).unwrap();
-        // The second one is a circle of radius 1.25e6: half an ulp of centre and radius. The others are better.
+        // The second one is a circle of radius 1.25e6: half an ulp of center and radius. The others are better.
         let d = file_deviation(&m, Format::Step, &file).unwrap();
         assert!(file.exact && d < 3e-16 * 1.25e6, "{d:e}");
     }

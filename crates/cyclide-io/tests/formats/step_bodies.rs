@@ -88,7 +88,7 @@ fn spheres_with_other_circles_are_one_face_or_stay_rational() {
     let (v1, v2) = (e1 * 0.8 + e2 * 0.6, e2 * 0.8 - e1 * 0.6);
     let corners = [at(0.0), at(0.6), at(-0.7), at(2.5)];
     let surface = SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap());
-    assert!(matches!(patch(&surface).recognise(), cyclide::PatchKind::Sphere { .. }));
+    assert!(matches!(patch(&surface).recognize(), cyclide::PatchKind::Sphere { .. }));
     let m = model(vec![("sphere", surface)]);
     // As one face its circles carry their curves in the parameters; patches for themselves are exact without.
     let (file, text) = step(&m, StepEdges::Circles);
@@ -201,7 +201,7 @@ fn surfaces_have_the_colour_of_their_object() {
     let options = ExportOptions { step_products: StepProducts::One, ..ExportOptions::default() };
     let one = String::from_utf8(export(&m, Format::Step, &options).unwrap().bytes).unwrap();
     assert_eq!((one.matches("=PRODUCT(").count(), one.matches("ASSEMBLY").count()), (1, 0));
-    // The pale colours of the pictures, 0xC3D3E6 and 0xB4DAD4.
+    // The pale colors of the pictures, 0xC3D3E6 and 0xB4DAD4.
     for rgb in [[195.0, 211.0, 230.0], [180.0, 218.0, 212.0]] {
         let rgb = rgb.map(|v: f64| (v / 255.0).to_string()).join(",");
         assert_eq!(text.matches(&format!("=COLOUR_RGB('',{rgb})")).count(), 1, "{rgb}");

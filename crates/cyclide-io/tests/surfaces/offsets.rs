@@ -18,7 +18,7 @@ fn offsets_and_images() {
     assert!((point(&moved, 0.3, 0.6).distance(Point3::new(2.0, 0.0, -1.0)) - 4.0).abs() < 1e-13);
     // The start (3,0,0) by hand: (5,0,0), (5,0,1), (1,4,1), (1,4,-1), (2,4,-1).
     assert!(point(&moved, 0.0, 0.0).distance(Point3::new(2.0, 4.0, -1.0)) < 1e-14);
-    // Inversion in the unit sphere about (1,0,0) keeps the centre and takes the radius 2 to 1/2.
+    // Inversion in the unit sphere about (1,0,0) keeps the center and takes the radius 2 to 1/2.
     let inverted = build(&format!(
         r#"{OCTANT}, "b": {{"type": "transform", "of": "o", "steps": [{{"inversion": {{"center": [1,0], "radius": 1}}}}]}}"#
     ))

@@ -38,7 +38,7 @@ fn grids_come_from_three_planes() {
     let found = report(&grid);
     assert!(found.blocks == 4 && (found.volume - 9.0).abs() < 1e-12);
     let cells = found.cells.unwrap();
-    // (2 x 2 + 1) (1 x 3 + 1) (2 x 4 + 1) nodes: neighbours share theirs.
+    // (2 x 2 + 1) (1 x 3 + 1) (2 x 4 + 1) nodes: neighbors share theirs.
     assert_eq!((cells.count, cells.nodes, cells.inverted), (96, 5 * 4 * 9, 0));
     assert!((cells.scaled_jacobian - 1.0).abs() < 1e-14 && (cells.shortest_side - 0.125).abs() < 1e-14);
     let (reason, message) = refused(&format!(r#""g": {{"type": "cyclide-grid", {}}}"#, planes(0.1)));
@@ -52,7 +52,7 @@ fn block(corners: &[[f64; 3]], fields: &str) -> String {
     format!(r#""b": {{"type": "cyclide-volume", "corners": {corners:?}{fields}}}"#)
 }
 
-/// The corners of a box, turned and moved: as many as are asked for, four of them the first and its neighbours.
+/// The corners of a box, turned and moved: as many as are asked for, four of them the first and its neighbors.
 fn turned_box(sides: [f64; 3], place: [f64; 3], count: usize) -> Vec<[f64; 3]> {
     // Rows of an orthonormal matrix, in thirds.
     let ways = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]];
@@ -179,7 +179,7 @@ fn whole_cyclides_close_and_their_skin_is_one_solid() {
 fn layers_fold_nowhere() {
     let wall = r#""w": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
     let layers = |fields: &str| format!(r#"{wall}, "l": {{"type": "layers", "of": "w", {fields}}}"#);
-    // To the nearest centre of curvature it is mu - c = 1 inwards.
+    // To the nearest center of curvature it is mu - c = 1 inwards.
     assert_eq!(report(&layers(r#""first": -0.1, "growth": 1.5, "count": 4"#)).blocks, 64); // 0.81 together
     for fields in [r#""first": -0.1, "growth": 1.5, "count": 5"#, r#""distances": [-1.2, 0]"#] {
         let (reason, message) = refused(&layers(fields));
@@ -510,7 +510,7 @@ fn coordinate_surfaces_are_sewn() {
         assert!(body.is_solid() && body.outer.faces().len() == 48);
         assert!((body.outer.volume() / volume - 1.0).abs() < 1e-9, "{mu}: {}", body.outer.volume());
     }
-    // Eight walls across the tube, each a ring of twelve faces: s = 0 and s = 1 of neighbours are one.
+    // Eight walls across the tube, each a ring of twelve faces: s = 0 and s = 1 of neighbors are one.
     for fields in [r#""s": [0]"#, r#""s": [0, 1]"#, r#""s": [0.3]"#] {
         let (bodies, names) = surfaces(fields);
         assert_eq!((bodies.len(), names.len()), (8, 8), "{fields}");

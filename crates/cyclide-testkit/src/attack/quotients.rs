@@ -10,7 +10,7 @@ pub(super) fn curve(random: &mut Random) -> Objects {
     if random.chance(0.6) {
         return base;
     }
-    // A centre anywhere, now and then on a point.
+    // A center anywhere, now and then on a point.
     let center = match random.chance(0.2) {
         true => base.objects[0].1["points"][0].clone(),
         false => json!(random.vector().map(|v| v * random.decades(-1.0, 2.0))),

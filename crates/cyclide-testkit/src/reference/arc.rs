@@ -81,7 +81,7 @@ impl Rules {
         move |want| 10.0 * self.rtol * self.scale.max(1.0) * want.last().map_or(1.0, |w| w.abs().max(1.0))
     }
 
-    /// Centres: of the radius's size if that is larger.
+    /// Centers: of the radius's size if that is larger.
     fn center(self, radius: Option<f64>) -> impl Fn(&[f64]) -> f64 {
         move |_| self.rtol * self.scale.max(radius.unwrap_or(0.0))
     }

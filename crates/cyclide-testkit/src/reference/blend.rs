@@ -35,7 +35,7 @@ impl Rules {
         Self { rtol: case.rtol(), size: points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max) }
     }
 
-    /// Points, centres, radii, homogeneous coordinates.
+    /// Points, centers, radii, homogeneous coordinates.
     pub(super) fn point(self) -> impl Fn(&[f64]) -> f64 {
         move |_| self.rtol * self.size
     }

@@ -11,7 +11,7 @@ pub(super) fn largest_distance(path: &ArcPath, points: &[Point3]) -> f64 {
 }
 
 /// Distance of a point to the path: for each arc a coarse search over its length, then golden sections around the best
-/// step. The distance to a circular arc has one minimum between two neighbours of the best sample.
+/// step. The distance to a circular arc has one minimum between two neighbors of the best sample.
 fn distance(path: &ArcPath, p: Point3) -> f64 {
     path.arcs().iter().map(|arc| distance_to_arc(arc, p)).fold(f64::INFINITY, f64::min)
 }

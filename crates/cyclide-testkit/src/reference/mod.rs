@@ -3,7 +3,7 @@
 //! A file holds cases `{id, construct, input, expect, rtol, scale?}`. Each construct has a handler that computes from
 //! `input` and compares every field of `expect`; a field no handler compared is a failure, and so is an error that
 //! was expected and did not occur, or occurred and was not expected. Handlers see the input numbers only as
-//! numbers: nothing is recognised by its value.
+//! numbers: nothing is recognized by its value.
 
 mod arc;
 mod arc_fit;

@@ -66,7 +66,7 @@ fn counts(polyhedron: &ConvexPolyhedron, body: &Body, check: &mut Check) {
     check.exact("cylinders", polyhedron.edges().count());
     check.exact("sphere_patches", polyhedron.corner_count());
     let cylinder = |surface: &FaceSurface| {
-        surface.patch().is_some_and(|patch| matches!(patch.recognise(), PatchKind::Cylinder { outward: true, .. }))
+        surface.patch().is_some_and(|patch| matches!(patch.recognize(), PatchKind::Cylinder { outward: true, .. }))
     };
     let strips: Vec<_> = body.outer.faces().iter().filter(|face| face.surface.patch().is_some()).collect();
     if strips.len() < polyhedron.edges().count() || !strips.iter().all(|face| cylinder(&face.surface)) {

@@ -4,7 +4,7 @@
 
 use cyclide::{ArcPath, ArcSplineOptions, BlendVariant, CircleSpline, CircleSplineOptions, Point3};
 
-/// `n` samples of a closed track of about 1000 by 700 metres with bends of every radius; not repeated at the end.
+/// `n` samples of a closed track of about 1000 by 700 meters with bends of every radius; not repeated at the end.
 pub fn track(n: usize) -> Vec<Point3> {
     let at = |i: usize| {
         let a = std::f64::consts::TAU * i as f64 / n as f64;

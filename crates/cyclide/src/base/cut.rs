@@ -1,4 +1,4 @@
-//! Where to cut a curve: global parameters to pieces, with joints recognised.
+//! Where to cut a curve: global parameters to pieces, with joints recognized.
 
 use crate::error::{ErrorItem, NumberError, Result};
 
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ends_are_recognised() {
+    fn ends_are_recognized() {
         let exact = |ends: [f64; 2]| ends.map(f64::to_bits);
         for off in [-3.0 * f64::EPSILON, -1e-300, 0.0, 1e-17, 4.0 * f64::EPSILON] {
             assert_eq!(exact(interval(off, 0.5).unwrap()), exact([0.0, 0.5]), "{off:e}");
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn joints_are_recognised_for_every_count() {
+    fn joints_are_recognized_for_every_count() {
         for n in 2..2000_usize {
             for i in [1, n / 3 + 1, n - 1] {
                 assert_eq!(place_of_cut(i as f64 / n as f64, n).unwrap(), (i.min(n - 1), 0.0), "{i}/{n}");

@@ -73,7 +73,7 @@ impl CurveJet {
         self.d1.length()
     }
 
-    /// Curvature vector: second derivative by arc length, pointing to the centre of curvature, length `1/R`.
+    /// Curvature vector: second derivative by arc length, pointing to the center of curvature, length `1/R`.
     /// `None` where the first derivative vanishes. Zero on a straight line.
     #[must_use]
     #[inline]

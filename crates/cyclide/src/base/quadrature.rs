@@ -126,7 +126,7 @@ pub(crate) fn cells(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> Vec<Cell>
         }
         let m = 0.5 * (worst.a + worst.b);
         if m <= worst.a || m >= worst.b {
-            // Neighbouring doubles.
+            // Neighboring doubles.
             heap.push(Cell { error: 0.0, ..worst });
             continue;
         }

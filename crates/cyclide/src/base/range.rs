@@ -75,7 +75,7 @@ pub(crate) fn check_thickness(value: f64) -> Result<()> {
 /// Roundings (of the largest coordinate) that a surface is across at least: points are off by half of one in each coordinate,
 /// 1.3e-5 of such a size in space. That is what files are within by default, so that smaller surfaces have no file, and
 /// their normals are known to no more than four digits. Far beyond it no edge differs from another. It leaves a tenth of
-/// a millimetre at coordinates of 5000 km.
+/// a millimeter at coordinates of 5000 km.
 pub(crate) const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
 
 /// Refuses points that are so close to each other and so far from the origin that their differences are rounding.

@@ -4,7 +4,7 @@ use super::mobius::Mobius;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 
-/// The oriented sphere or plane `w |x|² - 2 v·x + k = 0` with `h² = |v|² - w k`: centre `v/w` and signed radius `h/w`, a
+/// The oriented sphere or plane `w |x|² - 2 v·x + k = 0` with `h² = |v|² - w k`: center `v/w` and signed radius `h/w`, a
 /// plane if `w = 0`. A common factor changes nothing, and all is linear: sums need not be spheres themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LieSphere {

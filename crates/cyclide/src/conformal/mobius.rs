@@ -4,7 +4,7 @@
 //! y -> target + (a x + b)(c x + d)^-1,   x = y - source
 //! ```
 //! Every Möbius map of three-space has this form, the orientation-reversing ones too, because `x` is purely
-//! imaginary: inversion in the sphere of centre `o` and radius `R` is `o - R (x/R)^-1 = o + R² x/|x|²` with
+//! imaginary: inversion in the sphere of center `o` and radius `R` is `o - R (x/R)^-1 = o + R² x/|x|²` with
 //! both origins in `o`, reflection in the plane with unit normal `n` through `o` is `o + (n x)(-n)^-1`.
 //!
 //! One origin for all maps would lose them: the matrix of an inversion far away, `(o, R² - |o|²; 1, -o)`, holds `R²` as a
@@ -97,7 +97,7 @@ impl Mobius {
         (source.is_finite() && target.is_finite() && b.is_finite()).then_some(found)
     }
 
-    /// Inversion in the sphere of the given centre and radius: `y -> o + R² (y-o)/|y-o|²`.
+    /// Inversion in the sphere of the given center and radius: `y -> o + R² (y-o)/|y-o|²`.
     ///
     /// # Errors
     /// `not-finite`, `radius-not-positive`.
@@ -357,7 +357,7 @@ mod tests {
             let [there, back] = [o.to_vec(), -o.to_vec()].map(|v| Mobius::translation(v).unwrap());
             let at_the_origin = Mobius::inversion(Point3::ORIGIN, 2.0).unwrap();
             let conjugated = there.after(&at_the_origin).after(&back);
-            // A few operations on numbers of the size of the distance; what lies near the centre is magnified by
+            // A few operations on numbers of the size of the distance; what lies near the center is magnified by
             // the square of 2 over its distance, here at most 4.
             let rounding = 16.0 * f64::EPSILON * distance;
             for v in [Vec3::new(0.6, -1.2, 2.0), Vec3::new(-1.0, 0.5, 0.25), Vec3::new(0.1, 1.0, -0.3)] {
@@ -396,12 +396,12 @@ mod tests {
                 close(pair.quotient().unwrap().to_point(), map.map_point(p).unwrap(), 1e-13);
             }
         }
-        // Infinity goes to the centre.
+        // Infinity goes to the center.
         let infinity = HPoint { n: Quat::ONE, d: Quat::ZERO };
         close(inversion.map_pair(infinity).quotient().unwrap().to_point(), Point3::new(1.0, -2.0, 0.5), 1e-15);
     }
 
-    /// The matrix `(o, R² - |o|²; 1, -o)` of the inversion with centre `o` on the x-axis, and `R = 1`.
+    /// The matrix `(o, R² - |o|²; 1, -o)` of the inversion with center `o` on the x-axis, and `R = 1`.
     fn matrix(o: f64) -> [Quat; 4] {
         let x = Quat::new(0.0, o, 0.0, 0.0);
         [x, Quat::ONE * (o * o - 1.0), Quat::ONE, -x]

@@ -46,7 +46,7 @@ impl Sphere {
         Ok(Self { center: points[0] + offset, radius: offset.length() })
     }
 
-    /// Centre.
+    /// Center.
     #[must_use]
     pub fn center(&self) -> Point3 {
         self.center

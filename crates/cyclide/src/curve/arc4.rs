@@ -103,7 +103,7 @@ impl Arc4 {
         (radius > 0.0 && radius.is_finite()).then_some(radius)
     }
 
-    /// Centre; `None` for a straight segment or one point.
+    /// Center; `None` for a straight segment or one point.
     #[must_use]
     pub fn center(&self) -> Option<Quat> {
         self.radius()?;

@@ -1,4 +1,4 @@
-//! Circles in space: through points, by centre and normal, as exact splines.
+//! Circles in space: through points, by center and normal, as exact splines.
 
 use super::arc::Arc;
 use super::arc::measure::ClosestPoint;
@@ -32,7 +32,7 @@ pub struct Circle {
     center: Point3,
     /// Unit normal.
     normal: Vec3,
-    /// Start minus centre, perpendicular to the normal; its length is the radius.
+    /// Start minus center, perpendicular to the normal; its length is the radius.
     spoke: Vec3,
 }
 
@@ -64,7 +64,7 @@ impl Circle {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates or radius above 1e150, radius below 1e-150), `zero-axis`,
-    /// `radius-not-positive`, `below-rounding-of-place` (below the rounding of the centre: all points would be the same
+    /// `radius-not-positive`, `below-rounding-of-place` (below the rounding of the center: all points would be the same
     /// doubles).
     pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
@@ -79,8 +79,8 @@ impl Circle {
         Self::new(center, normal, across(toward, normal).unit().ok_or(Error::zero_axis(ErrorItem::Normal))? * radius)
     }
 
-    /// Centre and radius are kept as they are, whatever the rounding of points: so only a radius below the rounding of the
-    /// centre's coordinates is none, where surfaces, which are made from points, need more of theirs.
+    /// Center and radius are kept as they are, whatever the rounding of points: so only a radius below the rounding of the
+    /// center's coordinates is none, where surfaces, which are made from points, need more of theirs.
     fn new(center: Point3, normal: Vec3, spoke: Vec3) -> Result<Self> {
         let radius = spoke.length();
         range::check_distance(radius)?;
@@ -113,13 +113,13 @@ impl Circle {
         if sine <= COLLINEAR_LIMIT {
             return Err(ArcError::DegenerateCircle { sine, limit: COLLINEAR_LIMIT }.into());
         }
-        // centre = b + (|p|² (q × w) + |q|² (w × p)) / (2|w|²) with w = p × q
+        // center = b + (|p|² (q × w) + |q|² (w × p)) / (2|w|²) with w = p × q
         let center = b + (v.cross(w) * lp + w.cross(u) * lq) / (2.0 * sine * sine);
         // a -> b -> c turns about (b-a) × (c-b) = q × p... = -(p × q)
         Self::from_center(center, -w, a)
     }
 
-    /// Centre.
+    /// Center.
     #[must_use]
     pub fn center(&self) -> Point3 {
         self.center

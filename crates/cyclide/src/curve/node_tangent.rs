@@ -1,4 +1,4 @@
-//! Chords and the tangent of the circle through three neighbouring points, the only use made of the third point.
+//! Chords and the tangent of the circle through three neighboring points, the only use made of the third point.
 
 use crate::base::vector::{Point3, Vec3};
 

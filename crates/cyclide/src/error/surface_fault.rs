@@ -16,7 +16,7 @@ pub enum SurfaceFault {
     NoArea,
     /// More than two triangles share an edge.
     EdgeOfMany,
-    /// A triangle is oriented opposite to its neighbour.
+    /// A triangle is oriented opposite to its neighbor.
     TurnedOver,
     /// Triangles meet only at a vertex.
     Pinched,
@@ -38,7 +38,7 @@ impl SurfaceFault {
             }
             Self::TurnedOver => {
                 format!(
-                    "triangle {triangle} is oriented opposite to its neighbour: reverse it (or remove it, if it is a duplicate)"
+                    "triangle {triangle} is oriented opposite to its neighbor: reverse it (or remove it, if it is a duplicate)"
                 )
             }
             Self::Pinched => {

@@ -16,7 +16,7 @@ use crate::topology::{Body, EdgeCurve, FaceGeometry as _, Shell, ShellFace, Side
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
-    /// The common edge of patches, or a side without neighbour.
+    /// The common edge of patches, or a side without neighbor.
     Edge,
     /// A parameter line inside a face.
     Inner,

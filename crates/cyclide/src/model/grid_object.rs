@@ -31,7 +31,7 @@ impl GridObject {
     /// Grids that share nothing.
     ///
     /// # Errors
-    /// As [`ArcPath::rounded_polyline`], of neighbours at one place.
+    /// As [`ArcPath::rounded_polyline`], of neighbors at one place.
     pub fn apart(grids: Vec<QuadGrid>) -> Result<Self> {
         let mut lines = Vec::new();
         for grid in &grids {

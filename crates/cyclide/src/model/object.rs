@@ -26,14 +26,14 @@ use crate::volume::CyclideVolume;
     schemars(inline, description = "The units of a document.")
 )]
 pub enum Units {
-    /// Millimetres.
+    /// Millimeters.
     #[default]
     #[cfg_attr(feature = "serde", serde(rename = "mm"))]
     Millimetre,
-    /// Centimetres.
+    /// Centimeters.
     #[cfg_attr(feature = "serde", serde(rename = "cm"))]
     Centimetre,
-    /// Metres.
+    /// Meters.
     #[cfg_attr(feature = "serde", serde(rename = "m"))]
     Metre,
     /// Inches.
@@ -65,7 +65,7 @@ impl Units {
         }
     }
 
-    /// Length of one unit in millimetres.
+    /// Length of one unit in millimeters.
     #[must_use]
     pub const fn in_millimetres(self) -> f64 {
         match self {

@@ -51,7 +51,7 @@ impl DualQuat {
         self.real.dot(other.dual) + self.dual.dot(other.real)
     }
 
-    /// The point of the quadric on the same fibre, `r − (p·r)/(p·p) p`: division by a real dual number, so it commutes with products by
+    /// The point of the quadric on the same fiber, `r − (p·r)/(p·p) p`: division by a real dual number, so it commutes with products by
     /// displacements. `None` if the real part is zero.
     #[must_use]
     pub fn fibre_projected(self) -> Option<Self> {
@@ -61,7 +61,7 @@ impl DualQuat {
         (unit > 0.0 && dual.is_finite()).then_some(Self { real: self.real, dual })
     }
 
-    /// The translation `2 Im(r p⁻¹)` of the fibre; `None` if the real part is zero.
+    /// The translation `2 Im(r p⁻¹)` of the fiber; `None` if the real part is zero.
     #[must_use]
     pub fn translation(self) -> Option<Vec3> {
         let inverse = self.real.inverse()?;
@@ -69,7 +69,7 @@ impl DualQuat {
         translation.is_finite().then_some(translation)
     }
 
-    /// Where the displacement of the fibre takes a point; `None` if the real part is zero.
+    /// Where the displacement of the fiber takes a point; `None` if the real part is zero.
     ///
     /// ```
     /// use cyclide::{DualQuat, Point3, Quat, Vec3};

@@ -1,7 +1,7 @@
 //! The extremes of what a moving body does: how fast, and how suddenly.
 //!
 //! Each span is cut where quadrature of the speed and of the angular speed cuts it, so that a cell is as narrow as what happens in it, and
-//! each cell into even parts. A place that is higher than its neighbours is between these, where sections in the golden ratio find it
+//! each cell into even parts. A place that is higher than its neighbors is between these, where sections in the golden ratio find it
 //! (`docs/math/motions.md#extremes`).
 
 use super::moving_body::Schedule;
@@ -101,7 +101,7 @@ pub(super) struct Bracket {
     of_span: [f64; 2],
     at: f64,
     ends: [f64; 2],
-    /// The value at the place, and about how high it may be between its neighbours.
+    /// The value at the place, and about how high it may be between its neighbors.
     value: f64,
     pub(super) may_be: f64,
 }
@@ -226,7 +226,7 @@ impl Schedule<'_> {
     }
 }
 
-/// The places of a span that are as high as their neighbours; at its ends there is one of them only.
+/// The places of a span that are as high as their neighbors; at its ends there is one of them only.
 pub(super) fn raised<'a>(
     cells: &'a SpanCells,
     places: &'a [f64],

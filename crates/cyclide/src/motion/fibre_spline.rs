@@ -1,8 +1,8 @@
-//! C1 motions through any number of poses: a cubic spline through their dual quaternions, read along the fibres of the quadric.
+//! C1 motions through any number of poses: a cubic spline through their dual quaternions, read along the fibers of the quadric.
 //!
-//! Derivatives at inner poses are those of the parabola through three of them, at the ends that of the chord and the neighbour
-//! (`2ΔY/h − D`), so that the spline runs as the parabola does there; between poses that are the same it rests. Reading along fibres commutes with displacements on both
-//! sides, so the motion is the same in every frame (`docs/math/motions.md#fibre-projection`).
+//! Derivatives at inner poses are those of the parabola through three of them, at the ends that of the chord and the neighbor
+//! (`2ΔY/h − D`), so that the spline runs as the parabola does there; between poses that are the same it rests. Reading along fibers commutes with displacements on both
+//! sides, so the motion is the same in every frame (`docs/math/motions.md#fiber-projection`).
 
 use super::leaves_chords::LeavesChords;
 use super::rational_motion::{MotionSpan, RationalMotion};
@@ -10,11 +10,11 @@ use super::swings::{Ground, Swings};
 use super::timed_pose::{Prepared, TimeOrder, TimedPose};
 use crate::error::{PoseError, Result};
 
-/// Roundings by which dual quaternions of one displacement differ: of angles, matrices, and products with the centre.
+/// Roundings by which dual quaternions of one displacement differ: of angles, matrices, and products with the center.
 const RESTING: f64 = 16.0;
 
 impl RationalMotion {
-    /// The C1 motion through two poses or more at rising times. Between neighbours it takes the shorter way round; at half a
+    /// The C1 motion through two poses or more at rising times. Between neighbors it takes the shorter way round; at half a
     /// turn the sign of the second rotation decides. Points run on C1 curves of degree 6. For two poses, the straight way.
     ///
     /// # Errors
@@ -81,7 +81,7 @@ fn spline(poses: &[TimedPose], closed: bool) -> Result<RationalMotion> {
     Ok(motion.swinging(swings, leaves).half_turning(prepared.half_turns))
 }
 
-/// Three-point derivatives at the values, 0 at those that are the same as a neighbour.
+/// Three-point derivatives at the values, 0 at those that are the same as a neighbor.
 fn derivatives(values: &[[f64; 8]], steps: &[f64], closed: bool, rests: impl Fn(usize) -> bool) -> Vec<[f64; 8]> {
     let last = steps.len();
     let slope = |i: usize| -> [f64; 8] { std::array::from_fn(|k| (values[i + 1][k] - values[i][k]) / steps[i]) };
@@ -106,7 +106,7 @@ fn derivatives(values: &[[f64; 8]], steps: &[f64], closed: bool, rests: impl Fn(
         let between = (1..last).map(inner);
         return [joint].into_iter().chain(between).chain([joint.map(|v| side * v)]).collect();
     }
-    let end = |chord: [f64; 8], neighbour: [f64; 8]| std::array::from_fn(|k| 2.0 * chord[k] - neighbour[k]);
+    let end = |chord: [f64; 8], neighbor: [f64; 8]| std::array::from_fn(|k| 2.0 * chord[k] - neighbor[k]);
     (0..=last)
         .map(|i| match i {
             0 if rests(0) => [0.0; 8],

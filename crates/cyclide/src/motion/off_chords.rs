@@ -7,7 +7,7 @@ use crate::base::vector::Vec3;
 
 /// Even parts of a span that are looked at.
 const PARTS: usize = 16;
-/// The places that may be farthest, which are searched for between their neighbours.
+/// The places that may be farthest, which are searched for between their neighbors.
 const SEARCHED: usize = 16;
 /// Sections of a bracket: 1e-8 of it, of which a smooth peak knows nothing.
 const SECTIONS: u32 = 40;

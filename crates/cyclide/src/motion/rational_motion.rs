@@ -1,8 +1,8 @@
 //! Motions that are polynomial in the eight coefficients of a dual quaternion: every point of the body runs on a rational curve.
 //!
-//! A span is a Bézier curve `(p, r)` of degree n in R⁸, read along the fibres of the quadric: the rotation is `p`, the translation
+//! A span is a Bézier curve `(p, r)` of degree n in R⁸, read along the fibers of the quadric: the rotation is `p`, the translation
 //! `2 Im(r p̄)/|p|²`. In homogeneous coordinates a point x of the body is at `[2 Im(r p̄) + p x p̄, |p|²]`, of degree 2n
-//! (`docs/math/motions.md#fibre-projection`).
+//! (`docs/math/motions.md#fiber-projection`).
 
 use super::decoupled::angular_jet;
 use super::dual_quat::DualQuat;
@@ -64,7 +64,7 @@ pub struct RationalMotion {
 pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 
 impl RationalMotion {
-    /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
+    /// The motion of these spans, about a center and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
         Self {
             times,
@@ -132,7 +132,7 @@ impl RationalMotion {
         self.spans.iter().map(|span| span.0.len() - 1).max().unwrap_or(0)
     }
 
-    /// The dual quaternion at a time, clamped to those of the motion: of any length, and on the fibre of the displacement.
+    /// The dual quaternion at a time, clamped to those of the motion: of any length, and on the fiber of the displacement.
     #[must_use]
     pub fn dual_quat(&self, time: f64) -> DualQuat {
         let (span, s) = self.place_of(time);
@@ -261,7 +261,7 @@ impl RationalMotion {
         self.centre
     }
 
-    /// As [`homogeneous_paths`](Self::homogeneous_paths), in coordinates from the [centre](Self::centre): a product with it would cost, far from
+    /// As [`homogeneous_paths`](Self::homogeneous_paths), in coordinates from the [center](Self::centre): a product with it would cost, far from
     /// the origin, the digits that a weight is smaller than the squares it is summed of.
     pub(super) fn homogeneous_paths_about_centre(&self, [x, y, z, w]: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
         let point = QuatPolynomial::constant(Quat::new(0.0, x, y, z));

@@ -111,7 +111,7 @@ struct Screw {
 }
 
 impl Screw {
-    /// Between two displacements about a centre, their dual parts in units of `unit`.
+    /// Between two displacements about a center, their dual parts in units of `unit`.
     fn new([from, to]: [DualQuat; 2], unit: f64, start: Pose) -> Self {
         let relative = from.conj() * to;
         let (p, r) = (relative.real, relative.dual * unit);

@@ -27,7 +27,7 @@ pub struct StudyPoint {
 }
 
 impl StudyPoint {
-    /// The point of a dual quaternion on the quadric; what is off it by rounding is projected along its fibre.
+    /// The point of a dual quaternion on the quadric; what is off it by rounding is projected along its fiber.
     ///
     /// # Errors
     /// `not-finite`, `point-at-infinity` (the real part is zero), `not-on-study-quadric`.

@@ -3,7 +3,7 @@
 //! A cubic from value to value that starts or ends more than three times as fast as it goes on average need not be monotone. The dual quaternion as a
 //! whole hides a part that swings behind the other one: place and turn are looked at apart as well. Of them it is reported only where they go on beyond
 //! the poses and come back, not at the crest of a wave that was sampled on both sides of it: there they turn round as fast as they came, and have slowed
-//! down before, or get faster after (`docs/math/motions.md#fibre-projection`).
+//! down before, or get faster after (`docs/math/motions.md#fiber-projection`).
 
 use super::dual_quat::DualQuat;
 use super::rational_motion::MotionSpan;
@@ -190,7 +190,7 @@ fn ratio_of_all(span: &MotionSpan) -> f64 {
     }
 }
 
-/// Where the origin of the body is, from the centre.
+/// Where the origin of the body is, from the center.
 pub(super) fn place(span: &MotionSpan, unit: f64, s: f64) -> Vec3 {
     let at = DualQuat::from_array(bernstein::eval(&span.0, s));
     (at.dual * at.real.conj()).vector() * (2.0 * unit / at.real.dot(at.real))

@@ -47,7 +47,7 @@ impl HalfTurns {
     }
 }
 
-/// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbours in time on the same side.
+/// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbors in time on the same side.
 ///
 /// Both are a change of frame and of unit, which the constructions commute with; they cost fewer digits there.
 #[derive(Debug)]
@@ -66,7 +66,7 @@ pub(super) struct Prepared {
     pub(super) rounding: f64,
     /// Study forms between the poses up to this are zero.
     pub(super) vanished: f64,
-    /// Neighbours in time between which both ways round are as short.
+    /// Neighbors in time between which both ways round are as short.
     pub(super) half_turns: Option<HalfTurns>,
 }
 
@@ -115,7 +115,7 @@ impl Prepared {
         for pose in &mut poses {
             pose.dual = Quat::from(pose.dual.to_array().map(|v| v / unit));
         }
-        // Neighbours in time, whatever the order of the list: the motion is the same for all.
+        // Neighbors in time, whatever the order of the list: the motion is the same for all.
         let mut by_time: Vec<usize> = (0..poses.len()).collect();
         by_time.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
         let mut half_turns: Option<HalfTurns> = None;

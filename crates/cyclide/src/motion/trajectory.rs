@@ -62,7 +62,7 @@ impl RationalMotion {
     }
 }
 
-/// Whether a path, in coordinates from a centre, is one point to rounding.
+/// Whether a path, in coordinates from a center, is one point to rounding.
 fn is_at_rest(curve: &RationalBezier, centre: Vec3) -> bool {
     let points = || curve.rows().iter().map(|[x, y, z, w]| Vec3::new(x / w, y / w, z / w));
     let start = curve.point(0.0).to_vec();
@@ -78,7 +78,7 @@ fn raised(curve: &RationalBezier, degree: usize) -> RationalBezier {
     }
 }
 
-/// The curves as one B-spline over `[0, 1]`, moved by a vector. A joint at which the homogeneous forms meet C1 lies between its neighbours: it is left out, and
+/// The curves as one B-spline over `[0, 1]`, moved by a vector. A joint at which the homogeneous forms meet C1 lies between its neighbors: it is left out, and
 /// the knot is there once less.
 fn joined(curves: &[RationalBezier], times: &[f64], by: Vec3) -> Result<NurbsCurve> {
     let degree = curves[0].degree();

@@ -5,9 +5,9 @@ use crate::base::vector::Vec3;
 
 /// Parameters of a fit at most.
 const MOST: usize = 7;
-/// Steps of least squares; linearisations towards the least maximum, and weighings of each.
+/// Steps of least squares; linearizations towards the least maximum, and weighings of each.
 const STEPS: usize = 40;
-const LINEARISATIONS: usize = 24;
+const LINEARIZATIONS: usize = 24;
 const WEIGHINGS: usize = 30;
 /// The largest distance is this near to its lower bound, the weighted mean: done.
 pub(super) const LEVEL: f64 = 1.003;
@@ -16,7 +16,7 @@ pub(super) const ROUNDING: f64 = 1e-14;
 /// What is added to the diagonal of normal equations, relative to itself and to the largest entry: a sphere may be turned about any axis.
 const DAMPING: [f64; 2] = [1e-12, 1e-14];
 
-/// The first damping of a linearisation that went too far.
+/// The first damping of a linearization that went too far.
 const FIRST: f64 = 1e-3;
 /// A mould is given up where the least mean distance to first order is this many times the limit at its start, and the least largest
 /// distance this many times after least squares: what is of second order changes them by less.
@@ -142,12 +142,12 @@ fn cholesky<const N: usize>(a: &mut [[f64; N]; N], b: &mut [f64; N]) -> bool {
 
 impl BentPlane {
     /// The surface near this one whose largest distance from the points is least, to about half a percent, with that distance: by least squares,
-    /// then by linearised problems of the least maximum. What no surface near this one brings within `limit` is left wherever that is seen, and nothing
+    /// then by linearized problems of the least maximum. What no surface near this one brings within `limit` is left wherever that is seen, and nothing
     /// is done any more once the largest distance is at most `enough`.
     pub(super) fn least_maximum(self, points: &[Vec3], free: &[usize], [enough, limit]: [f64; 2]) -> (Self, f64) {
         let (shape, mean) = self.least_squares(points, free, f64::INFINITY);
         let best = (shape, shape.largest(points));
-        if mean > limit { best } else { best.0.levelled(points, free, [enough, GIVEN_UP * limit]) }
+        if mean > limit { best } else { best.0.leveled(points, free, [enough, GIVEN_UP * limit]) }
     }
 
     /// As [`least_maximum`](Self::least_maximum) for a surface that is only placed: one that no placing near this one brings within
@@ -155,15 +155,15 @@ impl BentPlane {
     pub(super) fn placed(self, points: &[Vec3], free: &[usize], [enough, limit]: [f64; 2]) -> (Self, f64) {
         let (shape, mean) = self.least_squares(points, free, GIVEN_UP_AT_START * limit);
         let best = (shape, shape.largest(points));
-        if mean > limit { best } else { best.0.levelled(points, free, [enough, GIVEN_UP * limit]) }
+        if mean > limit { best } else { best.0.leveled(points, free, [enough, GIVEN_UP * limit]) }
     }
 
     /// As [`least_maximum`](Self::least_maximum), from a surface that is near already; given up where the bound is above `most`.
-    pub(super) fn levelled(self, points: &[Vec3], free: &[usize], [enough, most]: [f64; 2]) -> (Self, f64) {
+    pub(super) fn leveled(self, points: &[Vec3], free: &[usize], [enough, most]: [f64; 2]) -> (Self, f64) {
         let mut best = (self, self.largest(points));
         let even = vec![1.0 / points.len() as f64; points.len()];
         let (mut weights, mut damping) = (even.clone(), DAMPING[0]);
-        for _ in 0..LINEARISATIONS {
+        for _ in 0..LINEARIZATIONS {
             if best.1 <= enough.max(ROUNDING) {
                 break;
             }

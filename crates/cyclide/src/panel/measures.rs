@@ -61,7 +61,7 @@ pub struct PanelSide {
     pub sweep: f64,
     /// Radius; none if it is straight or one point.
     pub radius: Option<f64>,
-    /// Centre of its circle.
+    /// Center of its circle.
     pub center: Option<Point3>,
     /// Unit normal of its plane, about which it turns right-handed with the growing parameter.
     pub normal: Option<Vec3>,
@@ -78,7 +78,7 @@ pub struct PanelSide {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvatureExtreme {
-    /// Against [`CyclidePatch::unit_normal`]: positive where the centre is on the side of the normal. Infinite at a
+    /// Against [`CyclidePatch::unit_normal`]: positive where the center is on the side of the normal. Infinite at a
     /// parameter line that is one point.
     pub value: f64,
     /// A place where it is; it is the same along the whole line of `direction`.

@@ -181,7 +181,7 @@ impl PanelPoints {
             let distance = now.shape.distances();
             let far = peaks(&self.unit, |place| distance(self.unit.at(place)));
             points.extend(far.into_iter().map(|(_, place)| self.unit.at(place)));
-            let (shape, at_points) = now.shape.levelled(&points, shape.bend.free(), [0.0, f64::INFINITY]);
+            let (shape, at_points) = now.shape.leveled(&points, shape.bend.free(), [0.0, f64::INFINITY]);
             (now, largest) = (self.measured(shape), at_points);
             if now.max_distance < best.max_distance {
                 best = now;

@@ -161,7 +161,7 @@ impl RationalBezierSurface {
         known.or_else(|| across.unit()).unwrap_or_default()
     }
 
-    /// The normal at a place of the border to which its neighbourhood leads: that of the plane, or one drawn out from two places inside.
+    /// The normal at a place of the border to which its neighborhood leads: that of the plane, or one drawn out from two places inside.
     fn normal_from_inside(&self, at: [f64; 2], way: [f64; 2]) -> Option<Vec3> {
         if at.into_iter().all(|x| x > 0.0 && x < 1.0) {
             return None;

@@ -26,7 +26,7 @@ pub struct NurbsCurve {
     knots: Vec<f64>,
     points: Vec<Point3>,
     weights: Vec<f64>,
-    /// The Bézier form of the knot spans (homogeneous rows), made once: `degree` rows of each, and the last one. Neighbours
+    /// The Bézier form of the knot spans (homogeneous rows), made once: `degree` rows of each, and the last one. Neighbors
     /// share the row of their joint.
     span_rows: Vec<[f64; 4]>,
     /// The distinct knots, one more than spans.
@@ -206,7 +206,7 @@ impl NurbsCurve {
         &self.points
     }
 
-    /// The points at the means of `degree` neighbouring inner knots (T. N. E. Greville), one for each control point: where
+    /// The points at the means of `degree` neighboring inner knots (T. N. E. Greville), one for each control point: where
     /// data stand that such a spline interpolates.
     ///
     /// ```
@@ -358,7 +358,7 @@ pub(super) fn multiplicity(knots: &[f64], k: f64) -> usize {
 }
 
 /// Bézier rows of every span: its two end knots are inserted up to full multiplicity, in the window of the knots and
-/// rows that act on the span. Neighbours share the row of their joint.
+/// rows that act on the span. Neighbors share the row of their joint.
 fn span_rows(degree: usize, knots: &[f64], rows: &[[f64; 4]], breaks: &[f64]) -> Vec<[f64; 4]> {
     let mut all: Vec<[f64; 4]> = Vec::with_capacity(degree * (breaks.len() - 1) + 1);
     for ends in breaks.windows(2) {
@@ -382,7 +382,7 @@ pub(super) fn insert_knot(degree: usize, knots: &mut Vec<f64>, rows: &mut Vec<[f
     // k: last knot not above u, s: how often u is there already.
     let k = knots.partition_point(|x| *x <= u) - 1;
     let s = multiplicity(knots, u);
-    // Rows k-degree+1 to k-s are replaced by one more combinations of neighbours.
+    // Rows k-degree+1 to k-s are replaced by one more combinations of neighbors.
     let replaced: Vec<[f64; 4]> = (k + 1 - degree..=k - s)
         .map(|i| {
             let a = (u - knots[i]) / (knots[i + degree] - knots[i]);

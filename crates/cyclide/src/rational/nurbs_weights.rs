@@ -2,7 +2,7 @@
 //!
 //! A common factor of all weights changes nothing, and multiplying those of a Bézier curve by `1, c, c², …` changes its
 //! parameter only (`docs/math/rational-curves.md#weights`). The larger `c`, the shorter is the part of the parameter in
-//! which most of the curve is run through; where it is below the distance of neighbouring doubles, there is no curve.
+//! which most of the curve is run through; where it is below the distance of neighboring doubles, there is no curve.
 
 use super::nurbs_curve::NurbsCurve;
 use crate::base::vector::Point3;

@@ -87,7 +87,7 @@ impl NurbsCurve {
             return Err(failing);
         }
         let degree = self.degree() + 3;
-        // The joint rows of smooth knots are combinations of their neighbours: left out.
+        // The joint rows of smooth knots are combinations of their neighbors: left out.
         let kept = count * degree + 1 - smooth.iter().filter(|smooth| **smooth).count();
         let (mut points, mut weights) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
         let mut knots = Vec::with_capacity(kept + degree + 1);

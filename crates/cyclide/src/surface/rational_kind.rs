@@ -27,12 +27,12 @@ impl RationalBezierSurface {
     /// let rows = [[1.0, 0.0, 1.0], [h, h, h], [0.0, 1.0, 1.0]];
     /// let rows = rows.iter().flat_map(|[x, y, w]| [[*x, *y, 0.0, *w], [*x, *y, 3.0 * w, *w]]).collect();
     /// let quarter = RationalBezierSurface::new([2, 1], rows)?;
-    /// let PatchKind::Cylinder { radius, .. } = quarter.recognise() else { panic!("a quarter of a cylinder") };
+    /// let PatchKind::Cylinder { radius, .. } = quarter.recognize() else { panic!("a quarter of a cylinder") };
     /// assert!((radius - 1.0).abs() < 1e-14);
     /// # Ok::<(), cyclide::Error>(())
     /// ```
     #[must_use]
-    pub fn recognise(&self) -> PatchKind {
+    pub fn recognize(&self) -> PatchKind {
         if !self.has_positive_weights() {
             return PatchKind::Cyclide;
         }
@@ -47,8 +47,8 @@ impl RationalBezierSurface {
         found.unwrap_or(PatchKind::Cyclide)
     }
 
-    /// The centre and the radius of the sphere on which the surface lies, proved likewise, with the same limits; `None` of all else. The radius is
-    /// negative where the normal `f_s × f_t` points to the centre. Source: as [`recognise`](Self::recognise).
+    /// The center and the radius of the sphere on which the surface lies, proved likewise, with the same limits; `None` of all else. The radius is
+    /// negative where the normal `f_s × f_t` points to the center. Source: as [`recognize`](Self::recognize).
     ///
     /// ```
     /// use cyclide::{CyclidePatch, Point3, Vec3};

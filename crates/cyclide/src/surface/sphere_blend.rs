@@ -3,16 +3,16 @@
 //!
 //! Every corner has a sphere through the circle of the three corners. Between them the spheres are blended, and each point of
 //! the triangle goes to the sphere of its place by the rotation that bends the triangle's plane into that sphere. In closed
-//! form, with the circumcentre `o`, the circumradius `ρ`, the unit normal `n` and barycentric coordinates `λ`:
+//! form, with the circumcenter `o`, the circumradius `ρ`, the unit normal `n` and barycentric coordinates `λ`:
 //!
 //! ```text
 //! x = y + σ W (n + σ Y)/(1 + σ² |Y|²),   y = Σ λ_i x_i,   Y = y - o,   W = Σ λ_i λ_j |x_i - x_j|²,   σ = τ/ρ
 //! τ = b/(L + a),   a = Σ λ_i C_i,   b = Σ λ_i S_i,   L = hypot(a, b)
 //! ```
 //! `(C_i, S_i)` are cosine and sine of the angle at which the sphere of corner i leaves the plane. With cosine and sine of half the
-//! angle of `(a, b)` for `τ = s/c` it is `y + W/ρ s (c n + s Z)/(c² + s² |Z|²)`, `Z = Y/ρ`, which has no infinity but at the circumcentre, where the
+//! angle of `(a, b)` for `τ = s/c` it is `y + W/ρ s (c n + s Z)/(c² + s² |Z|²)`, `Z = Y/ρ`, which has no infinity but at the circumcenter, where the
 //! plane is turned over. Analytic inside. Patches
-//! over neighbouring triangles meet in their corners only, see [`SmoothMesh`](super::SmoothMesh) for surfaces over meshes.
+//! over neighboring triangles meet in their corners only, see [`SmoothMesh`](super::SmoothMesh) for surfaces over meshes.
 
 use super::barycentric::Barycentric;
 use super::smooth::Jet;
@@ -73,7 +73,7 @@ pub struct SphereBlend {
     corners: [Point3; 3],
     /// Longest edge: all that follows is in units of it.
     size: f64,
-    /// Corners as seen from the circumcentre.
+    /// Corners as seen from the circumcenter.
     spokes: [Vec3; 3],
     radius: f64,
     normal: Vec3,
@@ -101,7 +101,7 @@ impl SphereBlend {
         }
         let mut blend = Self::over(corners)?;
         for i in 0..3 {
-            // Seen from the corner first: far from the origin the centre has the rounding of its coordinates.
+            // Seen from the corner first: far from the origin the center has the rounding of its coordinates.
             let seen = (control[i] - corners[i]) / blend.size + blend.spokes[i];
             let distance = seen.length();
             let reach = blend.radius.hypot(distance);
@@ -144,7 +144,7 @@ impl SphereBlend {
 
     /// The patch, if it has a point everywhere: what is torn, or passes through infinity, is refused. Both are known beforehand:
     /// `(a, b)` is linear in the coordinates, so it is nowhere 0 if the origin is outside the triangle of the three `(C_i, S_i)`; and only
-    /// the circumcentre, or the place nearest to it, goes far.
+    /// the circumcenter, or the place nearest to it, goes far.
     ///
     /// ```
     /// use cyclide::{Point3, SphereBlend, Vec3};
@@ -180,7 +180,7 @@ impl SphereBlend {
         near.into_iter().collect()
     }
 
-    /// The place of the triangle that is nearest to the circumcentre: this, or the middle of the longest side.
+    /// The place of the triangle that is nearest to the circumcenter: this, or the middle of the longest side.
     fn nearest_to_circumcentre(&self) -> [f64; 3] {
         let squared = [0, 1, 2].map(|i| (self.spokes[(i + 1) % 3] - self.spokes[(i + 2) % 3]).length_squared());
         let weights = [0, 1, 2].map(|i| {
@@ -267,7 +267,7 @@ impl SphereBlend {
     }
 
     fn point_of(&self, at: &Barycentric, place: &Place) -> Point3 {
-        // From the nearest corner: the circumcentre of a thin triangle is far away.
+        // From the nearest corner: the circumcenter of a thin triangle is far away.
         let (nearest, coordinates) = (self.corners[at.largest()], at.coordinates());
         let flat = (0..3).fold(Vec3::ZERO, |sum, i| sum + (self.corners[i] - nearest) * coordinates[i]);
         nearest + (flat + place.lift * self.size)

@@ -1,7 +1,7 @@
 //! Faces of blocks and inside them, sewn: blocks are cut at parameters, the same in all of them, into parts with six faces each.
 //!
 //! Places are told by the nodes of a [structured grid](StructuredGrid) at the cuts and half-way between them, which blocks share: the middle of a face
-//! or of a side says which it is. Corners of faces are these nodes, so that neighbours agree on them bit for bit.
+//! or of a side says which it is. Corners of faces are these nodes, so that neighbors agree on them bit for bit.
 
 use super::{FaceEdge, Sewing, Side};
 use crate::curve::Arc;

@@ -70,7 +70,7 @@ impl CutShell {
     }
 
     /// The same surface in faces without a parameter line of one point inside: strips of faces are cut there, and the
-    /// parts of a singular face meet in that point, which is a side of each. Neighbours of a singular face are cut
+    /// parts of a singular face meet in that point, which is a side of each. Neighbors of a singular face are cut
     /// with it.
     ///
     /// # Errors

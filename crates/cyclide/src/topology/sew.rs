@@ -194,7 +194,7 @@ impl NetLayout {
 }
 
 impl CyclidicNet {
-    /// The arc between two neighbouring vertices.
+    /// The arc between two neighboring vertices.
     fn edge(&self, from: (usize, usize), to: (usize, usize)) -> Result<Arc> {
         let inverse = self.weight(from.0, from.1).inverse().ok_or(ArcError::ZeroWeight { index: 0 })?;
         let ratio = self.weight(to.0, to.1) * inverse;

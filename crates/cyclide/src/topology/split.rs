@@ -1,4 +1,4 @@
-//! Cutting the faces of a shell along whole strips, so that neighbours keep sharing their edges.
+//! Cutting the faces of a shell along whole strips, so that neighbors keep sharing their edges.
 //!
 //! A cut of one edge cuts every face along it, hence the opposite edge of each such face, and so on: the faces linked
 //! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,

@@ -25,7 +25,7 @@ impl CyclidicNet {
     /// As [`offset`](Self::offset), `below-rounding-of-place` also for a thickness below 1.5e-11 of the coordinates;
     /// `parameter-out-of-range` for `h = 0`; `collapsed-side` if the open side of a net
     /// that is closed in the other direction is one point (a node) in only one of both nets; `offset-not-regular` if a
-    /// centre of curvature lies between, a patch is singular inside, or patches run against each other.
+    /// center of curvature lies between, a patch is singular inside, or patches run against each other.
     pub fn thick(&self, h: f64) -> Result<Body> {
         check_thickness(h)?;
         if h.is_finite() {
@@ -52,7 +52,7 @@ impl CyclidicNet {
         Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
     }
 
-    /// Refuses distances beyond a curvature centre, and nets whose patches do not all have `f_s × f_t` on the same side.
+    /// Refuses distances beyond a curvature center, and nets whose patches do not all have `f_s × f_t` on the same side.
     fn check_between(&self, h: f64) -> Result<()> {
         let flipped = self.first_is_flipped();
         if let Some((quad, _)) = self.patches_with_quads().find(|(_, patch)| patch.is_flipped() != flipped) {

@@ -75,7 +75,7 @@ mod tests {
         // And back.
         let back = inverted.transformed(&far).unwrap();
         assert!((back.outer.volume() / volume - 1.0).abs() < 1e-10);
-        // A centre inside the solid would turn it inside out.
+        // A center inside the solid would turn it inside out.
         let face = &body.outer.faces()[0];
         let inward = face.outer_normal(0.5, 0.5).unwrap() * -0.1;
         let inside = Mobius::inversion(face.surface.point(0.5, 0.5) + inward, 1.0).unwrap();

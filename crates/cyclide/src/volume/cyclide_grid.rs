@@ -1,4 +1,4 @@
-//! Blocks over a grid of vertices: neighbours share faces, vertices and weights bit for bit.
+//! Blocks over a grid of vertices: neighbors share faces, vertices and weights bit for bit.
 //!
 //! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
 //! (`docs/math/volumes.md#grids`).
@@ -40,7 +40,7 @@ impl CyclideGrid {
     ///
     /// # Errors
     /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; with the quad `offset-on-focal-set` where an offset shrinks
-    /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with the nearest and its distance;
+    /// to a curve or a point, and `offset-not-regular` where layers reach a center of curvature, at which they would fold, with the nearest and its distance;
     /// `below-rounding-of-place` of a layer thinner than 1.5e-11 of the coordinates; `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
         check_distances(distances)?;
@@ -232,7 +232,7 @@ impl CyclideGrid {
         })?;
         let turned = Quat::from(-chord) * w1 * Quat::from(self.v[axis]);
         let Some(&other) = axes.get(1) else { return Ok(turned * (w1.norm() / turned.norm())) };
-        // The face of this vertex, its two neighbours and the one opposite.
+        // The face of this vertex, its two neighbors and the one opposite.
         let (a2, w2) = known(back(other));
         let mut opposite = back(axis);
         opposite[other] -= 1;
@@ -320,7 +320,7 @@ fn check_distances(distances: &[f64]) -> Result<()> {
 }
 
 impl CyclidicNet {
-    /// Refuses layers that reach a centre of curvature: what is regular as far as the outermost skins is so between.
+    /// Refuses layers that reach a center of curvature: what is regular as far as the outermost skins is so between.
     fn check_layers_regular(&self, distances: &[f64]) -> Result<()> {
         let ends = distances.first().into_iter().chain(distances.last());
         ends.filter(|h| **h != 0.0).try_for_each(|h| self.check_offset_regular(*h))

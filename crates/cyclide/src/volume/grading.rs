@@ -12,7 +12,7 @@
 
 use crate::error::{ErrorItem, NumberError, PoseError, Result};
 
-/// Ratios of neighbouring cells, and stretches, are found and taken up to these.
+/// Ratios of neighboring cells, and stretches, are found and taken up to these.
 const MAX_RATIO: f64 = 1e3;
 const MAX_STRETCH: f64 = 20.0;
 /// Stretches below this are uniform to rounding.
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_have_the_ratio() {
+    fn neighbors_have_the_ratio() {
         for fine in ENDS {
             for n in [2, 7, 8, 30] {
                 let l = lengths(Grading::Geometric { ratio: 1.3, fine }, n);

@@ -23,7 +23,7 @@ const FLAT: f64 = 1e-12;
 /// box by 3, and of others with this limit by less than the pair does, or hardly more.
 const MAGNIFIED: f64 = 30.0;
 
-/// The circles through the last corner, each by the three other corners of its face, the neighbour of the first one in front.
+/// The circles through the last corner, each by the three other corners of its face, the neighbor of the first one in front.
 const LAST_CIRCLES: [[usize; 3]; 3] = [[1, 3, 5], [2, 3, 6], [4, 5, 6]];
 
 /// The faces at the first corner, as corners in binary order, with the axis across.
@@ -56,7 +56,7 @@ impl SphericalCube {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`; `coincident-points`, `not-concircular`, `crossing-quad` with the face;
-    /// `concircular-cube` (the first corner and its neighbours are on one circle: no eighth point is determined), `point-at-infinity`.
+    /// `concircular-cube` (the first corner and its neighbors are on one circle: no eighth point is determined), `point-at-infinity`.
     pub fn new(points: [Point3; 7]) -> Result<Self> {
         for (index, p) in points.into_iter().enumerate() {
             range::check_point(index, p.to_vec())?;
@@ -100,8 +100,8 @@ impl SphericalCube {
         };
         let corner = corner.filter(|way| way.max_abs() <= range::MAX_COORDINATE);
         let corner = seven[0] + corner.ok_or_else(|| Error::at_infinity(ErrorItem::Corner, 7))?;
-        // A neighbour that it is on up to rounding is its place: sides of one point have the same corner twice, bit for bit.
-        let (corner, last) = match neighbour_at(&seven, corner, scale) {
+        // A neighbor that it is on up to rounding is its place: sides of one point have the same corner twice, bit for bit.
+        let (corner, last) = match neighbor_at(&seven, corner, scale) {
             Some(k) => (seven[k], [way, Quat::from(inverses[k]) * way]),
             None => (corner, last),
         };
@@ -109,7 +109,7 @@ impl SphericalCube {
         Ok(Self { corners, scale, inverses, last })
     }
 
-    /// The cube of the first corner, its three neighbours and the positions of `a12`, `a13`, `a23` on their circles:
+    /// The cube of the first corner, its three neighbors and the positions of `a12`, `a13`, `a23` on their circles:
     /// `a_ij = a0 + ((1 - x) b_i + x b_j)^-1`. Faces at the first corner are embedded if these are between 0 and 1; whether all are is told by
     /// [`is_embedded`](Self::is_embedded).
     ///
@@ -126,8 +126,8 @@ impl SphericalCube {
     }
 
     /// A cube all of whose faces are embedded: with the last corner at the barycentric coordinates `inside` (all positive, of any sum)
-    /// of the triangle of the three neighbours of the first corner, seen from that by inversion, and the other three corners turned by `turn`, from
-    /// 0 to 1, within the range in which they stay between their neighbours; 0.5 is its middle. The range is never empty.
+    /// of the triangle of the three neighbors of the first corner, seen from that by inversion, and the other three corners turned by `turn`, from
+    /// 0 to 1, within the range in which they stay between their neighbors; 0.5 is its middle. The range is never empty.
     /// Squared lengths of perpendicular sides as `inside`, and 0.5, give their cuboid.
     ///
     /// # Errors
@@ -211,7 +211,7 @@ impl SphericalCube {
         self.corners
     }
 
-    /// True if no face crosses itself: inverted at the first corner, the corners opposite to it in its faces are between their neighbours,
+    /// True if no face crosses itself: inverted at the first corner, the corners opposite to it in its faces are between their neighbors,
     /// and the last one is inside the triangle of these, up to rounding.
     #[must_use]
     pub fn is_embedded(&self) -> bool {
@@ -246,10 +246,10 @@ const COINCIDENT: f64 = 1e-12;
 const BESIDE_POINT: f64 = 1e-9;
 /// Rounding of the last corner beside that, relative to the largest coordinate.
 const POINT_ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Share of the range of turns that is used: at its ends a corner would fall onto its neighbour.
+/// Share of the range of turns that is used: at its ends a corner would fall onto its neighbor.
 const INSIDE: f64 = 0.98;
 
-/// `(a_i - a0)^-1` of the neighbours of the first corner, and the unit they are in.
+/// `(a_i - a0)^-1` of the neighbors of the first corner, and the unit they are in.
 ///
 /// # Errors
 /// `not-finite`, `parameter-out-of-range`, `coincident-points`.
@@ -288,7 +288,7 @@ pub fn miquel_point(points: [Point3; 7]) -> Result<Point3> {
     SphericalCube::new(points).map(|cube| cube.corners[7])
 }
 
-/// Refuses neighbours of the first corner that are, inverted there, on a line: no sphere is theirs alone.
+/// Refuses neighbors of the first corner that are, inverted there, on a line: no sphere is theirs alone.
 ///
 /// # Errors
 /// `concircular-cube`.
@@ -299,8 +299,8 @@ fn check_determined([b1, b2, b3]: &[Vec3; 3]) -> Result<()> {
     if measured > limit { Ok(()) } else { Err(VolumeError::ConcircularCube { measured, limit }.into()) }
 }
 
-/// `W` and `N` of the module's formula: `|W|` is at least twice the area of the triangle of the neighbours. The corners may change places in
-/// cyclic order, which changes neither: the farthest neighbour in the place of the first loses no digits of thin cubes.
+/// `W` and `N` of the module's formula: `|W|` is at least twice the area of the triangle of the neighbors. The corners may change places in
+/// cyclic order, which changes neither: the farthest neighbor in the place of the first loses no digits of thin cubes.
 fn last_pair(b: &[Vec3; 7]) -> [Quat; 2] {
     let [_, b1, b2, b12, b3, b13, b23] = *b;
     let q = Quat::from;
@@ -311,9 +311,9 @@ fn last_pair(b: &[Vec3; 7]) -> [Quat; 2] {
     [w, q(b1) * w - q(b1 - b2) * q(b13 - b12) * q(b1 - b3)]
 }
 
-/// The neighbour that the last corner is on, up to rounding; where a side in the same direction is one point already, as at the axis of a wedge, within
+/// The neighbor that the last corner is on, up to rounding; where a side in the same direction is one point already, as at the axis of a wedge, within
 /// what the faces that are given may be off their circles.
-fn neighbour_at(seven: &[Point3; 7], last: Point3, scale: f64) -> Option<usize> {
+fn neighbor_at(seven: &[Point3; 7], last: Point3, scale: f64) -> Option<usize> {
     let place = seven.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     let is_point =
         |axis: usize| (1..7).any(|k| k >> axis & 1 == 0 && k != 7 ^ 1 << axis && seven[k] == seven[k | 1 << axis]);

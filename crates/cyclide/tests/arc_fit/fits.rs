@@ -280,7 +280,7 @@ fn coarse_samples_are_reported_where_the_edges_are_meant() {
 }
 
 #[test]
-fn equal_neighbours_are_merged_and_indices_stay_the_users() {
+fn equal_neighbors_are_merged_and_indices_stay_the_users() {
     let mut points = bracket();
     points.insert(10, points[10]);
     points.insert(0, points[0]);
@@ -418,7 +418,7 @@ fn a_tolerance_of_the_size_of_the_figure_is_named() {
 #[test]
 fn a_turn_between_straight_sides_is_rounded_within_the_tolerance() {
     // Forty points on each side; corners below 30 degrees are no corners to the fit. Nothing but the turn itself asks the
-    // curve to leave the sides: a spline through the points does, by a metre and a half.
+    // curve to leave the sides: a spline through the points does, by a meter and a half.
     let corners = [
         [297, 87],
         [159, 249],

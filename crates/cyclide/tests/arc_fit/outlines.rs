@@ -327,7 +327,7 @@ fn an_angle_that_is_typed_is_obeyed() {
     assert!(matches!(fit.warnings(), [Warning::Fit(FitWarning::CornerKept { vertex: 0, count: 24, .. })]));
 }
 
-/// Line, quarter, three quarters back, quarter, line, as the end of a street with room to turn, rounded to centimetres.
+/// Line, quarter, three quarters back, quarter, line, as the end of a street with room to turn, rounded to centimeters.
 fn turning_place() -> Vec<Point3> {
     let mut points: Vec<_> = (0..16).map(|i| Point3::new(4.0 * f64::from(i), 3.5, 0.0)).collect();
     let bends = chain_from(Point3::new(62.7, 3.5, 0.0), &[(7.5, 0.9), (13.0, -4.94), (7.5, 0.9)]);
@@ -335,7 +335,7 @@ fn turning_place() -> Vec<Point3> {
     points
 }
 
-/// Points a metre apart along arcs of these radii and turns (positive to the left), from a place eastward.
+/// Points a meter apart along arcs of these radii and turns (positive to the left), from a place eastward.
 fn chain_from(start: Point3, arcs: &[(f64, f64)]) -> Vec<Point3> {
     let (mut at, mut angle) = (start, 0.0_f64);
     let mut points = vec![start];
@@ -360,7 +360,7 @@ fn the_deviation_is_least_once_the_count_is() {
         let fit = fitted(&points, &ArcFitOptions::new(tolerance));
         let radii: Vec<f64> = fit.path().arcs().iter().filter_map(cyclide::Arc::radius).collect();
         assert_eq!(radii.len(), 3, "{radii:?}");
-        // Points rounded to a centimetre, on arcs of 7 m: the sagitta is 0.7 m, so a radius is off by less than a tenth.
+        // Points rounded to a centimeter, on arcs of 7 m: the sagitta is 0.7 m, so a radius is off by less than a tenth.
         for (radius, right) in radii.iter().zip([7.5, 13.0, 7.5]) {
             assert!((radius - right).abs() < 0.1, "{radii:?} at {tolerance}");
         }

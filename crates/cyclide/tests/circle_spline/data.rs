@@ -77,7 +77,7 @@ pub fn options() -> impl Strategy<Value = CircleSplineOptions> {
     })
 }
 
-/// The spline, or `None` where neighbours happen to coincide.
+/// The spline, or `None` where neighbors happen to coincide.
 pub fn spline(points: &[Point3], options: &CircleSplineOptions) -> Option<CircleSpline> {
     match CircleSpline::from_points(points, options) {
         Ok(spline) => Some(spline),

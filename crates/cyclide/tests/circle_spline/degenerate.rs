@@ -61,7 +61,7 @@ proptest! {
         let circle = cyclide::Circle::through_points(points).unwrap();
         for i in 0..=48 {
             let off = (s.point(f64::from(i) / 48.0).distance(circle.center()) - circle.radius()).abs();
-            // The circle's own rounding grows with its radius, that of its centre with the square of it.
+            // The circle's own rounding grows with its radius, that of its center with the square of it.
             prop_assert!(off < 1e-14 * (1.0 + circle.radius()).powi(2), "{off:e} of {}", circle.radius());
         }
     }

@@ -87,7 +87,7 @@ proptest! {
             let (Some(t1), Some(t2)) = (tangent(w[0], w[1], w[2], w[1]), tangent(w[1], w[2], w[3], w[1])) else { continue };
             let angle = t1.angle(t2);
             let want = if s.long_way() { std::f64::consts::TAU - angle } else { angle };
-            // Tangents from centres: rounding times radius over chord, here below 1e4.
+            // Tangents from centers: rounding times radius over chord, here below 1e4.
             prop_assert!((s.theta() - want).abs() < 1e-11, "{} {want}", s.theta());
         }
     }

@@ -24,7 +24,7 @@ fn parabola_has_its_curvature_length_box_and_nearest_points() {
     assert!((length(&c) - want).abs() < 1e-13 * want);
     let b = bounds(&c);
     assert!(b.min.distance(point(-1.0, 0.0, 0.0)) < 1e-15 && b.max.distance(point(2.0, 4.0, 0.0)) < 1e-15, "{b:?}");
-    // The nearest point to (0, 1/2) is the vertex; all of its neighbours are equally far to fourth order (evolute).
+    // The nearest point to (0, 1/2) is the vertex; all of its neighbors are equally far to fourth order (evolute).
     let near = CurveIndex::new(&c).closest_point(point(0.0, 0.5, 0.0));
     assert!((near.distance - 0.5).abs() < 1e-15, "{near:?}");
     // From (0, 2) both (±sqrt(3/2), 3/2) are sqrt(7)/2 away, but x stops at -1: the right one is nearest.
@@ -110,7 +110,7 @@ fn equally_near_points_give_the_first() {
     let circle = Circle::from_radius(point(1.0, 2.0, 0.0), Vec3::Z, 2.0).unwrap();
     let near = cyclide::closest_point(&circle, point(1.0, 2.0, 5.0));
     assert_eq!(near.t, 0.0);
-    // A square: its centre is equally far from the middles of all sides.
+    // A square: its center is equally far from the middles of all sides.
     let corners = [point(1.0, 1.0, 0.0), point(-1.0, 1.0, 0.0), point(-1.0, -1.0, 0.0), point(1.0, -1.0, 0.0)];
     let sides = (0..4).map(|i| Arc::segment(corners[i], corners[(i + 1) % 4]).unwrap()).collect();
     let square = ArcPath::new(sides, true).unwrap();

@@ -108,7 +108,7 @@ fn flattening_refuses_tolerances_that_make_no_sense() {
     assert_eq!(flatten(&circle, 10.0).unwrap().len(), 4);
 }
 
-/// Parameters of a piece so dense that the tangent turns by less than 0.01 between neighbours.
+/// Parameters of a piece so dense that the tangent turns by less than 0.01 between neighbors.
 fn dense_places(curve: &dyn ParamCurve, piece: usize) -> Vec<f64> {
     fn fill(curve: &dyn ParamCurve, piece: usize, a: f64, b: f64, places: &mut Vec<f64>) {
         let m = 0.5 * (a + b);
@@ -285,7 +285,7 @@ fn probes(case: &Case, curve: &dyn ParamCurve) -> Vec<Point3> {
         for size in [0.0, 1e-9, 1e-3, 0.1, 1.0, 10.0] {
             probes.push(curve.point(t) + direction(i) * (size * case.size));
         }
-        // The centre of curvature: the hardest place, where the distance is flat.
+        // The center of curvature: the hardest place, where the distance is flat.
         if let Some(k) = curve.jet(t).curvature_vector() {
             let k2 = k.length_squared();
             if k2 * case.size * case.size > 1e-6 {

@@ -26,7 +26,7 @@ fn cable_in_space() {
 fn gps_track() {
     let points = gps();
     reaches(&points, &FairFitOptions::new(8.0), 24, 2.05e4);
-    // A few points are nearer to their neighbours than their noise: only one direction is bounded, and it is said.
+    // A few points are nearer to their neighbors than their noise: only one direction is bounded, and it is said.
     let fit = fitted(&points, &FairFitOptions::new(8.0));
     assert!(!fit.certificate().monotone);
     assert!(fit.warnings().iter().any(|w| w.reason() == "feet-not-monotone"));
@@ -77,7 +77,7 @@ fn centre_comes_nearer_to_what_was_measured() {
         ((squares / truth.len() as f64).sqrt(), fit.certificate().rms, variation(fit.spline()).0, fit)
     };
     let (tube, middle) = (measure(0.0), measure(1.0));
-    // 0.70 of the distance here (0.5 on race tracks: `docs/math/fair-fits.md#centre`).
+    // 0.70 of the distance here (0.5 on race tracks: `docs/math/fair-fits.md#center`).
     assert!(middle.0 < 0.75 * tube.0, "{} {}", middle.0, tube.0);
     // As close to the points as their noise, 0.1, and no less fair than what was measured.
     assert!(middle.1 < tube.1 && middle.1 < 0.11, "{} {}", middle.1, tube.1);

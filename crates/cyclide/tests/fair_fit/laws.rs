@@ -79,9 +79,9 @@ fn a_larger_tolerance_is_no_less_fair() {
 fn options_do_what_they_say() {
     let points = noisy_outline();
     let plain = fitted(&points, &closed(0.4));
-    let centred = fitted(&points, &FairFitOptions { centre: 10.0, ..closed(0.4) });
-    assert!(centred.certificate().rms < plain.certificate().rms);
-    assert!(centred.certificate().fairness > plain.certificate().fairness);
+    let centered = fitted(&points, &FairFitOptions { centre: 10.0, ..closed(0.4) });
+    assert!(centered.certificate().rms < plain.certificate().rms);
+    assert!(centered.certificate().fairness > plain.certificate().fairness);
     let dense = fitted(&points, &FairFitOptions { max_fits: 0, ..closed(0.4) });
     assert!(dense.certificate().nodes > plain.certificate().nodes);
     let stopped = fitted(&points, &FairFitOptions { nodes: Some(30), ..closed(0.4) });

@@ -11,7 +11,7 @@ const SAGITTA: f64 = 0.03;
 const COARSE: f64 = 0.3;
 
 /// A plate of 100 x 70 whose sides have notches and lugs, slanted ones and semicircles, from far smaller than the tolerance of
-/// some fits to a tenth of the plate; coordinates to micrometres, as drawings have them.
+/// some fits to a tenth of the plate; coordinates to micrometers, as drawings have them.
 fn plate(seed: u64, least: f64) -> Vec<Point3> {
     let mut g = deviates(seed, 400).into_iter().map(|x| 0.25 * x.abs().min(4.0));
     let mut between = |low: f64, high: f64| low + (high - low) * g.next().unwrap();

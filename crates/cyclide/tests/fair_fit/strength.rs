@@ -53,7 +53,7 @@ fn the_shape_of_few_points_is_not_taken_for_noise() {
 fn exact_points_are_run_through() {
     for count in [40, 60, 100] {
         let fit = FairFit::new(&waves(count, 0), &by_noise(true)).unwrap();
-        // The sagitta of the largest bend between neighbours is above 0.2; the noise that is read falls with the fourth power of
+        // The sagitta of the largest bend between neighbors is above 0.2; the noise that is read falls with the fourth power of
         // their distance.
         let limit = 0.05 * (40.0 / count as f64).powi(4);
         assert!(fit.certificate().deviation < limit, "{count}: {:?}", fit.certificate());

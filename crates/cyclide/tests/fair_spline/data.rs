@@ -85,7 +85,7 @@ pub fn options() -> impl Strategy<Value = FairSplineOptions> {
     )
 }
 
-/// The spline, or `None` where neighbours happen to coincide.
+/// The spline, or `None` where neighbors happen to coincide.
 pub fn spline(points: &[Point3], options: &FairSplineOptions) -> Option<CircleSpline> {
     match CircleSpline::fair(points, options) {
         Ok(spline) => Some(spline),

@@ -16,7 +16,7 @@ proptest! {
             }
             for k in 0..=20 {
                 let d = motion.dual_quat(2.0 + 0.15 * f64::from(k));
-                // On the quadric itself, not only on its fibres: with no more than the rounding of a double root.
+                // On the quadric itself, not only on its fibers: with no more than the rounding of a double root.
                 prop_assert!(d.study_product().abs() < 1e-6 * d.real.norm() * (d.dual.norm() + d.real.norm()));
             }
         }

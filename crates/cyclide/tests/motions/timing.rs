@@ -125,7 +125,7 @@ fn nothing_is_differenced_across_a_joint() {
     }
 }
 
-/// A body that is held between two poses stays there, also with neighbours at other speeds; what swings is told of.
+/// A body that is held between two poses stays there, also with neighbors at other speeds; what swings is told of.
 #[test]
 fn held_poses_are_held() {
     let at = |time: f64, x: f64| TimedPose {

@@ -252,7 +252,7 @@ fn plain_motions_do_not_swing() {
         });
         assert_eq!(spline(round.collect()), [], "{arm}");
     }
-    // A slide that comes to a stand and turns there, measured to a hundredth of a millimetre, and a slide measured to a thousandth of a radian.
+    // A slide that comes to a stand and turns there, measured to a hundredth of a millimeter, and a slide measured to a thousandth of a radian.
     let noise = |k: usize, i: usize| (((k * 7919 + i * 104_729) % 997) as f64 / 498.0) - 1.0;
     let measured = (0..30).map(|k| {
         let place = Vec3::new(500.0 - 200.0 * (-0.5 * k as f64).exp(), 300.0, 0.0)

@@ -81,7 +81,7 @@ pub(crate) fn nets() -> Vec<(&'static str, CyclidicNet)> {
 /// Places in a patch.
 pub(crate) const PLACES: [f64; 5] = [0.0, 0.21, 0.5, 0.83, 1.0];
 
-/// Largest angle between the normals of neighbouring patches on their common edges, radians.
+/// Largest angle between the normals of neighboring patches on their common edges, radians.
 pub(crate) fn kink(net: &CyclidicNet) -> f64 {
     joints(net).map(|([n0, n1], _)| n0.angle(n1)).fold(0.0, f64::max)
 }

@@ -92,7 +92,7 @@ fn rings_are_closed_and_have_positive_weights() {
             let (m, n) = (net.size()[0], net.size()[1]);
             assert_eq!((shell.vertices().len(), shell.edges().len(), shell.faces().len()), (m * n, 2 * m * n, m * n));
             assert!(gap(&net) <= 1e-14 * (a + c + mu));
-            // The pairs of neighbours are the same doubles; each evaluates its normal with a few roundings.
+            // The pairs of neighbors are the same doubles; each evaluates its normal with a few roundings.
             assert!(kink(&net) <= 1e-14);
         }
     }
@@ -275,7 +275,7 @@ fn images_are_whole_cyclides_through_the_images_of_points() {
         let at = |x: f64, y: f64, z: f64| frame.origin() + Vec3::new(x, y, z) * size;
         let turn = Mobius::similarity(Quat::new(1.0, 2.0, -1.0, 0.5), 0.3, Vec3::X * size).unwrap();
         let mirror = Mobius::reflection(at(0.1, 0.2, 0.3), Vec3::new(1.0, 2.0, -2.0)).unwrap();
-        // Outside, near the centre, inside the tube (where a ring's families of spheres change places), far away.
+        // Outside, near the center, inside the tube (where a ring's families of spheres change places), far away.
         let tube = frame.origin() - frame.x() * (a + 0.2 * (mu + c)) + frame.z() * (0.3 * (mu + c));
         let centres = [at(1.0, 0.5, 2.0), at(0.03, 0.05, -0.02), tube, at(300.0, -200.0, 100.0)];
         let inversions = centres.map(|center| Mobius::inversion(center, size).unwrap());

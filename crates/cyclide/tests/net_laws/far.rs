@@ -72,7 +72,7 @@ fn areas_and_volumes_of_images_near_infinity() {
         let map = Mobius::inversion(Point3::new(38.0 + beside, 1e-3 * beside, 0.0), 10.0).unwrap();
         let image = ring.to_shell().unwrap().transformed(&map).unwrap();
         let own = ring.transformed(&map).unwrap().to_shell().unwrap();
-        // A centre in the tube turns the shell inside out.
+        // A center in the tube turns the shell inside out.
         let [area, volume] = [image.area() / own.area(), image.volume().abs() / own.volume()];
         // The size of the whole image is a difference of spheres: what is left of them is the square of the distance.
         let bound = 1e-11 + 32.0 * f64::EPSILON * (38.0 / beside).powi(2);

@@ -56,7 +56,7 @@ fn holes_and_lobes_narrower_than_the_rounding_of_their_place_are_refused() {
 
 #[test]
 fn millimetres_at_five_thousand_kilometres_are_right() {
-    // Metres in a national grid: rounding is 1e-9, so that a ring of a millimetre is known to 1e-6 of itself.
+    // Meters in a national grid: rounding is 1e-9, so that a ring of a millimeter is known to 1e-6 of itself.
     let place = Point3::new(4_512_345.678, 5_412_345.678, 312.5);
     for size in [1.0, 1e-2, 1e-3] {
         let here = placed([2.0 * size, 0.5 * size, size], Point3::ORIGIN, Vec3::Z).unwrap().remove(0);
@@ -94,7 +94,7 @@ fn patches_nets_circles_and_images_have_the_same_error() {
         let surface = ["below-rounding-of-place"; 3];
         assert_eq!(reason(1.0, at(distance))[..3], surface, "{distance:e}");
     }
-    // The circle is kept by its centre and radius.
+    // The circle is kept by its center and radius.
     assert_eq!(reason(1.0, at(1e13))[3], "below-rounding-of-place");
     assert_eq!(reason(1.0, at(1e9))[3], "made");
     // Images: moved away, and near the point to which infinity goes.

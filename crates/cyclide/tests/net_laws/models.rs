@@ -39,19 +39,19 @@ fn a_handle_of_twelve_patches_of_cyclides() {
     let net = CyclidicNet::new(grid, frame).unwrap();
     assert!(net.singular_patches().is_empty() && net.flipped_patches().is_empty() && kink(&net) < 1e-12);
     for patch in net.patches() {
-        assert_eq!(patch.recognise(), PatchKind::Cyclide);
+        assert_eq!(patch.recognize(), PatchKind::Cyclide);
         assert!(patch.real_weights().into_iter().flatten().all(|w| w > 0.0));
     }
     for j in 0..3 {
         let [ring, next] = [4 * j, 4 * j + 4].map(|k| &points[k..k + 4]);
-        // The line through a vertex and its image goes through the centre, and the distances from it have one product.
+        // The line through a vertex and its image goes through the center, and the distances from it have one product.
         let [p, q] = [0, 2].map(|k| next[k] - ring[k]);
         let (normal, between) = (p.cross(q), ring[2] - ring[0]);
         let centre = ring[0] + p * (between.cross(q).dot(normal) / normal.length_squared());
         let power = (ring[0] - centre).dot(next[0] - centre);
         let inversion = Mobius::inversion(centre, power.sqrt()).unwrap();
         for (from, to) in ring.iter().zip(next) {
-            // The centre is where lines meet at a small angle: rounding of 1e-14 over that.
+            // The center is where lines meet at a small angle: rounding of 1e-14 over that.
             assert!(inversion.map_point(*from).unwrap().distance(*to) < 1e-11);
         }
         // All sides of a ring are parts of its circle.
@@ -119,7 +119,7 @@ fn a_pipe_of_twelve_patches_of_tori() {
     assert_eq!((shell.vertices().len(), shell.edges().len(), shell.faces().len()), (16, 28, 12));
     let body = net.thick(-2.0).unwrap();
     assert!(body.is_solid());
-    // A pipe of section pi (10² - 8²), by Pappus along the centres.
+    // A pipe of section pi (10² - 8²), by Pappus along the centers.
     let length: f64 = [(30.0, 80.0_f64), (24.0, 75.0), (34.0, 85.0)].map(|(r, a)| r * a.to_radians()).iter().sum();
     let want = std::f64::consts::PI * 36.0 * length;
     assert!((body.outer.volume() - want).abs() < 1e-9 * want, "{} {want}", body.outer.volume());

@@ -4,7 +4,7 @@ use crate::data::{PLACES, cyclide_grid, gap, generic_grid, kink, nets};
 use cyclide::{CyclidicNet, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
 
 #[test]
-fn neighbours_agree_pointwise_with_a_common_normal() {
+fn neighbors_agree_pointwise_with_a_common_normal() {
     for (name, net) in nets() {
         let size = net.patches().map(|p| p.size()).fold(0.0, f64::max);
         assert!(gap(&net) <= 1e-13 * size, "{name}: {:e}", gap(&net));
@@ -99,7 +99,7 @@ fn bad_grids_are_refused_with_the_quad() {
     let corner = good.points()[29];
     let error = changed(29, corner + Vec3::new(0.0, 0.0, 1e-3));
     assert_eq!((error.reason(), error.index()), ("not-concircular", Some(19)), "{error}");
-    // On the circle, but between its neighbour and the first corner.
+    // On the circle, but between its neighbor and the first corner.
     let [a0, a1, a2] = [good.points()[22], good.points()[23], good.points()[28]];
     let inverse = |p: Point3| (p - a0) / -(p - a0).length_squared();
     let b = inverse(a1) + (inverse(a2) - inverse(a1)) * 1.5;

@@ -131,7 +131,7 @@ fn a_node_gets_a_rim_with_a_tip() {
     for d in [DupinCyclide::new(1.0, 0.5, 0.2).unwrap(), DupinCyclide::new(1.0, 0.3, 1.2).unwrap()] {
         for lobe in d.nets([4, 4]).unwrap() {
             for h in [0.03, -0.03] {
-                // On the hollow side the lines near the node have their centres at any distance: refused.
+                // On the hollow side the lines near the node have their centers at any distance: refused.
                 let patch = lobe.patch(0, 0);
                 if patch.offset_is_regular(h) {
                     let body = thick(patch, h);

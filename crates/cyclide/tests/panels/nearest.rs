@@ -26,7 +26,7 @@ fn panels_of_simple_surfaces_are_found_to_lie_on_them() {
             let limit = 1e-12 * moved.size() + 4.0 * f64::EPSILON * far;
             let found = near.simplest_within(limit).unwrap_or_else(|| panic!("kind {kind}, {scale}, {far}: {near:?}"));
             assert_eq!(rank(&found.surface), kind, "{scale} {far}");
-            assert_eq!(rank(&found.surface), rank(&moved.recognise()), "as files know it");
+            assert_eq!(rank(&found.surface), rank(&moved.recognize()), "as files know it");
             let lengths = if kind == 2 { 1.0 } else { scale };
             for (radius, expected) in radii(&found.surface).into_iter().zip(expected) {
                 // Radii follow from bulges of a twentieth of the size at least, and of less on the torus.

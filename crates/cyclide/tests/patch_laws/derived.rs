@@ -90,7 +90,7 @@ proptest! {
         let inversion = Mobius::inversion(centre, size).unwrap();
         let turn = Mobius::similarity(Quat::new(0.8, 0.1, -0.3, 0.5), 2.0, Vec3::X * size).unwrap();
         let map = if mirror { inversion } else { turn.after(&inversion) };
-        // Near the centre of inversion everything is magnified by the square of the distance.
+        // Near the center of inversion everything is magnified by the square of the distance.
         let magnified = (size / nearest).powi(2).max(1.0);
         let image = case.patch.transformed(&map).unwrap();
         // From the data: corners and pushed forward directions.

@@ -16,7 +16,7 @@ fn patch(shift: Vec3) -> CyclidePatch {
     CyclidePatch::from_corners_and_frame(rectangle(shift), v1, Vec3::Y).unwrap()
 }
 
-/// A map that inverts at a given centre, and the same between translated spaces.
+/// A map that inverts at a given center, and the same between translated spaces.
 fn inversions(center: Vec3, shift: Vec3) -> Vec<(Mobius, Mobius)> {
     let at = |v: Vec3| Mobius::inversion(Point3::ORIGIN + v, 2.0).unwrap();
     let mirror = |v: Vec3| Mobius::reflection(Point3::ORIGIN + v, Vec3::new(1.0, 2.0, -2.0)).unwrap();

@@ -50,7 +50,7 @@ fn planes() {
     let turned = Vec3::new(0.8, 0.6, 0.0);
     let curved = CyclidePatch::from_corners_and_frame(quad, turned, Vec3::Z.cross(turned)).unwrap();
     for patch in placed(&annulus).iter().chain(&placed(&curved)) {
-        let kind = patch.recognise();
+        let kind = patch.recognize();
         let PatchKind::Plane { frame } = kind else { panic!("{kind:?}") };
         assert!((frame.z() - patch.normal(0.5, 0.5).unwrap()).length() < 1e-14);
         assert_eq!(frame.origin(), patch.corners()[0]);
@@ -63,7 +63,7 @@ fn spheres() {
     let zone = revolved([3.0, 0.0], [1.0, 8f64.sqrt()], [0.0, 1.0], [0.0, 5.5]);
     let inner = revolved([3.0, 0.0], [0.0, -3.0], [0.0, -1.0], [0.0, 1.5]);
     for patch in placed(&zone).iter().chain(&placed(&inner)) {
-        let kind = patch.recognise();
+        let kind = patch.recognize();
         let PatchKind::Sphere { frame, radius, outward } = kind else { panic!("{kind:?}") };
         check_points(patch, &kind, radius);
         check_side(patch, outward, |_| frame.origin());
@@ -75,7 +75,7 @@ fn spheres() {
 fn cylinders() {
     let cylinder = revolved([2.0, -1.0], [2.0, 4.0], [0.0, 1.0], [1.0, 5.0]);
     for patch in placed(&cylinder) {
-        let kind = patch.recognise();
+        let kind = patch.recognize();
         let PatchKind::Cylinder { frame, radius, outward } = kind else { panic!("{kind:?}") };
         check_points(&patch, &kind, radius);
         check_side(&patch, outward, |p| frame.origin() + frame.z() * (p - frame.origin()).dot(frame.z()));
@@ -92,7 +92,7 @@ fn cones() {
     let tip = revolved([2.0, 0.0], [0.0, 1.0], [-2.0, 1.0], [0.0, 2.0]);
     for (cone, want) in [(steep, 0.25f64.atan()), (flat, 10f64.atan()), (tip, 2f64.atan())] {
         for patch in placed(&cone) {
-            let kind = patch.recognise();
+            let kind = patch.recognize();
             let PatchKind::Cone { frame, radius, half_angle, outward } = kind else { panic!("{kind:?}") };
             assert!((half_angle - want).abs() < 1e-12, "{half_angle} {want}");
             check_points(&patch, &kind, radius + patch.size());
@@ -107,14 +107,14 @@ fn cones() {
 #[test]
 fn tori() {
     let ring = revolved([3.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.0, 4.0]);
-    // The tube's centre circle of radius 1/2, tube 1: the outer part of a spindle.
+    // The tube's center circle of radius 1/2, tube 1: the outer part of a spindle.
     let spindle = revolved([1.5, 0.0], [0.5, 1.0], [0.0, 1.0], [0.0, 4.0]);
     // The inner part: from the inner equator up, still off the axis.
     let (sin, cos) = 0.5f64.sin_cos();
     let lemon = revolved([0.5, 0.0], [cos - 0.5, sin], [0.0, 1.0], [0.0, 4.0]);
     for (torus, major, minor) in [(ring, 2.0, 1.0), (spindle, 0.5, 1.0), (lemon, 0.5, 1.0)] {
         for patch in placed(&torus) {
-            let kind = patch.recognise();
+            let kind = patch.recognize();
             let PatchKind::Torus { frame, major_radius, minor_radius, outward } = kind else { panic!("{kind:?}") };
             let scale = patch.size() / torus.size();
             assert!((major_radius / (scale * major) - 1.0).abs() < 1e-13);
@@ -135,10 +135,10 @@ fn tori() {
 fn a_torus_inverted_off_its_axis_is_none_of_them() {
     let torus = revolved([3.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.0, 4.0]);
     let off_axis = Mobius::inversion(Point3::new(0.5, -1.0, 4.0), 2.0).unwrap();
-    assert_eq!(torus.transformed(&off_axis).unwrap().recognise(), PatchKind::Cyclide);
+    assert_eq!(torus.transformed(&off_axis).unwrap().recognize(), PatchKind::Cyclide);
     // About a point of the axis the image is a surface of revolution again.
     let on_axis = Mobius::inversion(Point3::new(0.0, 0.0, 4.0), 2.0).unwrap();
-    assert!(matches!(torus.transformed(&on_axis).unwrap().recognise(), PatchKind::Torus { .. }));
+    assert!(matches!(torus.transformed(&on_axis).unwrap().recognize(), PatchKind::Torus { .. }));
 }
 
 #[test]
@@ -146,5 +146,5 @@ fn a_distortion_above_the_limit_is_seen() {
     let torus = revolved([3.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.0, 4.0]);
     // An inversion far away is nearly a reflection: it bends by about size/distance.
     let far = |distance: f64| Mobius::inversion(Point3::new(distance, 0.0, 0.0), distance).unwrap();
-    assert_eq!(torus.transformed(&far(1e6)).unwrap().recognise(), PatchKind::Cyclide);
+    assert_eq!(torus.transformed(&far(1e6)).unwrap().recognize(), PatchKind::Cyclide);
 }

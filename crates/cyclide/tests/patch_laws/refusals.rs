@@ -95,7 +95,7 @@ fn the_order_round_the_circle_is_judged_in_space() {
     assert_eq!(quad([0.0, -1e-6, 1.5, 1.4995]), "crossing-quad", "the same with the directions exchanged");
     assert_eq!(quad([0.0, 1.5, -1e-6, 1.5005]), "none");
     assert_eq!(quad([0.0, -1e-6, 1.5, 1.5005]), "none");
-    // An overrun by rounding is none: the corner stands on its neighbour.
+    // An overrun by rounding is none: the corner stands on its neighbor.
     let corners = [0.0, 1.5, -0.7, 1.5 - 1e-10].map(|angle| Point3::from(at(angle)));
     let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
     assert_eq!(patch.corners()[3], corners[1]);
@@ -117,7 +117,7 @@ proptest! {
             for corners in [corners, box_of] {
                 let Ok(patch) = CyclidePatch::from_corners_and_frame(corners, frame.0, frame.1) else { continue };
                 prop_assert!(patch.point(0.3, 0.6).is_finite() && patch.unit_normal(0.3, 0.6).is_finite());
-                let _ = (patch.recognise(), patch.implicit_form(), patch.s_circle(h), patch.curvature_circles(h, 0.5));
+                let _ = (patch.recognize(), patch.implicit_form(), patch.s_circle(h), patch.curvature_circles(h, 0.5));
                 let _ = (patch.locate(a), patch.offset_is_regular(h), patch.singular_s());
                 if let Ok(offset) = patch.offset(h) {
                     prop_assert!(offset.point(0.3, 0.6).is_finite());

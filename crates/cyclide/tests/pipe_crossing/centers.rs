@@ -1,4 +1,4 @@
-//! The ways of the centres of balls, and the surface that they run on.
+//! The ways of the centers of balls, and the surface that they run on.
 
 use super::{ANGLES, CASES, END, askew, crossing, made, off_axes};
 use cyclide::{
@@ -7,7 +7,7 @@ use cyclide::{
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The parameter of an angle between two others on an arc with the weights of a patch of centres.
+/// The parameter of an angle between two others on an arc with the weights of a patch of centers.
 fn parameter(angle: f64, [from, to]: [f64; 2]) -> f64 {
     let [a, b] = [angle - from, to - angle].map(|x| (0.5 * x).sin());
     a / (a + b)
@@ -81,7 +81,7 @@ fn check_centers(made: &MadeCrossing, radii: [f64; 2], distance: f64, degrees: f
     }
 }
 
-/// Centres are as far from both pipes as the ball's radius, on a C1 curve of degree 4 that lies on the surface of all centres.
+/// Centers are as far from both pipes as the ball's radius, on a C1 curve of degree 4 that lies on the surface of all centers.
 #[test]
 fn centres_run_on_their_surface() {
     for (case, (radii, distance, blend)) in CASES.into_iter().enumerate() {
@@ -92,7 +92,7 @@ fn centres_run_on_their_surface() {
             assert_eq!(path.degree(), 4);
             let pair = SkewCylinders::new(radii, 0.5 * distance).and_then(|p| p.with_angle(degrees.to_radians()));
             let pair = pair.expect("a pair");
-            // The angles of a centre, by the directions from both axes.
+            // The angles of a center, by the directions from both axes.
             let angles = |m: Point3| {
                 let (sin, cos) = degrees.to_radians().sin_cos();
                 let first = Vec3::new(0.0, m.y, m.z).unit().expect("off the axis");

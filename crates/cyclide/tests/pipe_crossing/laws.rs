@@ -35,7 +35,7 @@ impl Pair {
         askew(self.radii, self.distance, blend, self.degrees).with_side(self.side)
     }
 
-    /// By how much of the ball's radius its centre is farther from the axes than the pipes' surfaces.
+    /// By how much of the ball's radius its center is farther from the axes than the pipes' surfaces.
     fn signs(&self) -> [f64; 2] {
         match self.side {
             CrossingSide::Outside => [1.0, 1.0],
@@ -44,7 +44,7 @@ impl Pair {
         }
     }
 
-    /// Outer normals point to the centre, 1, or away from it, -1.
+    /// Outer normals point to the center, 1, or away from it, -1.
     fn towards(&self) -> f64 {
         if self.side == CrossingSide::Outside { 1.0 } else { -1.0 }
     }
@@ -78,7 +78,7 @@ impl Pair {
             let ball = self.ball(angle, law(angle));
             let motion =
                 (self.ball(angle + h, law(angle + h)).centre - self.ball(angle - h, law(angle - h)).centre) / (2.0 * h);
-            // Of directions from the centre into the envelope the part along its way.
+            // Of directions from the center into the envelope the part along its way.
             let growth = -(law(angle + h) - law(angle - h)) / (2.0 * h);
             let axis = motion.unit().expect("a motion");
             let cosine = growth / motion.length();

@@ -240,7 +240,7 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
 }
 
 /// The least width of the blend of cylinders at right angles by a ball of one radius, in parts of that on a straight way: `1 + R n·k` with the curvature
-/// vector k of the way of the centre, from `k·n1 = -κ1`, `k·n2 = -κ2` of both cylinders that it is on, over the arc between the normals.
+/// vector k of the way of the center, from `k·n1 = -κ1`, `k·n2 = -κ2` of both cylinders that it is on, over the arc between the normals.
 fn least_width([r1, r2]: [f64; 2], distance: f64, ball: f64) -> f64 {
     let (p, q) = (r1 + ball, r2 + ball);
     let (low, high) = ((-p).max(distance - q), p.min(distance + q));

@@ -90,7 +90,7 @@ proptest! {
         let images: Vec<Point3> = points.iter().map(|p| map.map_point(*p).unwrap()).collect();
         let knots = NodeParameters::Given(spline.knots().to_vec());
         let of_images = QbSpline::through_points(&images, &MoebiusSplineOptions { closed, knots, ..Default::default() }).unwrap();
-        // The way round infinity is not kept: the centre may be in the lune of a span.
+        // The way round infinity is not kept: the center may be in the lune of a span.
         if !(is_short(&spline) && is_short(&of_images) && bounds(&spline).diagonal() < 4.0) {
             return Ok(());
         }

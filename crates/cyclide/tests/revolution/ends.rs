@@ -97,7 +97,7 @@ fn contours() -> Vec<(&'static str, Contours, usize)> {
         ("wave", vec![(wave, true)], 1),
         ("tube", vec![circle(10.0, 0.0, 3.0), circle(10.0, 0.0, 2.7)], 1),
         ("thin tube", vec![circle(10.0, 0.0, 3.0), circle(10.0, 0.0, 2.997)], 1),
-        ("excentric", vec![circle(10.9, 0.0, 2.0), circle(10.0, 0.0, 3.0)], 1),
+        ("eccentric", vec![circle(10.9, 0.0, 2.0), circle(10.0, 0.0, 3.0)], 1),
         ("both ways", vec![circle(10.0, 0.0, 3.0), backwards(circle(10.0, 0.0, 1.0))], 1),
         ("box", vec![square(8.0, 4.0), square(9.0, 3.0)], 1),
         (

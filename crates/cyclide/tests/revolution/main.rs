@@ -47,7 +47,7 @@ fn the_exact_form_is_the_turned_profile() {
 
 /// Kinds of all faces of a body, each once.
 fn kinds(body: &Body) -> Vec<&'static str> {
-    let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::CyclidePatch::recognise) {
+    let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::CyclidePatch::recognize) {
         None => "rational",
         Some(PatchKind::Plane { .. }) => "plane",
         Some(PatchKind::Cylinder { .. }) => "cylinder",
@@ -77,7 +77,7 @@ fn profiles_of_arcs_give_analytic_faces_and_solids() {
     let body = whole().body(&profile, false).unwrap();
     assert!(body.is_solid());
     assert_eq!(kinds(&body), ["cone", "cylinder", "plane", "sphere", "torus"]);
-    // By disks; the fillet is a quarter of a disk of radius 1 about (2, 2), whose centre of area is 4/(3 pi) from there.
+    // By disks; the fillet is a quarter of a disk of radius 1 about (2, 2), whose center of area is 4/(3 pi) from there.
     let cylinder = PI * 9.0 * 2.0;
     let quarter = PI / 4.0 * TAU * (2.0 + 4.0 / (3.0 * PI)) + PI * 4.0;
     let cone = PI * 2.0 / 3.0 * (4.0 + 2.0 + 1.0);
@@ -249,7 +249,7 @@ fn crossings_of_the_axis_between_places_are_found() {
     }
 }
 
-/// The profile is 4 m high, its place five thousand kilometres away.
+/// The profile is 4 m high, its place five thousand kilometers away.
 #[test]
 fn places_on_maps_are_no_heights() {
     let turn = Revolution::new(Point3::new(5e5, 5.4e6, 300.0), Vec3::Z, 2.0 * PI).unwrap();

@@ -83,7 +83,7 @@ fn vertices_and_their_normals_come_out_to_the_bit() {
 }
 
 #[test]
-fn neighbours_share_points_and_normals_of_edges_to_the_bit() {
+fn neighbors_share_points_and_normals_of_edges_to_the_bit() {
     let mut checked = 0;
     for (name, mesh) in shapes::all() {
         let surface = smooth(&mesh);
@@ -277,7 +277,7 @@ fn given_normals_are_used_and_backward_ones_are_told() {
         assert!(a.point([1.0, 2.0, 3.0]).unwrap().distance(b.point([1.0, 2.0, 3.0]).unwrap()) < 1e-14);
     }
     let mut turned = radial.clone();
-    // Exactly opposite ones would differ by the chords to the neighbours and leave nothing across.
+    // Exactly opposite ones would differ by the chords to the neighbors and leave nothing across.
     turned[4] = Vec3::new(0.3, -0.2, 0.5) - turned[4];
     let folded = SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Given(&turned)).unwrap();
     let found = folded.warnings();

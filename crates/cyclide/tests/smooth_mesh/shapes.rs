@@ -77,7 +77,7 @@ pub(crate) fn torus(m: usize, n: usize) -> Mesh {
     (points, triangles.collect())
 }
 
-/// A flat disc: the centre and `n` points of the unit circle.
+/// A flat disc: the center and `n` points of the unit circle.
 pub(crate) fn disc(n: usize) -> Mesh {
     let circle = (0..n).map(|k| {
         let a = TAU * k as f64 / n as f64;

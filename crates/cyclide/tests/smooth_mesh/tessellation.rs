@@ -87,7 +87,7 @@ fn tolerances_are_kept_at_samples_that_were_not_measured() {
                 let (s, t) = (at(0.6), source.t[0] * 0.6 + source.t[1] * 0.4);
                 let p = surface.triangle(source.face).unwrap().point([s, t, (1.0 - s - t).max(0.0)]).unwrap();
                 let off = normal.dot(p - a).abs();
-                // Half a cell away it may be that of a neighbour.
+                // Half a cell away it may be that of a neighbor.
                 assert!(off < 4.0 * tolerance, "{name} {tolerance}: {off:e}");
             }
         }

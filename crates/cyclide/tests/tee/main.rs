@@ -426,7 +426,7 @@ fn advice_on_too_many_pieces_fits_what_was_asked_for() {
 }
 
 /// Angles of a law are counted counter-clockwise seen from the end of the branch: a quarter turn is towards +y of a branch that goes up, and with the azimuth that
-/// turns towards where +y was. What the balls are is measured by how far their centres are from the axis of the main pipe.
+/// turns towards where +y was. What the balls are is measured by how far their centers are from the axis of the main pipe.
 #[test]
 fn angles_of_a_law_turn_from_the_end_of_the_main_pipe_to_plus_y() {
     let values = [[0.0, 0.5], [FRAC_PI_2, 0.8], [PI, 0.6], [1.5 * PI, 0.4]];
@@ -582,7 +582,7 @@ fn equal_pipes_have_an_exact_blend_that_vanishes_at_the_flanks() {
     assert_eq!(error.expect_err("a law").reason(), "tee-law-on-equal-pipes");
 }
 
-/// The way of the centres is as far from both axes as the radius of a ball on it, one curve for each branch, in their order.
+/// The way of the centers is as far from both axes as the radius of a ball on it, one curve for each branch, in their order.
 #[test]
 fn centres_are_a_path_for_each_branch() {
     let lateral = TeeBranch { angle: 0.9, at: 6.0, azimuth: PI, blend: law(), ..branch() };

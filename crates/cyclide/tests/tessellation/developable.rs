@@ -50,7 +50,7 @@ fn faces_on_planes_and_cylinders_are_within_the_bound() {
             assert!(mesh.bound <= tolerance);
             for (index, face) in body.outer.faces().iter().enumerate() {
                 let FaceSurface::Rational(surface) = &face.surface else { panic!("a rational face") };
-                if matches!(surface.recognise(), PatchKind::Cyclide) {
+                if matches!(surface.recognize(), PatchKind::Cyclide) {
                     continue;
                 }
                 let [there, back] = deviation(surface, &polygons(&mesh, index));
@@ -70,7 +70,7 @@ fn walls_are_cut_as_their_rings_are() {
         if !matches!(surface.degrees(), [6 | 8, 1]) {
             continue;
         }
-        assert!(matches!(surface.recognise(), PatchKind::Cylinder { .. }));
+        assert!(matches!(surface.recognize(), PatchKind::Cylinder { .. }));
         let cells = mesh.sources.iter().filter(|source| source.face == index);
         assert!(cells.into_iter().all(|source| source.t[1] - source.t[0] >= 1.0), "{index}");
         // Nor is the mesh folded on the face: triangles are on the outer side of the normals.

@@ -32,7 +32,7 @@ fn radii_and_planes() {
         for place in places() {
             for family in [CircleFamily::Villarceau, CircleFamily::MirrorVillarceau] {
                 let circle = torus.circle(family, place).unwrap();
-                // The frame has unit axes to rounding, the centre is known to rounding of its place.
+                // The frame has unit axes to rounding, the center is known to rounding of its place.
                 assert!((circle.radius() - a).abs() < 1e-14 * 4.0 * reach(&torus));
                 assert!((circle.center().distance(f.origin()) - b).abs() < 1e-14 * 4.0 * reach(&torus));
                 let slope = circle.normal().angle(f.z());

@@ -58,8 +58,8 @@ fn data_at_the_limits_are_solved() {
         // By the span before and after: the way of a tangent is what is limited.
         let spans: Vec<f64> = knots.windows(2).map(|k| k[1] - k[0]).collect();
         let tangent = |(i, r): (usize, &mut Random)| {
-            let neighbours = [spans[i.saturating_sub(1)], spans[i.min(spans.len() - 1)]];
-            let (short, long) = (neighbours[0].min(neighbours[1]), neighbours[0].max(neighbours[1]));
+            let neighbors = [spans[i.saturating_sub(1)], spans[i.min(spans.len() - 1)]];
+            let (short, long) = (neighbors[0].min(neighbors[1]), neighbors[0].max(neighbors[1]));
             let way = [11.8 - long.log10(), -11.8 - short.log10()];
             TorusTangent::Rate(direction(r) * r.decades(way[1], way[0]))
         };

@@ -154,7 +154,7 @@ fn seams_that_run_through_themselves_are_refused() {
             panic!("{turns:?}: turns {nearest} apart")
         };
         assert!(first < second && distance <= width, "{first} {second} {distance}");
-        // The point is inside both: as near as corners are to two places of the curve that are not neighbours.
+        // The point is inside both: as near as corners are to two places of the curve that are not neighbors.
         let point = Point3::from(point);
         let reach = 0.5 * width.hypot(0.4) + step;
         let near: Vec<f64> =

@@ -18,7 +18,7 @@ pub struct Entry {
     pub formats: &'static [Format],
     /// Where its picture is looked at from, as `--camera` has it; from the front and above if empty.
     pub camera: &'static str,
-    /// What the surfaces of its picture are coloured by.
+    /// What the surfaces of its picture are colored by.
     pub colour: PictureColour,
 }
 

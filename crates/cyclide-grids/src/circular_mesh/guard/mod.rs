@@ -13,7 +13,7 @@ mod stride;
 
 use super::curvature::{Curvature, angle_to};
 use super::input_surface::{Foot, foot, normals};
-use super::neighbours::{pair, vertices};
+use super::neighbors::{pair, vertices};
 use cyclide::QuadGrid;
 use cyclide::ShapeChange;
 use cyclide::workspace::singular_values;

@@ -1,12 +1,12 @@
 //! Is what bends in a grid noise?
 //!
-//! Neighbouring second differences (along both directions and mixed) of a smooth surface agree, those of independent
+//! Neighboring second differences (along both directions and mixed) of a smooth surface agree, those of independent
 //! errors of the vertices oppose each other: they share a vertex or two with opposite signs, which makes the cosine -2/3
 //! along a line and -1/2 across. A grid is noise if its second differences along the normals, of each kind by itself,
 //! oppose each other over single edges and over the stride of the global numbers: smooth shapes fail the first (ripples as
 //! short as that stride too), noise on a base that is curved in any direction the second. (Own derivation.)
 
-use crate::circular_mesh::neighbours::{along, around, clamped, pair, place, vertices};
+use crate::circular_mesh::neighbors::{along, around, clamped, pair, place, vertices};
 use cyclide::QuadGrid;
 use cyclide::{Point3, Vec3};
 
@@ -21,7 +21,7 @@ pub(super) fn is_noise(grid: &QuadGrid, points: &[Point3], normals: &[Vec3], coa
     })
 }
 
-/// The cosines between neighbouring second differences along the normals, weighted by their sizes: along each direction,
+/// The cosines between neighboring second differences along the normals, weighted by their sizes: along each direction,
 /// and mixed; `None` where there are none.
 fn agreements(grid: &QuadGrid, points: &[Point3], normals: &[Vec3], stride: [usize; 2]) -> [Option<f64>; 3] {
     let mut sums = [[0.0; 2]; 3];

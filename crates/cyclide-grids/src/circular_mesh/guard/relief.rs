@@ -25,14 +25,14 @@
 use super::{Feet, Guard};
 use crate::circular_mesh::curvature::Curvature;
 use crate::circular_mesh::input_surface::Foot;
-use crate::circular_mesh::neighbours::{along, clamped, vertices};
+use crate::circular_mesh::neighbors::{along, clamped, vertices};
 use cyclide::Point3;
 use cyclide::QuadGrid;
 
 /// Relief below this part of the median edge does not count: at a fiftieth the steepening of a paraboloid counts, at a
 /// twenty-sixth ripples of four hundredths of the radius of a tube do not any more.
 const SHALLOW: f64 = 1.0 / 30.0;
-/// The part of the variance that neighbours must share, with one sign or the other.
+/// The part of the variance that neighbors must share, with one sign or the other.
 const SHARED: f64 = 0.25;
 /// The part of the relief that must be left.
 const KEPT: f64 = 0.5;
@@ -44,7 +44,7 @@ const LONGEST_PARTS: usize = 6;
 /// Windows with fewer vertices tell nothing.
 const FEW: f64 = 6.0;
 
-/// The part of the surface, 0 to 1, in whose neighbourhood less than half of the relief is left.
+/// The part of the surface, 0 to 1, in whose neighborhood less than half of the relief is left.
 pub(super) fn lost_relief(guard: &Guard<'_>, feet: &Feet) -> f64 {
     let shorter = guard.grid.size()[0].min(guard.grid.size()[1]);
     // A row of quads has no curvature across.
@@ -60,7 +60,7 @@ fn at_stride(guard: &Guard<'_>, feet: &Feet, stride: usize) -> f64 {
     let grid = guard.grid;
     let strides = super::lowered(grid, stride);
     let (before, after) = (mean_curvatures(grid, guard.before, strides), mean_curvatures(grid, guard.after, strides));
-    let means = means_of_neighbours(grid, &before);
+    let means = means_of_neighbors(grid, &before);
     let values = |(foot, after): (&Option<Foot>, &Option<f64>)| {
         let foot = foot.as_ref()?;
         Some([foot.value(&before)?, foot.value(&means)?, (*after)?])
@@ -86,7 +86,7 @@ fn mean_curvatures(grid: &QuadGrid, points: &[Point3], stride: [usize; 2]) -> Ve
 }
 
 /// The mean of the values at the four next vertices (fewer at the border).
-fn means_of_neighbours(grid: &QuadGrid, values: &[Option<f64>]) -> Vec<Option<f64>> {
+fn means_of_neighbors(grid: &QuadGrid, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let mean = |at: [usize; 2]| {
         let (mut sum, mut count) = (0.0, 0.0);
         for d in 0..2 {

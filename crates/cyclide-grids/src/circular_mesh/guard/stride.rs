@@ -1,6 +1,6 @@
 //! Normals over strides: bending and spread.
 
-use crate::circular_mesh::neighbours::{along, vertices};
+use crate::circular_mesh::neighbors::{along, vertices};
 use cyclide::QuadGrid;
 use cyclide::Vec3;
 

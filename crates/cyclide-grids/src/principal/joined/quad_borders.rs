@@ -48,12 +48,12 @@ pub(super) fn drop_loose(quads: &mut Vec<[usize; 4]>) {
         if loose.is_empty() {
             return;
         }
-        let neighbours =
+        let neighbors =
             |quad: &[usize; 4]| (0..4).filter(|k| sides.contains_key(&[quad[(k + 1) % 4], quad[*k]])).count();
         let mut worst: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
         for (q, quad) in quads.iter().enumerate() {
             for v in quad.iter().filter(|v| loose.contains(v)) {
-                let found = (neighbours(quad), q);
+                let found = (neighbors(quad), q);
                 worst.entry(*v).and_modify(|worst| *worst = found.min(*worst)).or_insert(found);
             }
         }

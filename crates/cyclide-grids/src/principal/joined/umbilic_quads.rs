@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 /// How often quads that walks found round an umbilic are taken away, where they do not go round it as they should.
 const MOST_ROUNDS: usize = 4;
-/// Rounds in which vertices that are made up go to the middle of their neighbours.
+/// Rounds in which vertices that are made up go to the middle of their neighbors.
 const AVERAGED: usize = 200;
 
 /// Points, and quads by their corners counter-clockwise.
@@ -59,25 +59,25 @@ impl QuadMesh {
         Point3::ORIGIN + sum / vertices.len() as f64
     }
 
-    /// The new vertices, but for the umbilic, lie between their neighbours and on the surface.
+    /// The new vertices, but for the umbilic, lie between their neighbors and on the surface.
     fn add(&mut self, filling: Filling, centre: Point3, surface: &Surface<'_>, edge: f64) {
         let first = self.points.len();
         self.points.extend((0..filling.new).map(|_| centre));
-        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); filling.new];
+        let mut neighbors: Vec<Vec<usize>> = vec![Vec::new(); filling.new];
         for quad in &filling.quads {
             for k in 0..4 {
                 let [a, b] = [quad[k], quad[(k + 1) % 4]];
                 if a >= first {
-                    neighbours[a - first].push(b);
+                    neighbors[a - first].push(b);
                 }
                 if b >= first {
-                    neighbours[b - first].push(a);
+                    neighbors[b - first].push(a);
                 }
             }
         }
         for _ in 0..AVERAGED {
-            for (k, neighbours) in neighbours.iter().enumerate().skip(1) {
-                self.points[first + k] = self.middle(neighbours);
+            for (k, neighbors) in neighbors.iter().enumerate().skip(1) {
+                self.points[first + k] = self.middle(neighbors);
             }
         }
         let near = PointGrid::new(&surface.table.points, edge);

@@ -156,7 +156,7 @@ fn nearest(b: &Track<'_>, p: Point3, near: &mut usize) -> f64 {
     best
 }
 
-/// The distance near the sample that is worst, at its largest between the neighbouring samples (golden section).
+/// The distance near the sample that is worst, at its largest between the neighboring samples (golden section).
 fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let Some(w) = a.windows.get(worst.window) else { return worst.distance };
@@ -208,7 +208,7 @@ mod tests {
         }
     }
 
-    /// A part is not measured against its neighbours: parts given wrongly by a tenth of a piece are found out.
+    /// A part is not measured against its neighbors: parts given wrongly by a tenth of a piece are found out.
     #[test]
     fn a_wrong_correspondence_is_found_out() {
         let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);

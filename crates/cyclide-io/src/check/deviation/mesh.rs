@@ -2,9 +2,9 @@
 //! structure.
 //!
 //! Every polygon is held against its own cell, not against the nearest part of the surface: swapped, missing and
-//! doubled polygons are found out. On planes and cylinders a cell may lie over the polygons of its neighbours, and only what
+//! doubled polygons are found out. On planes and cylinders a cell may lie over the polygons of its neighbors, and only what
 //! leaves the surface counts: there the polygons of a face are held against the face. From the cell 5 × 5 points are taken to the polygon, from the polygon its corners,
-//! the middles of its sides and its centre to the cell; the middle of a cell, where the distance is largest, is among
+//! the middles of its sides and its center to the cell; the middle of a cell, where the distance is largest, is among
 //! them. Polygons look to the outer side of their face, normals are those of the surface (in STL of the triangle), and
 //! polygons share the sides that they share in the kernel's mesh.
 
@@ -295,7 +295,7 @@ impl<'a> WholeFace<'a> {
     /// None of other surfaces, and of one cell.
     fn of(surface: &FaceSurface, polygons: &'a [Polygon<'a>]) -> Option<Self> {
         let FaceSurface::Rational(rational) = surface else { return None };
-        let rolls_out = matches!(rational.recognise(), PatchKind::Plane { .. } | PatchKind::Cylinder { .. });
+        let rolls_out = matches!(rational.recognize(), PatchKind::Plane { .. } | PatchKind::Cylinder { .. });
         (rolls_out && !surface.is_plane_quad() && polygons.len() > 2).then_some(Self { polygons, nearest: None })
     }
 

@@ -2,7 +2,7 @@
 //! way they look.
 //!
 //! The plan says which triangle of the surface a cell belongs to, and its barycentric coordinates: each corner of the file has its own place,
-//! so nothing is searched. Corners are held against their places; from the middles of the sides, the centre and three places between the distance goes both
+//! so nothing is searched. Corners are held against their places; from the middles of the sides, the center and three places between the distance goes both
 //! ways, from the file's triangle to the surface with a few steps to the foot. Where lines of the surface bend within it, its places lie over
 //! triangles next to their own: those that are far from their own are held against the nearest of all.
 
@@ -19,7 +19,7 @@ use cyclide::{Point3, TrianglePatch, TriangleSurface, Vec3};
 
 /// Steps to the foot of a point.
 const STEPS: usize = 6;
-/// Places of a triangle beside its corners, in sixths: middles of sides, the centre, and between it and the corners.
+/// Places of a triangle beside its corners, in sixths: middles of sides, the center, and between it and the corners.
 const PLACES: [[f64; 3]; 7] = [
     [3.0, 3.0, 0.0],
     [0.0, 3.0, 3.0],

@@ -30,10 +30,10 @@ pub(in crate::document) const MOST_VERTICES: usize = 200_000;
 /// Arcs of a path meet smoothly where their tangents differ by no more than this angle: rounding, as between two fitted arcs.
 const SMOOTH: f64 = 1e-9;
 
-/// Places between the middles of neighbours.
+/// Places between the middles of neighbors.
 const BETWEEN: u32 = 16;
 
-/// A circle through three places of neighbours is off by up to this many times as much as the nearest one: that through three even places by 2.25 times,
+/// A circle through three places of neighbors is off by up to this many times as much as the nearest one: that through three even places by 2.25 times,
 /// where distances go as a cubic.
 const OFF_BY: f64 = 4.0;
 
@@ -236,7 +236,7 @@ pub(in crate::document) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObje
     if fewer { made } else { itself() }
 }
 
-/// Whether one circle may do for two neighbours between their middles, within the tolerance. With fewer arcs than there are, one does somewhere: joints
+/// Whether one circle may do for two neighbors between their middles, within the tolerance. With fewer arcs than there are, one does somewhere: joints
 /// that are fewer than these stretches leave one of them without any.
 fn may_be_one([before, after]: [&Arc; 2], tolerance: f64) -> bool {
     let [first, second] = [before, after].map(|arc| 0.5 * arc.piece_length(0, 0.0, 1.0));
@@ -244,7 +244,7 @@ fn may_be_one([before, after]: [&Arc; 2], tolerance: f64) -> bool {
         let way = (first + second) * f64::from(k) / f64::from(BETWEEN);
         if way <= first { before.point(0.5 + 0.5 * way / first) } else { after.point(0.5 * (way - first) / second) }
     };
-    // Neighbours without an extent to speak of are for the fit.
+    // Neighbors without an extent to speak of are for the fit.
     let Ok(one) = Arc::from_three_points(place(0), place(BETWEEN / 2), place(BETWEEN)) else { return true };
     let off = (0..=BETWEEN).map(|k| one.closest_point(place(k)).distance).fold(0.0, f64::max);
     !(off > OFF_BY * tolerance)

@@ -39,7 +39,7 @@ pub struct ArcSplineSpec {
     /// The points.
     pub points: PointSource,
     /// Directions of travel, one per point, of any length. Default: estimated from the circle through each point and
-    /// its neighbours.
+    /// its neighbors.
     pub tangents: Option<Lists>,
     /// The last point joins the first.
     #[serde(default)]

@@ -17,9 +17,9 @@ use crate::document::objects::refuse::blame_ends;
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
-/// A smooth curve through points: neighbouring circles are blended into each other.
+/// A smooth curve through points: neighboring circles are blended into each other.
 ///
-/// It depends only on four neighbouring points at a time, so it wavers more than a `fair-spline`. With the orders 3 and
+/// It depends only on four neighboring points at a time, so it wavers more than a `fair-spline`. With the orders 3 and
 /// 4 the rate of change of the curvature is continuous too.
 ///
 /// ```

@@ -21,7 +21,7 @@ const ONE_NODE: f64 = 1e-12;
 /// Points of two planes that are one may be so far apart, relative to the size of the grid.
 const ONE_POINT: f64 = 1e-9;
 
-/// Blocks in a grid, whose neighbours share faces, vertices and parameters. The grid is given by points on three
+/// Blocks in a grid, whose neighbors share faces, vertices and parameters. The grid is given by points on three
 /// coordinate planes, or it fills the space between parallel Dupin cyclides (closed in both directions for rings).
 ///
 /// ```

@@ -45,15 +45,15 @@ pub struct CyclideVolumeSpec {
     #[serde(default)]
     pub construction: bool,
     /// Eight corners at (s, t, u) = 000, 100, 010, 110, 001, 101, 011, 111, the four of each face on one circle; the
-    /// last one follows from the others and may be omitted. Or four corners: the first and its neighbours along s, t
+    /// last one follows from the others and may be omitted. Or four corners: the first and its neighbors along s, t
     /// and u; the others are then determined automatically.
     #[schemars(length(min = 4, max = 8))]
     pub corners: Vec<Coordinates>,
-    /// With four corners: position of the last corner among the three neighbours of the first, as their positive
+    /// With four corners: position of the last corner among the three neighbors of the first, as their positive
     /// weights. Default: the squared lengths of the three sides, which give a cuboid if the sides are perpendicular.
     #[schemars(inner(range(min = 0.0)))]
     pub inside: Option<[f64; 3]>,
-    /// With four corners: how far the corners between the neighbours are turned within the possible range, from 0 to 1.
+    /// With four corners: how far the corners between the neighbors are turned within the possible range, from 0 to 1.
     /// Default 0.5.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub turn: Option<f64>,

@@ -50,7 +50,7 @@ use crate::error::Result;
 /// More than one node for three points is a warning: `tolerance-below-noise` if the points change between left and
 /// right as noise does, else `many-nodes`. There is never more than one node for each point (and position on an edge):
 /// `tolerance-not-reached` names the points that remain outside. Increase the tolerance, or mark corners where the data
-/// turn sharply. Neighbouring points nearer to each other than 1e-9 of the size of the figure and a hundredth of the
+/// turn sharply. Neighboring points nearer to each other than 1e-9 of the size of the figure and a hundredth of the
 /// tolerance are one point (`points-merged`).
 ///
 /// ```

@@ -21,7 +21,7 @@ use crate::error::Result;
 /// spiral.
 ///
 /// It is the smooth curve to start with, and it reproduces circles, lines and spheres. Every point influences the whole
-/// curve, but the influence falls to a quarter from point to point. A `circle-spline` depends only on four neighbouring
+/// curve, but the influence falls to a quarter from point to point. A `circle-spline` depends only on four neighboring
 /// points at a time, so it wavers more.
 ///
 /// Where the points turn by nearly half a turn such a curve may not exist, or it may swing out. It is then made less
@@ -52,7 +52,7 @@ pub struct FairSplineSpec {
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
-    /// 0 is the fairest curve; with 1 every point follows only its neighbours, as in a `circle-spline` of order 2.
+    /// 0 is the fairest curve; with 1 every point follows only its neighbors, as in a `circle-spline` of order 2.
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub tension: f64,
@@ -85,7 +85,7 @@ pub struct FairSplineSpec {
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Straight")]
 pub enum StraightWord {
-    /// They stay straight, and the curve bends only at the corner, if neighbouring points turn by more than 30 to 60
+    /// They stay straight, and the curve bends only at the corner, if neighboring points turn by more than 30 to 60
     /// degrees there and by less than a hundredth of that along the run.
     #[default]
     Auto,

@@ -81,7 +81,7 @@ pub struct MoebiusSplineSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MoebiusContinuity {
-    /// The derivative with respect to the knots, which is that of the circle through each point and its neighbours.
+    /// The derivative with respect to the knots, which is that of the circle through each point and its neighbors.
     #[default]
     C1,
     /// Only the direction, which is that of these circles: no knots are needed, and the curve is the circle spline of

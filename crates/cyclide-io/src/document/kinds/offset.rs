@@ -107,7 +107,7 @@ impl Builder<'_> {
         made.collect()
     }
 
-    /// Warns of an offset that goes past centres of curvature: of patches with `k d >= 1` for a principal curvature `k`
+    /// Warns of an offset that goes past centers of curvature: of patches with `k d >= 1` for a principal curvature `k`
     /// and the distance `d`, both signed by the normal along which offsets are made, where the image shows it too (a
     /// surface that was beyond its focal set may come back).
     pub(in crate::document) fn warn_beyond_focal_set(&mut self, spec: &OffsetSpec, bodies: &[Body]) {

@@ -22,7 +22,7 @@ use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{BadPolygons, TriangleMesh};
 
-/// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbours share
+/// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbors share
 /// edges. The mesh is in a file (`mesh`), or given by `vertices` and `triangles`.
 ///
 /// The surface has no exact form: GLB, OBJ and STL contain meshes of it within the tolerance, STEP and JSON cannot

@@ -23,12 +23,12 @@ const TOLERANCE: f64 = 1e-3;
 /// Turns about a closed path that are this near to whole ones are these, radians.
 const WHOLE: f64 = 1e-6;
 
-/// A plane section moved along a path. Closed contours make a solid, with mitres at corners between segments; contours
+/// A plane section moved along a path. Closed contours make a solid, with miters at corners between segments; contours
 /// inside others are holes, and open contours make surfaces. The sweep is exact along arcs and segments where the
 /// section does not rotate about the path.
 ///
-/// Corners between segments are mitred. A corner beside an arc is rejected (`corner-not-mitred`), and so are segments
-/// too short for their mitres (`mitre-does-not-fit`) and bends narrower than the section (`tube-folds`).
+/// Corners between segments are miterd. A corner beside an arc is rejected (`corner-not-mitred`), and so are segments
+/// too short for their miters (`mitre-does-not-fit`) and bends narrower than the section (`tube-folds`).
 ///
 /// If rectangles around the section overlap in distant parts of the path, the warning `sweep-meets-itself` is issued.
 ///

@@ -25,7 +25,7 @@ const SEAM: f64 = 1e-3;
 /// curves away. The seam has small creases where the curvature of the curve jumps.
 ///
 /// Where the curve bends more sharply than half the width the seam would fold: it is rejected with the largest width
-/// and the location (`seam-too-wide`). A seam is also rejected if parts of it that are not neighbours overlap
+/// and the location (`seam-too-wide`). A seam is also rejected if parts of it that are not neighbors overlap
 /// (`seam-meets-itself`, with the location); all others are proved disjoint, up to the tolerance. Seams of different
 /// contours that overlap are reported by a warning (`seams-meet`).
 ///

@@ -68,8 +68,8 @@ pub struct TorusSplineSpec {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
     /// Velocities in space with respect to the knots, one for each point, without regard to their component normal to
-    /// the torus; their length matters, and about the distance to the neighbours is suitable. `"free"` gives a point
-    /// the velocity of the parabola through it and its neighbours.
+    /// the torus; their length matters, and about the distance to the neighbors is suitable. `"free"` gives a point
+    /// the velocity of the parabola through it and its neighbors.
     pub tangents: Option<Vec<FreeOr<Coordinates>>>,
     /// Velocities as rates of longitude and meridian angle with respect to the knots, one for each point; `"free"`
     /// leaves the velocity to the program.
@@ -85,7 +85,7 @@ pub struct TorusSplineSpec {
     /// shortest path, one pair for each step. Default: the shortest path from point to point, at most half a turn of
     /// both angles.
     pub winding: Option<WindingSpec>,
-    /// Equal neighbouring points get a loop between them; otherwise they are one point.
+    /// Equal neighboring points get a loop between them; otherwise they are one point.
     #[serde(default)]
     pub loops: bool,
     /// How the points are joined.

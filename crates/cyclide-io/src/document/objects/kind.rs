@@ -40,7 +40,7 @@ pub(in crate::document) trait Kind {
         }
     }
 
-    /// True where equal neighbouring points are meant as they are.
+    /// True where equal neighboring points are meant as they are.
     fn keeps_repeated_points(&self) -> bool {
         false
     }

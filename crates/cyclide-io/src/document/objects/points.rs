@@ -75,7 +75,7 @@ impl Builder<'_> {
                 None
             } else if list.ends_meet() {
                 Some("the last point repeats the first, but the curve is not closed: set `closed` if it should be")
-            } else if list.ends_are_neighbours() {
+            } else if list.ends_are_neighbors() {
                 Some(
                     "the last point is as close to the first as neighboring points are, but the curve is not closed: \
                      set `closed` if it should be",

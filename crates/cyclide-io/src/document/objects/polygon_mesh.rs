@@ -28,7 +28,7 @@ impl Builder<'_> {
         Ok((name, mesh))
     }
 
-    /// A mesh of a file that counts in metres.
+    /// A mesh of a file that counts in meters.
     fn in_own_units(&mut self, file: &str, format: MeshFormat, mut mesh: PolygonMesh) -> PolygonMesh {
         let units = self.document.units;
         if units != Units::Metre {

@@ -96,7 +96,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     Ok(Deviations { curves, ..Deviations::default() })
 }
 
-/// Rounding of the points of an arc that is given by its centre, relative to this and to the radius.
+/// Rounding of the points of an arc that is given by its center, relative to this and to the radius.
 const CENTER_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Arcs that turn by more are written as two.
@@ -276,14 +276,14 @@ impl Entities {
             return handle;
         };
         let ocs = Ocs::new(normal);
-        // From the centre to the start, in a direction free of the cancellation of two far points.
+        // From the center to the start, in a direction free of the cancellation of two far points.
         let spoke = tangent.cross(normal);
         let start = spoke.dot(ocs.y).atan2(spoke.dot(ocs.x)).to_degrees();
         let start = if start < 0.0 { start + 360.0 } else { start };
         let end = start + arc.angle().to_degrees();
         let handle = self.entity("ARC", group, layer);
         self.class("AcDbCircle");
-        // Readers find the points from a centre that may be far away.
+        // Readers find the points from a center that may be far away.
         self.promise.add_rounding(CENTER_ROUNDING * (radius + center.to_vec().max_abs()));
         self.tags.point(10, ocs.to_local(center)).real(40, radius);
         self.extrusion(normal);

@@ -11,7 +11,7 @@ use crate::export::options::DxfVersion;
 use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Model, NurbsCurve, ParamCurve as _, Point3, Units, Vec3};
 use std::collections::HashMap;
 
-/// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre
+/// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of center
 /// plus radius.
 const GAP: f64 = 1e-9;
 
@@ -24,7 +24,7 @@ pub(crate) struct Drawing {
     pub(super) layers: Vec<String>,
     /// The groups with the numbers of their entities.
     groups: Vec<FileName>,
-    /// Length of a unit, millimetres.
+    /// Length of a unit, millimeters.
     pub(super) unit: Option<f64>,
     /// The lettering in file order.
     pub(super) letters: Vec<ReadLettering>,

@@ -58,7 +58,7 @@ pub(super) struct Content<'a> {
     pub(super) next_handle: usize,
 }
 
-/// Colours of the layers in turn: black/white, red, blue, green, magenta, orange, cyan.
+/// Colors of the layers in turn: black/white, red, blue, green, magenta, orange, cyan.
 const COLOURS: [usize; 7] = [7, 1, 5, 3, 6, 30, 4];
 
 /// The file up to the first entity.

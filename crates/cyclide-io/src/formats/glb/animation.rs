@@ -1,4 +1,4 @@
-//! Motions in a file: a node that stands at the centre of the motion, below it the body with an animation of its place and turn.
+//! Motions in a file: a node that stands at the center of the motion, below it the body with an animation of its place and turn.
 
 use super::buffer::Buffer;
 use super::material::Look;

@@ -1,7 +1,7 @@
 //! Triangles of GLB files of any program.
 //!
 //! Read are the triangles, strips and fans of all primitives in the nodes of the scene, with the maps of the nodes: points as the
-//! scene has them, in metres, turned so that the axis that glTF has upwards, the second one, is the third. Compressed and
+//! scene has them, in meters, turned so that the axis that glTF has upwards, the second one, is the third. Compressed and
 //! sparse data are refused by name; materials, cameras, lines and points are passed over; so is what moves, with a note.
 
 mod accessor;

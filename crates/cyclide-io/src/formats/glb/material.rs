@@ -1,4 +1,4 @@
-//! The materials of a GLB file: the colours of the pictures.
+//! The materials of a GLB file: the colors of the pictures.
 
 use crate::check::read_error::ReadError;
 use crate::drawing::palette;
@@ -17,7 +17,7 @@ pub(super) struct Look {
     name: String,
     /// Red, green and blue of a screen. Factors that are the same there look the same.
     colour: u32,
-    /// Lines have their colour alone; surfaces are lit from both sides.
+    /// Lines have their color alone; surfaces are lit from both sides.
     unlit: bool,
 }
 
@@ -74,7 +74,7 @@ impl Look {
         let name = entry.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
         let unlit = entry.get("extensions").is_some();
         let look = Self { name, colour: palette::on_screen([*red, *green, *blue]), unlit };
-        // Everything but the colour is the same in all of ours.
+        // Everything but the color is the same in all of ours.
         let mut expected = look.to_json();
         expected["pbrMetallicRoughness"]["baseColorFactor"] = json!([red, green, blue, 1.0]);
         if expected == *entry {

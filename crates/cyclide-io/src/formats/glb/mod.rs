@@ -1,9 +1,9 @@
 //! Binary glTF 2.0: meshes of surfaces and lines of curves, for rendering and browsers.
 //!
-//! The model keeps its coordinates: one root node turns the third axis up and scales its unit to metres. Below it is
+//! The model keeps its coordinates: one root node turns the third axis up and scales its unit to meters. Below it is
 //! one node per object, with a mesh of one primitive per surface (triangles) and per curve (`LINES`, an index pair per
-//! segment, which every reader knows). Vertices are in single precision, relative to the centre of the object, which is
-//! the translation of its node; the promised bound includes the rounding. Materials have the colours of the pictures,
+//! segment, which every reader knows). Vertices are in single precision, relative to the center of the object, which is
+//! the translation of its node; the promised bound includes the rounding. Materials have the colors of the pictures,
 //! surfaces are seen from both sides, lines are unlit.
 //!
 //! Motions are animations: see `animation.rs`.

@@ -135,7 +135,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// How many metres a unit of the model is under a root, which turns the third axis up.
+    /// How many meters a unit of the model is under a root, which turns the third axis up.
     fn scale(&self, root: &Value) -> Result<f64, ReadError> {
         let numbers = |key: &str| root.get(key)?.as_array()?.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>();
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();

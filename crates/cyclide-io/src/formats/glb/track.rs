@@ -53,13 +53,13 @@ struct Interval {
     to: Moving,
 }
 
-/// The body of a motion, as far as keys go: where its origin is relative to a centre, and how far its points are from it.
+/// The body of a motion, as far as keys go: where its origin is relative to a center, and how far its points are from it.
 pub(super) struct Carried<'a> {
     pub(super) schedule: &'a Schedule<'a>,
     pub(super) duration: f64,
     pub(super) center: Point3,
     pub(super) reach: f64,
-    /// How far its origin gets from the centre.
+    /// How far its origin gets from the center.
     pub(super) radius: f64,
     /// Where the motion has its cells.
     pub(super) breaks: Vec<f64>,

@@ -7,7 +7,7 @@ use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pi
 /// A place in the picture, pixels to the right and down.
 pub(super) type Pixel = (f32, f32);
 
-/// A colour with its opacity.
+/// A color with its opacity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ink {
     red: f64,
@@ -16,7 +16,7 @@ pub(super) struct Ink {
     alpha: f64,
 }
 
-/// Paper, as a colour of the screen.
+/// Paper, as a color of the screen.
 pub(super) const PAPER: u32 = 0xFBFBF9;
 
 impl Ink {
@@ -44,22 +44,22 @@ impl Ink {
         }
     }
 
-    /// A colour of the screen.
+    /// A color of the screen.
     pub(super) const fn of_screen(rgb: u32) -> Self {
         Self::new(rgb, 1.0)
     }
 
-    /// The colour of an object.
+    /// The color of an object.
     pub(super) fn object(index: usize) -> Self {
         Self::new(crate::drawing::palette::object(index), 1.0)
     }
 
-    /// The colour of an object's surfaces.
+    /// The color of an object's surfaces.
     pub(super) fn surface(index: usize) -> Self {
         Self::new(crate::drawing::palette::surface_on_screen(index), 1.0)
     }
 
-    /// The colour moved towards the paper; 1 is far away, which is still well visible.
+    /// The color moved towards the paper; 1 is far away, which is still well visible.
     pub(super) fn faded(self, far: f64) -> Self {
         let mix = |a: f64, b: f64| a + (b - a) * 0.55 * far;
         Self {
@@ -116,7 +116,7 @@ impl Canvas {
         self.line(path(lines, false), width, ink, LineCap::Butt);
     }
 
-    /// A line in the colour of the paper that ends where it ends.
+    /// A line in the color of the paper that ends where it ends.
     pub(super) fn rim(&mut self, points: &[Pixel], width: f64) {
         self.line(path([points], false), width, Ink { alpha: 0.85, ..Ink::PAPER }, LineCap::Butt);
     }
@@ -169,7 +169,7 @@ impl Canvas {
         self.text(text, at, size, ink);
     }
 
-    /// Sets a pixel to a colour of the screen.
+    /// Sets a pixel to a color of the screen.
     pub(super) fn set(&mut self, x: usize, y: usize, [red, green, blue]: [u8; 3]) {
         let start = 4 * (y * self.pixels.width() as usize + x);
         self.pixels.data_mut()[start..start + 4].copy_from_slice(&[red, green, blue, u8::MAX]);

@@ -24,7 +24,7 @@ pub(super) struct Caption {
     title: String,
     unit: &'static str,
     symbol: &'static str,
-    /// What the colours and numbers stand for.
+    /// What the colors and numbers stand for.
     pub(super) legend: Legend,
 }
 

@@ -1,4 +1,4 @@
-//! The scale of a picture's colours: a bar with round numbers, the name of the quantity, its least and greatest value.
+//! The scale of a picture's colors: a bar with round numbers, the name of the quantity, its least and greatest value.
 
 use super::canvas::{Canvas, Ink, Pixel};
 use super::lettering;

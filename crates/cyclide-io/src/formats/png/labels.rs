@@ -138,7 +138,7 @@ impl Labels {
         Some(placed)
     }
 
-    /// Draws names in the colours of their objects.
+    /// Draws names in the colors of their objects.
     pub(super) fn draw(&self, canvas: &mut Canvas, names: &[Name]) {
         for Name { object, text, start } in names {
             canvas.label(text, *start, 0.93 * self.sheet.text_size(), Ink::object(*object));

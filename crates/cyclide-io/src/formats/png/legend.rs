@@ -1,6 +1,6 @@
-//! The legend of a picture: what its colours, numbers and signs stand for.
+//! The legend of a picture: what its colors, numbers and signs stand for.
 //!
-//! A few objects are named in a row with their colours. More are numbered: each has its number in the drawing, and the
+//! A few objects are named in a row with their colors. More are numbered: each has its number in the drawing, and the
 //! names stand in columns below, as many as a third of the picture holds; the last entry says how many are left out.
 
 use super::canvas::{Canvas, Ink};
@@ -33,7 +33,7 @@ pub(super) struct Entry {
 /// A legend with the places of its entries.
 #[derive(Default)]
 pub(super) struct Legend {
-    /// The scale of the colours.
+    /// The scale of the colors.
     bar: Option<ColourBar>,
     row: Vec<Entry>,
     numbered: Vec<Entry>,
@@ -53,7 +53,7 @@ struct Placed<'a> {
 /// How the objects of a picture are told apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Naming {
-    /// By the colours of the legend.
+    /// By the colors of the legend.
     Colours,
     /// By names beside them.
     Names,
@@ -86,7 +86,7 @@ impl Legend {
         Self { row, numbered, ..Self::default() }
     }
 
-    /// Of surfaces that are coloured by a quantity: its scale in place of their colours, and those in grey, which do not have it.
+    /// Of surfaces that are colored by a quantity: its scale in place of their colors, and those in grey, which do not have it.
     pub(super) fn with_scale(
         mut self,
         job: &Job<'_>,
@@ -96,7 +96,7 @@ impl Legend {
     ) -> Self {
         let is_surface = |item: usize| !job.model.items[item].surfaces().is_empty();
         let is_drawn = |item: usize| is_surface(item) || !job.model.items[item].volumes().is_empty();
-        // A surface has no colour of its own any more.
+        // A surface has no color of its own any more.
         self.row.retain(|entry| !matches!(entry.mark, Mark::Field(..)));
         let grey: Vec<&str> = names
             .iter()
@@ -175,7 +175,7 @@ impl Legend {
         sheet.width - 2.0 * sheet.margin() > 2.2 * BAR_ROOM * sheet.scale
     }
 
-    /// The row in which the scale of colours begins.
+    /// The row in which the scale of colors begins.
     fn bar_row(&self, sheet: Sheet) -> f64 {
         if Self::is_beside(sheet) { 0.0 } else { 1.0 }
     }
@@ -276,7 +276,7 @@ pub(super) fn balloon_radius(number: usize, sheet: Sheet) -> f64 {
     (0.5 * lettering::width(&number.to_string(), size) + 0.45 * size).max(size)
 }
 
-/// True if there are more objects than a legend of colours can tell apart: all blocks have the same ones.
+/// True if there are more objects than a legend of colors can tell apart: all blocks have the same ones.
 pub(super) fn is_crowded(job: &Job<'_>) -> bool {
     let of_blocks = job.model.items.iter().filter(|item| !item.volumes().is_empty()).count();
     job.model.items.len() > MOST_ENTRIES || of_blocks > 1

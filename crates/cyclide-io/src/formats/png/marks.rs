@@ -1,4 +1,4 @@
-//! The marks of a legend: what the colours and lines of a picture look like.
+//! The marks of a legend: what the colors and lines of a picture look like.
 
 use super::canvas::{Canvas, Ink, Pixel};
 use crate::drawing::palette;
@@ -11,7 +11,7 @@ pub(super) const DATA: f64 = 4.4;
 pub(super) enum Mark {
     /// A curve, and whether it is drawn in dashes.
     Line(Ink, bool),
-    /// A surface: its colour and that of its lines.
+    /// A surface: its color and that of its lines.
     Field(Ink, Ink),
     /// Blocks: surfaces of three families.
     Families,
@@ -26,7 +26,7 @@ pub(super) enum Mark {
 }
 
 impl Mark {
-    /// The colour of a number beside it.
+    /// The color of a number beside it.
     pub(super) fn ink(self) -> Ink {
         match self {
             Self::Line(ink, _) | Self::Field(_, ink) => ink,
@@ -80,7 +80,7 @@ impl Mark {
     }
 }
 
-/// The colours of the surfaces inside blocks on which a parameter is constant, and of their lines.
+/// The colors of the surfaces inside blocks on which a parameter is constant, and of their lines.
 pub(super) fn family(axis: usize) -> [Ink; 2] {
     palette::family(axis).map(Ink::of_screen)
 }

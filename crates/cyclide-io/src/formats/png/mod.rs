@@ -6,7 +6,7 @@
 //! curves among the surfaces ([`scene`]). The promised bound is half a pixel.
 //!
 //! Title, unit, scale bar and legend have bands of their own above and below ([`caption`], [`legend`]); objects that are too many
-//! for a legend of colours are named where they stand or, where names have no room, numbered ([`labels`]).
+//! for a legend of colors are named where they stand or, where names have no room, numbered ([`labels`]).
 
 mod axes;
 mod canvas;

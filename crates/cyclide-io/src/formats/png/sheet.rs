@@ -15,7 +15,7 @@ const MARGIN: f64 = 44.0;
 pub(super) const ROW: f64 = 34.0;
 /// Part of the footer that belongs to the scale bar.
 pub(super) const BAR_ROOM: f64 = 400.0;
-/// Objects of a legend of colours. More are named where they stand, or numbered.
+/// Objects of a legend of colors. More are named where they stand, or numbered.
 pub(super) const MOST_ENTRIES: usize = 6;
 
 /// Sizes on a picture.

@@ -8,7 +8,7 @@ use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
 use std::fmt::Write as _;
 
 /// Beyond this radius, relative to the chord, to the model and absolute (readers join ends that are 1e-7 apart), a
-/// trimmed circle loses digits: its points are the centre plus the radius, rounded to about 4e-16 of the radius.
+/// trimmed circle loses digits: its points are the center plus the radius, rounded to about 4e-16 of the radius.
 /// Such an arc, all but straight, is written as the exact rational quadratic instead.
 const LARGEST_RADIUS: (f64, f64, f64) = (1e6, 1e5, 2e7);
 /// Below this radius, relative to the chord, an arc is visibly curved and always a circle.

@@ -11,7 +11,7 @@
 //! on cylinders and cones do; with rational edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
 //! are.
 //!
-//! Every object has its colours and its layer, and is a product of its own if not asked otherwise.
+//! Every object has its colors and its layer, and is a product of its own if not asked otherwise.
 
 mod body_check;
 mod curves;
@@ -48,10 +48,10 @@ use body_check::bodies_deviation;
 use labels::labels;
 use reader::read;
 
-/// OpenCASCADE takes points nearer than this for one, whatever the unit of the file, in millimetres: faces with shorter edges come out of it
+/// OpenCASCADE takes points nearer than this for one, whatever the unit of the file, in millimeters: faces with shorter edges come out of it
 /// invalid.
 const ONE_POINT: f64 = 1e-7;
-/// Shorter edges are noted, in millimetres.
+/// Shorter edges are noted, in millimeters.
 const SHORTEST_EDGE: f64 = 1e-6;
 
 /// What there is to know of the format.
@@ -182,7 +182,7 @@ fn shortest_piece(chain: &CurveChain) -> f64 {
     chain.pieces().iter().map(extent).fold(f64::INFINITY, f64::min)
 }
 
-/// Name of a unit that is no metric one, with its length in millimetres; `None` for metric units.
+/// Name of a unit that is no metric one, with its length in millimeters; `None` for metric units.
 fn conversion(units: Units) -> Option<&'static str> {
     match units {
         Units::Inch => Some("INCH"),

@@ -24,7 +24,7 @@ use std::fmt::Write as _;
 use std::sync::LazyLock;
 
 /// Part of an edge's length by which its point in space and that in the parameters may be apart; readers' tolerance is
-/// 1e-7, which leaves room for edges of a hundred metres in millimetres.
+/// 1e-7, which leaves room for edges of a hundred meters in millimeters.
 const LARGEST_ERROR: f64 = 1e-13;
 /// Terms of the series; those above the degree measure the error.
 const TERMS: usize = 32;

@@ -3,7 +3,7 @@
 /// An object of the model: what its shape consists of.
 pub(super) struct Part {
     pub(super) name: String,
-    /// Index of the object in the model, which decides about its colours.
+    /// Index of the object in the model, which decides about its colors.
     pub(super) index: usize,
     pub(super) curve_sets: Vec<usize>,
     pub(super) surfaces: Vec<usize>,

@@ -43,7 +43,7 @@ fn representation(parts: &[Part]) -> &'static str {
     }
 }
 
-/// The products of all parts, or one product of them, colours and layers; `title` names the whole.
+/// The products of all parts, or one product of them, colors and layers; `title` names the whole.
 pub(super) fn products(data: &mut Data, title: &str, parts: &[Part], one: bool, units: Units) {
     let context = representation_context(data, units);
     let origin = data.placement(Point3::ORIGIN, Vec3::Z, Vec3::X);

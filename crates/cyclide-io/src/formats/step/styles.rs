@@ -1,4 +1,4 @@
-//! Colours and layers: each object in the colours of the pictures, on a layer of its own name.
+//! Colors and layers: each object in the colors of the pictures, on a layer of its own name.
 
 use super::data::{Data, real, references, string};
 use super::part::Part;
@@ -28,7 +28,7 @@ pub(super) fn colours_and_layers(data: &mut Data, parts: &[Part], context: usize
     data.add(&format!("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',{styled},#{context})"));
 }
 
-/// Style assignments by their colour, red, green and blue of a screen.
+/// Style assignments by their color, red, green and blue of a screen.
 #[derive(Default)]
 struct Styles {
     surfaces: HashMap<u32, usize>,

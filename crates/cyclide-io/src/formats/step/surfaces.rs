@@ -20,7 +20,7 @@ use cyclide::{
 };
 use std::fmt::Write as _;
 
-/// Beyond this radius, in sizes of the model, an analytic surface loses digits: its points are the centre plus the
+/// Beyond this radius, in sizes of the model, an analytic surface loses digits: its points are the center plus the
 /// radius, rounded.
 const LARGEST_RADIUS: f64 = 1e4;
 /// Cones at least this far from cylinders and planes, radians.
@@ -37,7 +37,7 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
         FaceSurface::Cyclide(patch) => patch,
         FaceSurface::Rational(surface) => return rational_kind(shell, face, surface, size, edges),
     };
-    let kind = patch.recognise();
+    let kind = patch.recognize();
     let keep = match kind {
         PatchKind::Plane { .. } => true,
         _ if edges == StepEdges::Rational => false,
@@ -65,7 +65,7 @@ pub(super) fn whole_kind(face: &ShellFace, own: &PatchKind, size: f64, edges: St
         return *own;
     }
     let kind = match &face.surface {
-        FaceSurface::Cyclide(patch) => patch.recognise(),
+        FaceSurface::Cyclide(patch) => patch.recognize(),
         FaceSurface::Rational(surface) => rational_sphere(surface).unwrap_or(PatchKind::Cyclide),
     };
     match kind {
@@ -104,7 +104,7 @@ fn rational_kind(
 ) -> PatchKind {
     let kind = match edges {
         StepEdges::Rational => surface.plane().map_or(PatchKind::Cyclide, |frame| PatchKind::Plane { frame }),
-        StepEdges::Circles => surface.recognise(),
+        StepEdges::Circles => surface.recognize(),
     };
     if matches!(kind, PatchKind::Plane { .. }) {
         return kind;
@@ -164,7 +164,7 @@ pub(super) fn analytic(data: &mut Data, kind: &PatchKind) -> Option<(usize, bool
 }
 
 /// The patch as a rational B-spline surface. `middles` are the control points of the sides t=0, t=1, s=0, s=1, so that
-/// neighbours share them; for a side of one point that point.
+/// neighbors share them; for a side of one point that point.
 ///
 /// # Errors
 /// `weight-not-positive`: no other weight is ever written.

@@ -218,7 +218,7 @@ impl<'a> Writer<'a> {
         Ok(found)
     }
 
-    /// The rational surface of a face of the shell; neighbours get the same control points along their common edge.
+    /// The rational surface of a face of the shell; neighbors get the same control points along their common edge.
     fn rational(&mut self, index: usize) -> Result<usize> {
         let face = &self.shell.faces()[index];
         let patch = match &face.surface {

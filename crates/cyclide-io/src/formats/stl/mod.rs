@@ -1,7 +1,7 @@
 //! Binary STL: triangles of surfaces, for printing.
 //!
 //! 80 bytes of head that do not start with `solid`, the number of triangles, 50 bytes for each: normal and corners in
-//! single precision, little-endian. Coordinates are the model's own (readers take them for millimetres), rounded; equal
+//! single precision, little-endian. Coordinates are the model's own (readers take them for millimeters), rounded; equal
 //! vertices are equal bits. The promised bound is that of the mesh and the rounding, which must not exceed the tolerance.
 
 mod reader;

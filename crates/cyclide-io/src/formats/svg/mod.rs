@@ -1,9 +1,9 @@
 //! SVG: drawings for browsers, laser cutters and print.
 //!
 //! One user unit is one model unit, the second axis points up (coordinates are negated, there is no transform), and
-//! `width` and `height` are in millimetres: true size for models in mm, cm and inches; models in metres and feet are
+//! `width` and `height` are in millimeters: true size for models in mm, cm and inches; models in meters and feet are
 //! drawn to the scale 1:1, 1:2, 1:5, 1:10, … at which they fit on 420 mm, named in `desc`. Arcs are true `A`
-//! commands, those above 150 degrees cut in equal parts (near half circles readers find the centre badly). One
+//! commands, those above 150 degrees cut in equal parts (near half circles readers find the center badly). One
 //! `path` per connected curve, closed ones end in `Z`; one group per object with its name as `title`.
 //!
 //! A curve in space is drawn as seen along the third axis: its arcs become ellipses there, so it is written as a
@@ -41,7 +41,7 @@ const SMALLEST_IN_PLACE: f64 = 8192.0 * f64::EPSILON;
 const MARGIN: f64 = 0.04;
 /// Width of the curve, relative to the larger side.
 const STROKE: f64 = 0.0025;
-/// Largest side of a drawing that is scaled, millimetres.
+/// Largest side of a drawing that is scaled, millimeters.
 const PAPER: f64 = 420.0;
 /// Most curves left out that a note names.
 const NAMED_POINTS: usize = 8;

@@ -4,7 +4,7 @@ use crate::export::exported::straightened;
 use crate::text::number::push_plain;
 use cyclide::{Aabb, Arc, Exactness, Point3};
 
-/// Largest angle of one `A` command: near half a turn readers find the centre badly.
+/// Largest angle of one `A` command: near half a turn readers find the center badly.
 const LARGEST_SWEEP: f64 = 150.0 * std::f64::consts::PI / 180.0;
 
 /// A path that grows piece by piece, in the drawing's axes (the second one down).

@@ -42,7 +42,7 @@ fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
     Some(text.split_once(before)?.1.split_once(after)?.0)
 }
 
-/// Length of a user unit in the model, millimetres: its size on paper times the scale of the drawing, which must be what
+/// Length of a user unit in the model, millimeters: its size on paper times the scale of the drawing, which must be what
 /// the description says.
 fn unit(text: &str) -> Result<Option<f64>, ReadError> {
     let Some(root) = between(text, "<svg ", ">") else { return Ok(None) };

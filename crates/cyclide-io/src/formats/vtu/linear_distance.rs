@@ -144,7 +144,7 @@ mod tests {
     use super::*;
     use cyclide::{Conformal as _, Mobius, ParamVolume as _, SphericalCube, Vec3, VolumeFrame};
 
-    /// A unit box beside the centre of an inversion: its speed varies a hundred times and more.
+    /// A unit box beside the center of an inversion: its speed varies a hundred times and more.
     fn uneven(center: [f64; 3]) -> CyclideVolume {
         let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z]).unwrap();
         let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
@@ -177,7 +177,7 @@ mod tests {
                         largest = largest.max((straight - place(own).to_vec()).length());
                     }
                 }
-                // Beside the centre of the inversion the 17 places per direction miss a sixth of the largest.
+                // Beside the center of the inversion the 17 places per direction miss a sixth of the largest.
                 assert!(
                     largest <= distance.bound() && distance.bound() <= 1.75 * largest,
                     "{center:?} {cells}: {largest} {distance:?}"

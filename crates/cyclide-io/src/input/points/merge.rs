@@ -1,14 +1,14 @@
-//! Repeated points: neighbours that coincide, and a closed contour's last point that repeats its first.
+//! Repeated points: neighbors that coincide, and a closed contour's last point that repeats its first.
 
 use super::point_table::PointList;
 use cyclide::{Aabb, PointWarning, Warning};
 
-/// Neighbours closer than this part of the contour's size are one point: the rounding of coordinates that were
+/// Neighbors closer than this part of the contour's size are one point: the rounding of coordinates that were
 /// computed (`cos` and `sin` of a full turn differ from the start by about this), far below any intended feature.
-/// The kernel's constructions refuse neighbours this close.
+/// The kernel's constructions refuse neighbors this close.
 const RELATIVE_LIMIT: f64 = 1e-12;
 
-/// Fewer points may be neighbours by chance; and edges may differ by this part.
+/// Fewer points may be neighbors by chance; and edges may differ by this part.
 const FEWEST_ROUND: usize = 6;
 const UNEVEN: f64 = 0.05;
 
@@ -27,8 +27,8 @@ impl PointList {
         }
     }
 
-    /// True if the last point is as near to the first as neighbours are there: what lists of closed curves without their last edge are like.
-    pub(crate) fn ends_are_neighbours(&self) -> bool {
+    /// True if the last point is as near to the first as neighbors are there: what lists of closed curves without their last edge are like.
+    pub(crate) fn ends_are_neighbors(&self) -> bool {
         match self.points.as_slice() {
             [first, second, .., before, last] if self.points.len() >= FEWEST_ROUND => {
                 let edge = first.distance(*second).max(before.distance(*last));
@@ -54,7 +54,7 @@ impl Merged {
     }
 }
 
-/// Merges repeated neighbours, and for a closed contour the last points that repeat the first. A mark on any of the
+/// Merges repeated neighbors, and for a closed contour the last points that repeat the first. A mark on any of the
 /// merged points stays; the list's offsets go with the points.
 pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
     let limit = list.limit();
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_of_equal_neighbours_are_merged_and_marks_kept() {
+    fn runs_of_equal_neighbors_are_merged_and_marks_kept() {
         let mut l = list(&[[0.0, 0.0], [0.0, 0.0], [0.0, 1e-13], [2.0, 0.0], [3.0, 0.0], [3.0, 0.0]], &[2, 3]);
         let limit = 3e-12;
         assert_eq!(

@@ -19,7 +19,7 @@ pub(super) enum Order {
     Plain,
 }
 
-/// Metres from the equator to a pole, and from where eastings in feet of state planes are met no more.
+/// Meters from the equator to a pole, and from where eastings in feet of state planes are met no more.
 const NORTHINGS: RangeInclusive<f64> = 1e6..=1e7;
 const FAR_NORTH: f64 = 3.5e6;
 /// Eastings of UTM and other grids whose middle is at 500 km.
@@ -36,7 +36,7 @@ const OLD_SWISS: [RangeInclusive<f64>; 2] = [7e4..=3e5, 4.8e5..=8.4e5];
 /// Before the easting.
 const ZONE: f64 = 1e6;
 /// Eastings from a meridian; and the radius of the earth, with the middle of a zone and half its width in radians, somewhat more than that of six
-/// degrees, all in metres.
+/// degrees, all in meters.
 const FROM_MERIDIAN: RangeInclusive<f64> = -9e5..=9e5;
 const RADIUS: f64 = 6.37e6;
 const MIDDLE: f64 = 5e5;

@@ -34,7 +34,7 @@ fn is_of_parts(word: &str) -> bool {
 /// Words of measures of the shape between the points, which points alone do not have.
 const SHAPES: &str = "radius radii radien radio rayon raggio r diameter durchmesser diametre diametro arc bogen bulge bulges pfeilhohe sagitta";
 
-/// Words of numbers beside points that are none of them: of accuracies, directions, speeds, colours, receivers and days.
+/// Words of numbers beside points that are none of them: of accuracies, directions, speeds, colors, receivers and days.
 const QUIET: &str = "s sx sy sz sh se sn mx my mz mp ms mh me mn sigma cq nx ny nz vx vy vz ve vn vu v vel ax ay az gx gy gz ix iy iz \
     roll pitch yaw psi kappa tangent normal binormal look torsion qw qx qy qz g b red green blue rgb alpha nir return returns classification \
     scan age status state mode sat satnum nsat numsat snr cn0 rssi signal battery voltage pressure humidity year month day hour minute second \

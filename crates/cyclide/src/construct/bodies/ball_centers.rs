@@ -1,5 +1,5 @@
-//! The way of the centre of the ball that makes a blend, an exact rational curve, and the surface of all centres that it runs on
-//! (`docs/math/canal-blends.md#the-surface-of-centres`; source: `002`, section 4 and Fig. 4).
+//! The way of the center of the ball that makes a blend, an exact rational curve, and the surface of all centers that it runs on
+//! (`docs/math/canal-blends.md#the-surface-of-centers`; source: `002`, section 4 and Fig. 4).
 
 use crate::base::planar::Point2;
 use crate::error::{CrossingError, ErrorItem, NumberError, NurbsError, Result};
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// Halvings of a piece whose weights are not all positive.
 const HALVINGS: u32 = 12;
 
-/// Where the centres of the balls of a blend are.
+/// Where the centers of the balls of a blend are.
 ///
 /// ```
 /// use cyclide::{CrossingPipe, PipeCrossing};
@@ -53,13 +53,13 @@ impl BallCenters {
         Self { paths, torus }
     }
 
-    /// The closed ways of the centres, one for each blend: exact, with positive weights, C1. Of the balls of a torus they have the degree 4.
+    /// The closed ways of the centers, one for each blend: exact, with positive weights, C1. Of the balls of a torus they have the degree 4.
     #[must_use]
     pub fn paths(&self) -> &[NurbsCurve] {
         &self.paths
     }
 
-    /// The surface of the centres of all balls that touch both pipes, of [all radii](SkewCylinders::center_surface), round the path: as far as it goes, and of what is
+    /// The surface of the centers of all balls that touch both pipes, of [all radii](SkewCylinders::center_surface), round the path: as far as it goes, and of what is
     /// left to the balls without end this part more to every side. Exact, of degree (2, 2), with positive weights; the path lies on it. Its four sides and all its parameter
     /// lines are conics.
     ///
@@ -111,7 +111,7 @@ pub(super) fn closed_path<'a>(pieces: impl Iterator<Item = &'a PolynomialRow>) -
     for curve in &mut curves {
         let [a, b] = [0.0, 1.0].map(|s| curve.jet(s).d1.length().sqrt());
         if !(a > 0.0 && b > 0.0) {
-            // The centre stands still at an end.
+            // The center stands still at an end.
             intervals.push(curve.point(0.0).distance(curve.point(1.0)));
             continue;
         }

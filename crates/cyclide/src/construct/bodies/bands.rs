@@ -8,7 +8,7 @@ use crate::error::{ErrorItem, Result, ShellError};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Sewing};
 
-/// Vertices of neighbouring rings nearer to each other than this part of the coordinates are one.
+/// Vertices of neighboring rings nearer to each other than this part of the coordinates are one.
 const SAME_POINT: f64 = 1e-12;
 
 /// Rings and bands on their way to a shell.

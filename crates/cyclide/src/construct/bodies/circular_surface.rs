@@ -46,13 +46,13 @@ const SEPARATION: f64 = 1e-12;
 const OPPOSED: f64 = 1e-2;
 /// Below this angle, of ten chords' radius, it is said: OpenCASCADE finds edges off their faces from 0.02 on.
 const NEARLY_OPPOSED: f64 = 0.05;
-/// Tangents of neighbouring joints oppose each other if less than this part of the longer one is left between them.
+/// Tangents of neighboring joints oppose each other if less than this part of the longer one is left between them.
 const OPPOSITE_TANGENTS: f64 = 1e-6;
 /// Places of a piece at which chord and tangent are looked at.
 const PLACES: u32 = 32;
 /// A piece is halved along the rails so many times at most.
 const MOST_HALVINGS: u32 = 5;
-/// Cosine of the angle from which planes of neighbours are one, seen from both sides.
+/// Cosine of the angle from which planes of neighbors are one, seen from both sides.
 const OPPOSITE: f64 = 1.0 - 1e-9;
 /// The arcs of a surface are cut into so many parts at most.
 const MOST_PARTS: usize = 8;
@@ -114,7 +114,7 @@ impl Body {
     /// # Errors
     /// `piece-counts-differ`, `too-few-points`, `disconnected`, `weight-not-positive` (of the rails, or where no parts of the surface have
     /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `opposite-tangents` (at joints that follow each other), `coincident-points` (the rails meet),
-    /// `tangent-opposes-chord`, `degree-too-high`, `arcs-cross` (neighbouring arcs cross, as where one rail runs the other way).
+    /// `tangent-opposes-chord`, `degree-too-high`, `arcs-cross` (neighboring arcs cross, as where one rail runs the other way).
     pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
         RailSurface::circular(rails, tangents, closed).map(RailSurface::into_body)
     }
@@ -215,7 +215,7 @@ impl ArcPiece {
         }
     }
 
-    /// Refuses arcs that cross their neighbours. Gives the normal of a surface in a plane.
+    /// Refuses arcs that cross their neighbors. Gives the normal of a surface in a plane.
     fn check_arcs(&self, surface: &RationalBezierSurface) -> Result<Option<Vec3>> {
         match planar_side(surface) {
             Some(PlanarSide::One(normal)) => return Ok(Some(normal)),
@@ -340,7 +340,7 @@ fn cut(pieces: &[ArcPiece], speed: Speed, count: usize) -> Result<Vec<(ArcPiece,
     Ok(made)
 }
 
-/// Refuses arcs that cross their neighbours, in a piece or, in a plane, where the next one turns back.
+/// Refuses arcs that cross their neighbors, in a piece or, in a plane, where the next one turns back.
 fn check_all_arcs(made: &[(ArcPiece, RationalBezierSurface)], closed: bool) -> Result<()> {
     let normals = made.iter().map(|(piece, surface)| piece.check_arcs(surface)).collect::<Result<Vec<_>>>()?;
     for (k, pair) in (1..).zip(normals.iter().zip(normals.iter().cycle().skip(1))) {

@@ -1,6 +1,6 @@
-//! Where the arcs of a circular surface cross their neighbours.
+//! Where the arcs of a circular surface cross their neighbors.
 //!
-//! Along an arc in a plane with the normal `b` the neighbours are on the side of it that `v = S_s · b` says, and above or below the arc as
+//! Along an arc in a plane with the normal `b` the neighbors are on the side of it that `v = S_s · b` says, and above or below the arc as
 //! `u = S_s · (b × T)` says, T its direction. The surface has no normal where both are 0: there its arcs cross, and it runs through
 //! itself beside the place. So the zeros of each of the two are looked for along arcs: the other one must not be 0 there, nor change its sign along
 //! them from arc to arc. The counterpart of `rulings`, where `u` and `v` are linear; sampled as that is. Surfaces in a plane, where `v` is 0
@@ -19,8 +19,8 @@ const STEPS: u32 = 50;
 const ZERO: f64 = 1e-9;
 /// Zeros nearer to the ends of an arc than this are of a rail that arcs touch.
 const END: f64 = 1e-6;
-/// Zeros on neighbouring arcs are of one line if they are nearer than this.
-const NEIGHBOURS: f64 = 0.25;
+/// Zeros on neighboring arcs are of one line if they are nearer than this.
+const NEIGHBORS: f64 = 0.25;
 /// Arcs that turn by less than this are lines, without a plane.
 const STRAIGHT: f64 = 1e-6;
 
@@ -35,11 +35,11 @@ struct Passing {
 struct PlacedArc {
     s: f64,
     normal: Vec3,
-    /// Of `v`, where neighbours come through the plane, and of `u`, where they come through the cylinder over the arc.
+    /// Of `v`, where neighbors come through the plane, and of `u`, where they come through the cylinder over the arc.
     passings: [Vec<Passing>; 2],
 }
 
-/// Parameters near which neighbouring arcs cross. `plane(s)` is a normal of the plane of an arc, whose length is the sine of half
+/// Parameters near which neighboring arcs cross. `plane(s)` is a normal of the plane of an arc, whose length is the sine of half
 /// the angle that it turns by.
 pub(super) fn crossing_arcs(surface: &RationalBezierSurface, plane: impl Fn(f64) -> Vec3) -> Option<[f64; 2]> {
     let arcs: Vec<PlacedArc> =
@@ -58,7 +58,7 @@ fn crossing_between(a: &PlacedArc, b: &PlacedArc) -> Option<[f64; 2]> {
     }
     let lines = a.passings.iter().zip(&b.passings).filter(|(from, to)| from.len() == to.len());
     let mut pairs = lines.flat_map(|(from, to)| from.iter().zip(to));
-    let changes = |(from, to): &(&Passing, &Passing)| from.other * to.other < 0.0 && (from.t - to.t).abs() < NEIGHBOURS;
+    let changes = |(from, to): &(&Passing, &Passing)| from.other * to.other < 0.0 && (from.t - to.t).abs() < NEIGHBORS;
     pairs.find(changes).map(|(from, to)| [0.5 * (a.s + b.s), 0.5 * (from.t + to.t)])
 }
 

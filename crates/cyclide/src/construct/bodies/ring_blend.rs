@@ -1,7 +1,7 @@
 //! Blends of a ring, a torus, with a plate or a sphere about its axis: exact, tori themselves (`docs/math/contact-blends.md#rings`).
 //!
-//! A plane through the axis cuts all of it in circles and lines. The centres of the balls of one radius that touch both are where a circle about that of the ring's tube meets
-//! a line or a circle about the centre of the sphere: two places, the corner round the ring and that in its hole.
+//! A plane through the axis cuts all of it in circles and lines. The centers of the balls of one radius that touch both are where a circle about that of the ring's tube meets
+//! a line or a circle about the center of the sphere: two places, the corner round the ring and that in its hole.
 
 use super::ball_centers::BallCenters;
 use super::{MadeContactBlend, Revolution, TeeBlendFacts};
@@ -141,10 +141,10 @@ impl RingBlend {
         [self.ring.radius, self.ring.height]
     }
 
-    /// The centres of the balls in the hole and round the ring.
+    /// The centers of the balls in the hole and round the ring.
     fn balls(&self) -> Result<[[f64; 2]; 2]> {
         let ([a, h], reach) = (self.middle(), self.ring.tube + self.ball);
-        // From the foot of the middle on the line, or on the line of both centres, so far to both sides.
+        // From the foot of the middle on the line, or on the line of both centers, so far to both sides.
         let (foot, way, square) = match self.base {
             RingBase::Disk(_) => {
                 let up = h - self.ball;

@@ -1,7 +1,7 @@
 //! Ruled surfaces: straight lines between two curves, exact.
 //!
 //! Between rational curves of degrees m and n the surface has the degree (max(m, n), 1): the one of lower degree is raised, and each
-//! keeps its weights. With weights of 1 at both ends of all pieces the rulings there run at uniform speed, so that neighbours share
+//! keeps its weights. With weights of 1 at both ends of all pieces the rulings there run at uniform speed, so that neighbors share
 //! their edges.
 
 use super::bands::Bands;

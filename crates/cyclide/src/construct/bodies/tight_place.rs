@@ -28,7 +28,7 @@ impl TightPlace {
 }
 
 /// The place of the least value over `[0, 1]` and that value, if it is below a known one: from places close together, and by sections in the golden ratio beside those that are lower than their
-/// neighbours.
+/// neighbors.
 fn least_below(known: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
     let at = |k: u32| f64::from(k) / f64::from(PLACES);
     let values: Vec<f64> = (0..=PLACES).map(|k| value(at(k))).collect();
@@ -45,7 +45,7 @@ fn least_below(known: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
         let (before, after) = (index.checked_sub(1).map(|i| values[i]), values.get(index + 1).copied());
         let beside = before.into_iter().chain(after).fold(f64::NEG_INFINITY, f64::max);
         let lowest = before.into_iter().chain(after).all(|other| *middle <= other);
-        // A convex function goes no lower between three places; one end has no neighbour to tell.
+        // A convex function goes no lower between three places; one end has no neighbor to tell.
         let within_reach = before.is_none() || after.is_none() || 2.0 * middle - beside < best;
         if lowest && within_reach {
             let s = GoldenSection::lowest(&value, [at(k.saturating_sub(1)), at((k + 1).min(PLACES))], SECTIONS);

@@ -1,7 +1,7 @@
 //! Tangent-continuous chains of arcs through points: one biarc per span, or one arc per span from a start tangent.
 //!
 //! Tangents at the points are given or estimated: at an inner point the tangent of the circle through it and its two
-//! neighbours, at the ends of an open chain that circle's tangent at the end point
+//! neighbors, at the ends of an open chain that circle's tangent at the end point
 //! (`docs/math/arc-splines.md#three-point-tangents`):
 //!
 //! ```text
@@ -43,7 +43,7 @@ impl ArcPath {
     /// joint of span `k`, which runs from point `k` to the next.
     ///
     /// # Errors
-    /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours, equal
+    /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbors, equal
     /// doubles; closed: last and first too), `tangent-undefined` (only for estimated tangents: the points turn back on
     /// themselves), `count-differs`; a span without a biarc gives the biarc's reason with the index of the span.
     pub fn spline(points: &[Point3], options: &ArcSplineOptions) -> Result<Self> {
@@ -94,14 +94,14 @@ impl ArcPath {
         for k in 0..spans {
             let (a, b) = (points[k], points[(k + 1) % points.len()]);
             arcs.push(starting(a, t, b).map_err(|e| e.in_span(k))?);
-            // Normalised again: the reflection keeps the length only up to rounding, which would add up.
+            // Normalized again: the reflection keeps the length only up to rounding, which would add up.
             t = t.reflect(chord(points, k)?).unit().ok_or(PointError::ZeroTangent { index: k })?;
         }
         Ok(Self::from_joined(arcs, closed))
     }
 }
 
-/// Unit tangents at the points, estimated from the circle through each point and its neighbours
+/// Unit tangents at the points, estimated from the circle through each point and its neighbors
 /// (`docs/math/arc-splines.md#three-point-tangents`); exact where the points lie on a circle or line. Two points give
 /// their chord.
 ///
@@ -115,7 +115,7 @@ impl ArcPath {
 /// ```
 ///
 /// # Errors
-/// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `tangent-undefined` where the
+/// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbors); `tangent-undefined` where the
 /// points turn back on themselves (sum of the unit chords at most 1e-9): split the points there.
 pub fn estimate_tangents(points: &[Point3], closed: bool) -> Result<Vec<Vec3>> {
     check_points(points, closed)?;
@@ -198,7 +198,7 @@ mod tests {
         (0..n).map(at).collect()
     }
 
-    /// Largest angle between neighbouring arcs.
+    /// Largest angle between neighboring arcs.
     fn kink(path: &ArcPath) -> f64 {
         let n = path.arcs().len();
         let joints = if path.is_closed() { n } else { n - 1 };

@@ -2,8 +2,8 @@
 //! single out, so that the curve does not depend on the point that happens to be first in a list, nor on the direction.
 //! Taking nodes out is a chain of choices: a last digit may lead to another curve, as good, with a tenth more nodes.
 //!
-//! It is the datum farthest from the centre `c` of all; of several the one farthest along `sum |p - c|² (p - c)`, where the
-//! data are not alike on both sides of their centre; of several the one whose neighbours 1, 2, 4, … places away on both
+//! It is the datum farthest from the center `c` of all; of several the one farthest along `sum |p - c|² (p - c)`, where the
+//! data are not alike on both sides of their center; of several the one whose neighbors 1, 2, 4, … places away on both
 //! sides are farthest from each other. Data that none of this tells apart are, but for freaks, copies of each other by a
 //! symmetry: of those the one with the largest `x`, `y`, `z`.
 
@@ -34,7 +34,7 @@ pub(super) fn canonical_start(points: &[Point3]) -> usize {
 }
 
 /// True if the data are fitted from their last point to their first, closed ones the other way round: away from the start
-/// the first neighbours that differ in distance are farther that way; where none do, the way with the larger coordinates.
+/// the first neighbors that differ in distance are farther that way; where none do, the way with the larger coordinates.
 pub(super) fn runs_backwards(points: &[Point3], closed: bool) -> bool {
     let n = points.len();
     let pairs = |ends: [usize; 2], k: usize| {
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn the_same_datum_from_every_start_and_both_ways() {
-        // A triangle whose corners are equally far from its centre, sampled unevenly.
+        // A triangle whose corners are equally far from its center, sampled unevenly.
         let at = |i: usize| {
             let a = std::f64::consts::TAU * i as f64 / 60.0;
             let r = 5.0 + (3.0 * a).cos();

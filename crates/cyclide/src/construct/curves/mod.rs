@@ -13,7 +13,7 @@ mod helix;
 mod interpolation;
 mod moebius_spline;
 mod nurbs_arcs;
-mod off_neighbours;
+mod off_neighbors;
 mod outline;
 mod plane_axes;
 mod qb_arcs;

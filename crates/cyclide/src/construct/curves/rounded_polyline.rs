@@ -14,13 +14,13 @@ const STRAIGHT: f64 = 1e-9;
 const LEG_EXCESS: f64 = 1e-12;
 
 impl ArcPath {
-    /// The segments through points, with an arc of radius `radii[k]` that touches both neighbours instead of the corner at point `k`
+    /// The segments through points, with an arc of radius `radii[k]` that touches both neighbors instead of the corner at point `k`
     /// (0: a sharp corner; at the ends of an open polyline it means nothing). The path is G1 where the radii are positive.
     ///
     /// # Errors
     /// `too-few-points` (2, closed 3), `count-differs`, `not-finite`, `parameter-out-of-range`,
     /// `radius-not-positive` (negative), `coincident-points`; `bend-does-not-fit` if the legs of a corner are too short for
-    /// its arc beside those of the neighbours, or turn back on each other.
+    /// its arc beside those of the neighbors, or turn back on each other.
     pub fn rounded_polyline(points: &[Point3], closed: bool, radii: &[f64]) -> Result<Self> {
         let (n, needed) = (points.len(), if closed { 3 } else { 2 });
         if n < needed {

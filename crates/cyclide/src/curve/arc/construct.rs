@@ -1,4 +1,4 @@
-//! Making arcs: from weights, tangents, a third point, a bulge, a centre, complex weights.
+//! Making arcs: from weights, tangents, a third point, a bulge, a center, complex weights.
 //!
 //! Every constructor refuses as `parameter-out-of-range` coordinates above 1e150, distances above 4e150 or below 1e-150
 //! (and not 0), and a weight ratio longer than 1e30 or shorter than 1e-30: beyond, derivatives leave the range of
@@ -181,7 +181,7 @@ impl Arc {
     }
 
     /// The arc from `start` turning by `sweep` radians about the axis through `center` along `normal`,
-    /// right-handed for positive `sweep`; `|sweep| < 2 pi`. The start is projected to the plane of the centre.
+    /// right-handed for positive `sweep`; `|sweep| < 2 pi`. The start is projected to the plane of the center.
     ///
     /// # Errors
     /// `not-finite`, `zero-axis`, `zero-radius`, `sweep-out-of-range`, `nearly-full-circle`.

@@ -195,7 +195,7 @@ impl Arc {
         (!self.is_straight() && radius.is_finite()).then_some(radius)
     }
 
-    /// Centre; `None` for a straight segment. (`000`, Proposition 3; finite also for a half circle, where (13) is not.)
+    /// Center; `None` for a straight segment. (`000`, Proposition 3; finite also for a half circle, where (13) is not.)
     #[must_use]
     pub fn center(&self) -> Option<Point3> {
         if self.is_straight() {
@@ -282,7 +282,7 @@ impl Arc {
         if sagitta <= f64::EPSILON * size { self.straightened() } else { self.without_lost_circle() }
     }
 
-    /// The arc itself, or the segment if its radius is within the rounding of its coordinates: its centre would be the
+    /// The arc itself, or the segment if its radius is within the rounding of its coordinates: its center would be the
     /// same doubles as its points.
     fn without_lost_circle(&self) -> Self {
         let size = self.p0.to_vec().max_abs().max(self.p1.to_vec().max_abs());

@@ -14,7 +14,7 @@ use super::segment::BlendSegment;
 use crate::base::vector::Vec3;
 
 impl BlendSegment {
-    /// The curvature vectors at both ends of the whole segment: toward the centre of curvature, as long as the curvature.
+    /// The curvature vectors at both ends of the whole segment: toward the center of curvature, as long as the curvature.
     #[must_use]
     pub fn end_curvatures(&self) -> [Vec3; 2] {
         let ([te, back], [p, _]) = (self.end_directions(), self.law.end_rates());

@@ -11,7 +11,7 @@ use crate::curve::node_tangent::Chord;
 use crate::curve::qb::SpanData;
 use crate::error::{ArcError, Error, ErrorItem, NumberError, PointError, Result};
 
-/// Neighbours closer than this part of the bounding box's diagonal coincide: the tangent has no limit there.
+/// Neighbors closer than this part of the bounding box's diagonal coincide: the tangent has no limit there.
 const COINCIDENT_LIMIT: f64 = 1e-12;
 /// A start tangent this close to the reversed chord has its circle through infinity.
 const INFINITY_LIMIT: f64 = 1e-9;
@@ -374,17 +374,17 @@ pub(crate) fn check_order(order: u32) -> Result<()> {
     }
 }
 
-/// Refuses points that are not finite or too far out; returns the length up to which neighbours coincide.
+/// Refuses points that are not finite or too far out; returns the length up to which neighbors coincide.
 pub(crate) fn check_points(points: &[Point3]) -> Result<f64> {
     for (index, p) in points.iter().enumerate() {
         range::check_point(index, p.to_vec())?;
     }
     let diagonal = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-    // Neighbours that differ are then no closer than distances may be.
+    // Neighbors that differ are then no closer than distances may be.
     Ok((COINCIDENT_LIMIT * diagonal).max(range::MIN_DISTANCE))
 }
 
-/// A tangent given by the user, normalised.
+/// A tangent given by the user, normalized.
 pub(crate) fn unit_tangent(v: Vec3, index: usize) -> Result<Vec3> {
     if !v.is_finite() {
         return Err(NumberError::NotFinite { what: ErrorItem::Tangent, index }.into());

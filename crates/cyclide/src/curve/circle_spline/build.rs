@@ -11,7 +11,7 @@ use crate::warning::{CurveWarning, PointWarning, Warning};
 
 /// Turns above this make very large circles (`docs/math/circle-blends.md#node-tangent`).
 pub(crate) const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
-/// Neighbouring chords that differ by more make the curve bulge (`docs/math/circle-blends.md#splines`).
+/// Neighboring chords that differ by more make the curve bulge (`docs/math/circle-blends.md#splines`).
 const UNEVEN_SPACING: f64 = 3.0;
 
 /// Directions of chords that are known worse than this, radians, are noted.
@@ -31,12 +31,12 @@ enum Node {
 impl CircleSpline {
     /// The circle spline through points, in their order.
     ///
-    /// Neighbours must differ; a closed curve does not repeat its first point. Three points closed give their
+    /// Neighbors must differ; a closed curve does not repeat its first point. Three points closed give their
     /// circle, two points open a straight segment. Linear in the number of points.
     ///
     /// # Errors
     /// `too-few-points` (2 open, 3 closed), `order-out-of-range` (1 to 4), `not-finite`, `coincident-points`
-    /// (neighbours closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is not
+    /// (neighbors closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is not
     /// a point), and for clamped ends `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn from_points(points: &[Point3], options: &CircleSplineOptions) -> Result<Self> {
         let (n, closed) = (points.len(), options.closed);
@@ -168,7 +168,7 @@ pub(crate) fn corner_nodes(given: &[usize], n: usize, closed: bool) -> Result<Ve
     Ok(corners)
 }
 
-/// The clamped end tangents, normalised.
+/// The clamped end tangents, normalized.
 fn end_tangents(options: &CircleSplineOptions) -> Result<[Option<Vec3>; 2]> {
     match options.ends {
         SplineEnds::Clamped { start, end } if !options.closed => {

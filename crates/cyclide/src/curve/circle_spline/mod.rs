@@ -1,11 +1,11 @@
 //! Circle splines: smooth curves through points whose joints are circles.
 //!
-//! At every node the curve touches the circle through the node and its two neighbours to the blend order `k`, so
+//! At every node the curve touches the circle through the node and its two neighbors to the blend order `k`, so
 //! joints are G^k; between two nodes it is a [`BlendSegment`] (`docs/math/circle-blends.md`; source: `004`). Points on
 //! a circle, a line, a sphere or a plane give a curve on it. A segment depends on four points only.
 //!
 //! Circle splines commute with similarities and reversal, but not with Möbius maps
-//! (`docs/math/circle-blends.md#splines`). They are not continuous in the data where neighbouring circles run in
+//! (`docs/math/circle-blends.md#splines`). They are not continuous in the data where neighboring circles run in
 //! opposite directions or the blend changes to the long way round: those segments carry a warning.
 
 mod build;
@@ -87,7 +87,7 @@ impl Default for CircleSplineOptions {
     }
 }
 
-/// A smooth curve through points, made of one blend of two circles per pair of neighbours.
+/// A smooth curve through points, made of one blend of two circles per pair of neighbors.
 ///
 /// Segment `i` of `n` covers `t` in `[i/n, (i+1)/n]`. With a parameter step of the chord length per segment the
 /// curve is C1; its joints are G^k, except at corners and cusps, where it is only connected.
@@ -120,7 +120,7 @@ impl CircleSpline {
         Self { segments, closed, kinks, warnings }
     }
 
-    /// The segments, one per pair of neighbouring points.
+    /// The segments, one per pair of neighboring points.
     #[must_use]
     pub fn segments(&self) -> &[BlendSegment] {
         &self.segments

@@ -49,7 +49,7 @@ pub enum FrameRule {
         /// The direction of any length that the normal is as near to as it can be.
         up: Vec3,
     },
-    /// To the centre of curvature.
+    /// To the center of curvature.
     Frenet,
     /// Carried along without turning about the tangent: double reflection (Wang, Jüttler, Zheng, Liu 2008) with steps that are
     /// halved until one step and two halves agree.

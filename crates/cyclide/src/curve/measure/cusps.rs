@@ -1,6 +1,6 @@
 //! Cusps of a curve: places where its velocity vanishes and its direction jumps.
 //!
-//! The speed of a smooth piece has a kink at a cusp, at which quadrature halves its cells. A place of a cell that is slower than its neighbours
+//! The speed of a smooth piece has a kink at a cusp, at which quadrature halves its cells. A place of a cell that is slower than its neighbors
 //! is searched by sections in the golden ratio; it is a cusp if hardly a speed is left there and the tangents on both sides point against each other.
 
 use crate::base::golden_section::GoldenSection;

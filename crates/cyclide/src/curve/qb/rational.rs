@@ -62,7 +62,7 @@ impl QbCurve {
             let (left, right) = bernstein::split(&rows, 0.5);
             ahead.extend([(right, middle, to, halvings), (left, from, middle, halvings)]);
         }
-        // Neighbours meet in the same doubles.
+        // Neighbors meet in the same doubles.
         for part in &mut parts {
             let ends = [part.from, part.to].map(|t| Some(self.point(t)));
             let RationalPart { curve, from, to } = part.clone();

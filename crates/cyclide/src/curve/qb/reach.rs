@@ -1,7 +1,7 @@
 //! How far a QB curve runs: poles, base points, the farthest point, and a certificate that it stays in a ball
 //! (`docs/math/qb-curves.md#poles-and-reach`).
 //!
-//! With the centre `c` and a radius `r` both `W = |d|²` and `Z = |n - c d|²/r²` are real polynomials of degree `2n` without
+//! With the center `c` and a radius `r` both `W = |d|²` and `Z = |n - c d|²/r²` are real polynomials of degree `2n` without
 //! negative values, and `Z/W` is the squared distance from `c` in radii. Dividing by `r²` makes both comparable: no decision
 //! below depends on the unit of length.
 
@@ -13,7 +13,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{CurveError, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
 
-/// `W/(W + Z)` below this is a pole: 1e7 radii from the centre.
+/// `W/(W + Z)` below this is a pole: 1e7 radii from the center.
 const POLE: f64 = 1e-14;
 
 /// `W + Z` below this part of its maximum is a base point.
@@ -45,12 +45,12 @@ pub struct QbReach {
     pub poles: Vec<f64>,
     /// Parameters at which numerator and denominator vanish together, rising: the curve passes there, but its pairs say nothing.
     pub base_points: Vec<f64>,
-    /// Largest distance from the centre and its parameter; `None` if there are poles.
+    /// Largest distance from the center and its parameter; `None` if there are poles.
     pub farthest: Option<(f64, f64)>,
 }
 
 impl QbCurve {
-    /// Poles, base points and the largest distance from a centre.
+    /// Poles, base points and the largest distance from a center.
     #[must_use]
     pub fn reach(&self, center: Point3) -> QbReach {
         let radius = self.median_distance(center);
@@ -124,7 +124,7 @@ impl QbCurve {
         self.check_reach(center, radius)
     }
 
-    /// Refuses a curve that is not proved to stay within 1e7 radii of a centre.
+    /// Refuses a curve that is not proved to stay within 1e7 radii of a center.
     ///
     /// # Errors
     /// `curve-through-infinity`.
@@ -138,7 +138,7 @@ impl QbCurve {
         }
     }
 
-    /// The size of a bare curve: the median of its distances from a centre. Not 0, which would measure nothing.
+    /// The size of a bare curve: the median of its distances from a center. Not 0, which would measure nothing.
     fn median_distance(&self, center: Point3) -> f64 {
         let distance = |i: u32| Some(self.point(sample(i)).distance(center)).filter(|d| d.is_finite());
         let mut distances: Vec<f64> = (0..SAMPLES).map(|i| distance(i).unwrap_or(f64::INFINITY)).collect();
@@ -147,7 +147,7 @@ impl QbCurve {
         if median > 0.0 && median.is_finite() { median } else { 1.0 }
     }
 
-    /// `W` and `Z` of pairs that are measured from the origin inside, which is the centre.
+    /// `W` and `Z` of pairs that are measured from the origin inside, which is the center.
     fn forms(rows: &[Row], radius: f64) -> (Polynomial, Polynomial) {
         let norm = |part: fn(&Row) -> Quat, scale: f64| {
             let entries: Vec<[f64; 4]> = rows.iter().map(|row| (part(row) * scale).to_array()).collect();

@@ -87,7 +87,7 @@
 //! ```
 //!
 //! # `corner-not-mitred`
-//! A corner of a pipe turns back so far that no mitre joins its sides.
+//! A corner of a pipe turns back so far that no miter joins its sides.
 //! ```
 //! use cyclide::{ArcPath, Pipe, Point3};
 //! let back = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
@@ -97,7 +97,7 @@
 //! ```
 //!
 //! # `mitre-does-not-fit`
-//! A segment of a pipe is shorter than the mitres at its ends.
+//! A segment of a pipe is shorter than the miters at its ends.
 //! ```
 //! use cyclide::{ArcPath, Pipe, Point3};
 //! let step = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 9.0, 0.0], [0.0, 9.0, 0.0]].map(Point3::from);
@@ -107,7 +107,7 @@
 //! ```
 //!
 //! # `pipe-meets-itself`
-//! Parts of a pipe that are not neighbours intersect.
+//! Parts of a pipe that are not neighbors intersect.
 //! ```
 //! use cyclide::{ArcPath, Pipe, Point3};
 //! let hairpin = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 30.0, 0.0], [40.0, 30.0, 0.0], [40.0, -20.0, 0.0]];
@@ -128,7 +128,7 @@
 //! ```
 //!
 //! # `seam-meets-itself`
-//! Parts of a seam along a curve of a torus that are not neighbours share space.
+//! Parts of a seam along a curve of a torus that are not neighbors share space.
 //! ```
 //! use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
 //! let turns = TorusSpline::knot(&Torus::new(Frame::WORLD, 40.0, 15.0)?, [9, 2], Default::default())?;
@@ -138,7 +138,7 @@
 //! ```
 //!
 //! # `balls-nested`
-//! One of two neighbouring balls of a tube contains the other.
+//! One of two neighboring balls of a tube contains the other.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [Ball::new(Point3::ORIGIN, 3.0), Ball::new(Point3::new(1.0, 0.0, 0.0), 1.0)];
@@ -146,7 +146,7 @@
 //! ```
 //!
 //! # `tube-turns-back`
-//! No smooth tube continues from a ball to its neighbours.
+//! No smooth tube continues from a ball to its neighbors.
 //! ```
 //! use cyclide::{Ball, Point3, Tube};
 //! let balls = [0.0, 3.0, 1.0].map(|x| Ball::new(Point3::new(x, 0.0, 0.0), 0.5));
@@ -493,7 +493,7 @@
 //! ```
 //!
 //! # `arcs-cross`
-//! The arcs between two curves cross their neighbours, most often because one of the curves runs the other way.
+//! The arcs between two curves cross their neighbors, most often because one of the curves runs the other way.
 //! ```
 //! use cyclide::{Arc, Body, Point3, Vec3};
 //! let at = |x: f64, y: f64| Point3::new(x, y, 0.0);

@@ -84,7 +84,7 @@
 //! ```
 //!
 //! # `inconsistent-orientation`
-//! Two neighbouring triangles have opposite orientations.
+//! Two neighboring triangles have opposite orientations.
 //! ```
 //! use cyclide::{Point3, SmoothMesh, VertexNormals};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);

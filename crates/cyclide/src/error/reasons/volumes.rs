@@ -1,7 +1,7 @@
 //! Errors about spherical cubes and volumes.
 //!
 //! # `concircular-cube`
-//! The first corner and its three neighbours lie on one circle, so the eighth corner is not determined.
+//! The first corner and its three neighbors lie on one circle, so the eighth corner is not determined.
 //! ```
 //! use cyclide::{Error, Point3, SphericalCube, VolumeError};
 //! let flat = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.]].map(Point3::from);
@@ -11,7 +11,7 @@
 //! ```
 //!
 //! # `crossing-face`
-//! A face of a volume self-intersects: here the last corner is outside the triangle of the neighbours of the first.
+//! A face of a volume self-intersects: here the last corner is outside the triangle of the neighbors of the first.
 //! ```
 //! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeError, VolumeFrame};
 //! let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);

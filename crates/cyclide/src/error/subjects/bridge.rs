@@ -51,7 +51,7 @@ table! {
             {} of the distance between the curves the surface has no normal (relative length {normal}, limit \
             {limit}); check the direction of the second curve", ShortNumber(at[0]), ShortNumber(at[1]);
 
-        /// The arcs between two curves cross their neighbours: the surface has no normal there, and self-intersects beside it.
+        /// The arcs between two curves cross their neighbors: the surface has no normal there, and self-intersects beside it.
         ArcsCross {
             /// Which piece of the curves, from 0.
             piece: usize,
@@ -65,7 +65,7 @@ table! {
             ShortNumber(at[0]),
             ShortNumber(at[1]);
 
-        /// The directions of arcs at neighbouring joints of a curve are opposite, so none is halfway between them.
+        /// The directions of arcs at neighboring joints of a curve are opposite, so none is halfway between them.
         OppositeTangents {
             /// The first one, from 0.
             first: usize,

@@ -69,7 +69,7 @@ table! {
         reason "shape-lost";
         says "the shape is lost: {}", change.lost();
 
-        /// Two neighbouring vertices of a side moved to the same point of the curve on which the side slides.
+        /// Two neighboring vertices of a side moved to the same point of the curve on which the side slides.
         CollapsedOnCurve {
             /// The first vertex, s fastest.
             first: usize,

@@ -71,7 +71,7 @@ table! {
         reason "weights-uneven";
         at *second;
         says "weights {first} and {second} differ by a factor of {ratio}, maximum {limit}: double precision cannot \
-            resolve the curve between them; reduce the ratio (weights far above their neighbours pull the curve onto \
+            resolve the curve between them; reduce the ratio (weights far above their neighbors pull the curve onto \
             the control polygon: use segments for that)";
 
         /// The degree of a surface is too high for other programs.

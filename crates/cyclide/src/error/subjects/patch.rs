@@ -24,11 +24,11 @@ table! {
 
         /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
         CrossingQuad {
-            /// Position of the opposite corner on the inverted arc between its neighbours, outside `[0, 1]`.
+            /// Position of the opposite corner on the inverted arc between its neighbors, outside `[0, 1]`.
             position: f64,
         }
         reason "crossing-quad";
-        says "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position \
+        says "the sides cross: the corner opposite to the first is outside the arc between its neighbors (position \
             {position}, must be 0 to 1)";
 
         /// The directions of a frame, which may have any length but zero, are not perpendicular.

@@ -13,7 +13,7 @@ table! {
     /// assert_eq!(error.reason(), "radius-not-positive");
     /// ```
     pub enum PipeError: Error {
-        /// The legs of a corner are too short for its arc and those of its neighbours, or turn back on each other.
+        /// The legs of a corner are too short for its arc and those of its neighbors, or turn back on each other.
         BendDoesNotFit {
             /// Index of the point.
             corner: usize,
@@ -26,7 +26,7 @@ table! {
         }
         reason "bend-does-not-fit";
         at *corner;
-        says "the bend at point {corner} does not fit: with radius {radius} and that of its neighbour the arcs need \
+        says "the bend at point {corner} does not fit: with radius {radius} and that of its neighbor the arcs need \
             {} of a leg of length {length}; use smaller radii or move the points apart", at_least(*needed);
 
         /// The radius of a pipe is not below that of an arc along it.
@@ -43,7 +43,7 @@ table! {
         says "the pipe's radius {radius} must be below the radius of piece {piece} of its curve, {limit}, or the \
             inner side folds; use a thinner pipe or wider bends";
 
-        /// A corner of a pipe cannot be mitred: it is next to an arc, or turns back.
+        /// A corner of a pipe cannot be miterd: it is next to an arc, or turns back.
         CornerNotMitred {
             /// Which piece begins there, from 0.
             joint: usize,
@@ -51,7 +51,7 @@ table! {
             turn: f64,
             /// Joints up to here are smooth.
             smooth: f64,
-            /// Corners of segments up to here are mitred.
+            /// Corners of segments up to here are miterd.
             limit: f64,
         }
         reason "corner-not-mitred";
@@ -62,11 +62,11 @@ table! {
             up to {limit} rad, other joints must be smooth to {smooth} rad; round it (polyline with radius), or use \
             a smooth curve";
 
-        /// A segment of a pipe is shorter than its mitres need.
+        /// A segment of a pipe is shorter than its miters need.
         MitreDoesNotFit {
             /// Which segment, from 0.
             piece: usize,
-            /// Length that the mitres at both ends need.
+            /// Length that the miters at both ends need.
             needed: f64,
             /// Length of the segment.
             length: f64,

@@ -11,11 +11,11 @@ table! {
     /// assert_eq!(error.reason(), "tube-turns-back");
     /// ```
     pub enum TubeError: Error {
-        /// One of two neighbouring balls of a tube contains the other.
+        /// One of two neighboring balls of a tube contains the other.
         BallsNested {
             /// Which ball, from 0.
             first: usize,
-            /// Its neighbour.
+            /// Its neighbor.
             second: usize,
             /// Distance of their centers.
             distance: f64,
@@ -34,7 +34,7 @@ table! {
         }
         reason "tube-turns-back";
         at *ball;
-        says "no smooth tube continues at ball {ball}: its neighbours lie on one side, or the radii change too fast \
+        says "no smooth tube continues at ball {ball}: its neighbors lie on one side, or the radii change too fast \
             for the turn; add balls in between";
 
         /// The radius of a tube falls to zero or below between two balls with positive radii.

@@ -13,16 +13,16 @@ table! {
     /// assert_eq!(error.reason(), "volume-through-infinity");
     /// ```
     pub enum VolumeError: Error {
-        /// The first corner of a spherical cube and its three neighbours are on one circle: the eighth corner is not determined.
+        /// The first corner of a spherical cube and its three neighbors are on one circle: the eighth corner is not determined.
         ConcircularCube {
-            /// Twice the area of the triangle of the neighbours, inverted at the first corner.
+            /// Twice the area of the triangle of the neighbors, inverted at the first corner.
             measured: f64,
             /// Areas up to this are zero.
             limit: f64,
         }
         reason "concircular-cube";
-        says "the first corner and its three neighbours lie on one circle, so the eighth corner is not determined: \
-            the triangle of the neighbours, inverted at the first corner, has area {measured}, limit {limit}";
+        says "the first corner and its three neighbors lie on one circle, so the eighth corner is not determined: \
+            the triangle of the neighbors, inverted at the first corner, has area {measured}, limit {limit}";
 
         /// A face of a volume crosses itself: one of its sides runs backwards.
         CrossingFace {

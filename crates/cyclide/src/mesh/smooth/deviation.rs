@@ -12,11 +12,11 @@ use crate::error::Result;
 /// passes through its chord there.
 const FINE: usize = 4;
 const COARSE: usize = 2;
-/// The centre of a triangle, and three places between it and the corners.
+/// The center of a triangle, and three places between it and the corners.
 const INNER: [[usize; 3]; 4] = [[1, 1, 1], [4, 1, 1], [1, 4, 1], [1, 1, 4]];
 /// Parts of an edge of the surface from which on there are many.
 const MANY: usize = 5;
-/// The steps from a vertex of the mesh to its neighbours, in the order in which they lie round it.
+/// The steps from a vertex of the mesh to its neighbors, in the order in which they lie round it.
 const AROUND: [[isize; 3]; 6] = [[1, -1, 0], [1, 0, -1], [0, 1, -1], [-1, 1, 0], [-1, 0, 1], [0, -1, 1]];
 
 /// Where a mesh with so many divisions is farthest from its patch.

@@ -1,6 +1,6 @@
 //! Meshes of surfaces over triangles: each triangle cut into N² by integer barycentric coordinates, the same N everywhere.
 //!
-//! Points of an edge are computed once, from its lower vertex, so neighbours share them to the bit. How far the mesh is from the
+//! Points of an edge are computed once, from its lower vertex, so neighbors share them to the bit. How far the mesh is from the
 //! surface is measured at places on all edges and in all triangles of it: sampled, not proved.
 
 mod blend;

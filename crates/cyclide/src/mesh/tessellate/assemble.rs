@@ -208,7 +208,7 @@ impl<'a> Normals<'a> {
     }
 }
 
-/// The polygon of four corners of which neighbours may be one; `None` if two remain.
+/// The polygon of four corners of which neighbors may be one; `None` if two remain.
 fn polygon(cell: [MeshCorner; 4]) -> Option<MeshFace> {
     let same = |k: usize| cell[k].position == cell[(k + 1) % 4].position;
     let doubled: usize = (0..4).filter(|&k| same(k)).count();

@@ -17,7 +17,7 @@ const WORK: f64 = 4.0;
 const LEAST_WORK: usize = 1_000_000;
 /// Largest number of cuts of a part of a strip that is counted as such.
 const MOST_CUTS: f64 = 1e9;
-/// A little more cuts than a cell fails by, as its neighbours are wider or narrower.
+/// A little more cuts than a cell fails by, as its neighbors are wider or narrower.
 const MARGIN: f64 = 1.002;
 /// Largest number of parts of one cell in one round.
 const SPLIT: f64 = 8.0;

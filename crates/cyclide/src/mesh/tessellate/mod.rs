@@ -2,7 +2,7 @@
 //!
 //! Faces are cut along parameter lines, so every cell of a patch has concircular corners and is a *planar* quad, or a
 //! triangle at a point to which a parameter line shrinks; a cell of a rational face is two triangles. A cut runs through the whole strip of faces across whose common edges it
-//! goes ([`strips`]), and each edge is sampled once: neighbours share vertices, without cracks or T-joints.
+//! goes ([`strips`]), and each edge is sampled once: neighbors share vertices, without cracks or T-joints.
 
 mod assemble;
 mod cuts;

@@ -64,7 +64,7 @@ pub struct DecoupledMotion {
 struct Given {
     times: Vec<f64>,
     places: Vec<Vec3>,
-    /// Neighbours on the same side.
+    /// Neighbors on the same side.
     rotations: Vec<Quat>,
     closed: bool,
     half_turns: Option<HalfTurns>,

@@ -1,7 +1,7 @@
 //! How noisy poses are, and which of them do not belong to the others (`docs/math/motions.md#noisy-poses`).
 //!
-//! Both are read from what neighbours say of each other at their times, and know nothing of what is smooth: divided differences, and quadratics through the
-//! five neighbours on one side. A corner, a rest and a jump are what one side says of them; a wrong pose is off both.
+//! Both are read from what neighbors say of each other at their times, and know nothing of what is smooth: divided differences, and quadratics through the
+//! five neighbors on one side. A corner, a rest and a jump are what one side says of them; a wrong pose is off both.
 
 use crate::base::vector::Vec3;
 
@@ -10,7 +10,7 @@ pub(super) const TELLING: usize = 20;
 /// Squares of differences above this many times their median say nothing of the directions of noise.
 const TRIMMED: f64 = 9.0;
 
-/// Neighbours of one side that predict a pose, at least and at most.
+/// Neighbors of one side that predict a pose, at least and at most.
 const SIDE: [usize; 2] = [4, 5];
 /// An outlier is off what both sides say by more than so many standard deviations of the noise,
 const FAR: f64 = 6.0;
@@ -142,7 +142,7 @@ impl Track<'_> {
         found.into_iter().filter_map(|pose| self.confirmed(&list, pose, limit)).collect()
     }
 
-    /// The poses of a list that are off what either side says of them; of neighbours the farthest alone, which may be why the others seem off.
+    /// The poses of a list that are off what either side says of them; of neighbors the farthest alone, which may be why the others seem off.
     fn off_both_sides(&self, list: &[usize], least: f64) -> Vec<usize> {
         let count = list.len() as isize;
         let offs: Vec<f64> = (0..count).map(|k| self.off_sides(list, k)).collect();

@@ -110,7 +110,7 @@ pub(super) fn natural_derivatives<const D: usize>(values: &[[f64; D]], steps: &[
 mod tests {
     use super::*;
 
-    /// The values minimise what is said: no change of one makes it less, by the integral of the spline through the values.
+    /// The values minimize what is said: no change of one makes it less, by the integral of the spline through the values.
     #[test]
     fn no_value_is_better_elsewhere() {
         let steps = [1.0, 0.5, 2.0, 1.0, 0.7, 1.3];

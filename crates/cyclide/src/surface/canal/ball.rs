@@ -14,7 +14,7 @@ use crate::base::vector::{Point3, Vec3};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingBall {
-    /// Centre.
+    /// Center.
     pub center: Point3,
     /// Radius; negative for a ball inside both surfaces.
     pub radius: f64,

@@ -1,4 +1,4 @@
-//! The space of balls, with centre and radius for its four coordinates, and the maps of it that keep which balls touch
+//! The space of balls, with center and radius for its four coordinates, and the maps of it that keep which balls touch
 //! (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`).
 //!
 //! Two balls touch from one side where their difference has the Minkowski square `|dm|² - dR² = 0`. A motion `x -> o + x1 e1 + x2 e2 + x3 e3 + x4 g` along axes

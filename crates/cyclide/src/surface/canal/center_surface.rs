@@ -1,4 +1,4 @@
-//! The surface of the centres of all balls that touch two pipes, as an exact biquadratic patch (`docs/math/canal-blends.md#the-surface-of-centres`;
+//! The surface of the centers of all balls that touch two pipes, as an exact biquadratic patch (`docs/math/canal-blends.md#the-surface-of-centers`;
 //! source: `002`, section 4 and Fig. 4).
 //!
 //! The diamond of places is a square in `u = B - A`, `v = B + A`, both between 0 and pi, and what a ball is made of is linear in cosine and sine of
@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 pub(super) type WeightedBall = (BallVector, f64);
 
 impl SkewCylinders {
-    /// The centres of the balls at the places with `B - A` and `B + A` between these angles: the first runs along s, the second along t. Weights are positive.
+    /// The centers of the balls at the places with `B - A` and `B + A` between these angles: the first runs along s, the second along t. Weights are positive.
     ///
     /// ```
     /// use cyclide::SkewCylinders;
@@ -57,7 +57,7 @@ impl SkewCylinders {
 }
 
 impl QuadricPair {
-    /// The centres of the balls at the places with `B - A` and `B + A` between these angles, as
+    /// The centers of the balls at the places with `B - A` and `B + A` between these angles, as
     /// [those of two cylinders](SkewCylinders::center_surface).
     ///
     /// ```
@@ -93,7 +93,7 @@ fn coefficients([from, to]: [f64; 2]) -> Result<[(f64, f64); 3]> {
     Ok([(from, 1.0), (0.5 * (from + to), (0.5 * (to - from)).cos()), (to, 1.0)])
 }
 
-/// The centres.
+/// The centers.
 pub(super) fn rational(balls: Vec<WeightedBall>) -> Result<RationalBezierSurface> {
     let row = |(BallVector { center, .. }, weight): WeightedBall| [center.x, center.y, center.z, weight];
     RationalBezierSurface::new([2, 2], balls.into_iter().map(row).collect())

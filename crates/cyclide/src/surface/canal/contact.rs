@@ -29,7 +29,7 @@ pub enum ContactPartner {
     },
     /// A sphere that the ball touches from outside; with a negative radius the ball is inside.
     Sphere {
-        /// Centre.
+        /// Center.
         center: Point3,
         /// Radius, or less than zero.
         radius: f64,
@@ -67,7 +67,7 @@ fn on_plane(point: Point3, n: Vec3, normal: Vec3, offset: f64) -> Result<Rolling
     finish(point, n, radius, |center| (center - unit * radius, unit))
 }
 
-/// `R = (r² - g²)/(2(n·g - r))` with the way `g` from the centre to the point.
+/// `R = (r² - g²)/(2(n·g - r))` with the way `g` from the center to the point.
 fn on_sphere(point: Point3, n: Vec3, center: Point3, r: f64) -> Result<RollingBall> {
     if !(center.is_finite() && r.is_finite()) {
         return Err(NumberError::NotFinite { what: ErrorItem::Center, index: 0 }.into());

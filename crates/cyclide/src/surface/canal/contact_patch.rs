@@ -1,7 +1,7 @@
 //! The canal of balls told by their contacts with one surface (`docs/math/canal-blends.md#the-canal-of-a-family-of-contacts`; source: `002`, section 4,
 //! whose balls are those between two cylinders).
 //!
-//! Contacts `P/w` with unit normals `ν/v` along any rational curve on any surface, and a plane or a sphere that the balls touch besides. With the centres
+//! Contacts `P/w` with unit normals `ν/v` along any rational curve on any surface, and a plane or a sphere that the balls touch besides. With the centers
 //! `[X m, X]`, the second normals `n2` and `M = (X m)' X - (X m) X'`, a characteristic circle is turned from the first contact to the second by
 //! ```text
 //! (1-t) g + t (al + be M),   al = 2 M·(n1 × n2),   be = |n1 - n2|²,   g constant: its sign is that of al where the arc is the shorter one
@@ -72,7 +72,7 @@ impl CanalPatch {
         Ok(Self::from_turns(center, radius, [&first * &Polynomial::constant(g), &turn * &first]))
     }
 
-    /// From balls `[X m, X]`, `X R`, the turn of the axes into a frame of which the third is the normal at the first contact, the motion of the centre along the first two up to one
+    /// From balls `[X m, X]`, `X R`, the turn of the axes into a frame of which the third is the normal at the first contact, the motion of the center along the first two up to one
     /// positive factor, and a turn `v·turn·i` with a vector `v` along the difference of both normals.
     pub(crate) fn from_contact_frames(
         center: PolynomialRow,
@@ -147,7 +147,7 @@ fn dot([a, b, c]: &[Polynomial; 3], [d, e, f]: &[Polynomial; 3]) -> Polynomial {
     &(&(a * d) + &(b * e)) + &(c * f)
 }
 
-/// `(X m)' X - (X m) X'`: the motion of the centre times the square of the weight.
+/// `(X m)' X - (X m) X'`: the motion of the center times the square of the weight.
 fn motion(PolynomialRow([x, y, z, w]): &PolynomialRow) -> [Polynomial; 3] {
     let slope = w.derivative();
     [x, y, z].map(|entry| &(&entry.derivative() * w) - &(entry * &slope))

@@ -1,7 +1,7 @@
 //! Two cylinders or cones as lines of the space of balls, and the motion of this space from two skew cylinders to them
 //! (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`).
 //!
-//! The balls in a cylinder or cone with their centres on the axis, radii counted negative, are a line; a ball touches from outside where it is at a null distance from
+//! The balls in a cylinder or cone with their centers on the axis, radii counted negative, are a line; a ball touches from outside where it is at a null distance from
 //! that. Two lines with directions in a spacelike plane, and a common perpendicular that is spacelike too, are moved to the axes of two cylinders. With the part of the axis of
 //! radii across both directions for the axis of their radii cylinders do not change, and cones lose no more digits than their tapers take. The radius of a ball is a linear form
 //! of the ball of these cylinders, and those of one radius are
@@ -126,7 +126,7 @@ impl MovedCylinders {
         Ok(self.still.weighted_balls(u, v)?.into_iter().map(moved).collect())
     }
 
-    /// The centres of the same.
+    /// The centers of the same.
     ///
     /// # Errors
     /// As [`SkewCylinders::center_surface`].

@@ -76,7 +76,7 @@ impl NaturalQuadric {
     }
 
     /// The linear forms `X`, `Y`, `L` of `(1, center, radius)` about an origin: a ball touches from outside where `X² + Y² = L²`, `L >= 0`.
-    /// `X`, `Y` are the coordinates of the centre across the axis, `L = r + R` or `(R + height sin w)/cos w`.
+    /// `X`, `Y` are the coordinates of the center across the axis, `L = r + R` or `(R + height sin w)/cos w`.
     pub(super) fn forms(&self, origin: Point3) -> [[f64; 5]; 3] {
         let (f, to_origin) = (self.frame, origin - self.frame.origin());
         let across = |v: Vec3| [v.dot(to_origin), v.x, v.y, v.z, 0.0];

@@ -1,6 +1,6 @@
 //! A piece of a canal surface between its curves of contact, exact (`docs/math/canal-blends.md#the-canal-patch`).
 //!
-//! Balls with centre `m(s)` and radius `R(s)`, and quaternions `q0(s)`, `q1(s)` that turn the third axis to the normals of the contacts, so that the
+//! Balls with center `m(s)` and radius `R(s)`, and quaternions `q0(s)`, `q1(s)` that turn the third axis to the normals of the contacts, so that the
 //! characteristic circle is a circle in `t`:
 //! ```text
 //! q = (1-t) q0 + t q1,   x = m - R q k q⁻¹
@@ -53,11 +53,11 @@ pub struct CanalPatch {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CharacteristicCircle {
-    /// Its centre.
+    /// Its center.
     pub center: Point3,
     /// Its radius.
     pub radius: f64,
-    /// Unit normal of its plane, along the motion of the centre of the ball; zero where that stands still.
+    /// Unit normal of its plane, along the motion of the center of the ball; zero where that stands still.
     pub axis: Vec3,
     /// The contacts with both surfaces, on it.
     pub contacts: [Point3; 2],
@@ -97,7 +97,7 @@ impl CanalPatch {
         &self.turns
     }
 
-    /// The same with turns of one length at both ends, so that neighbours share arcs with their parameter: the one of lower degree times a linear
+    /// The same with turns of one length at both ends, so that neighbors share arcs with their parameter: the one of lower degree times a linear
     /// factor.
     pub(crate) fn with_even_ends(mut self) -> Self {
         let degree = |turn: &QuatPolynomial| turn.0.iter().map(Polynomial::degree).max();
@@ -172,7 +172,7 @@ impl CanalPatch {
     }
 
     /// The Jacobian of the canal, `|m'|² - R'² - R R'' + R n·m''`, over `|m'|²`: the surface is regular where it is positive, and has turned inside out where it is
-    /// negative. 0 where the centre stands still.
+    /// negative. 0 where the center stands still.
     #[must_use]
     pub fn jacobian(&self, s: f64, t: f64) -> f64 {
         let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
@@ -206,7 +206,7 @@ impl CanalPatch {
         [pairs.map(|[p, q]| at(p, q)), denominators]
     }
 
-    /// Centre and radius of the ball at `s`.
+    /// Center and radius of the ball at `s`.
     #[must_use]
     pub fn ball(&self, s: f64) -> (Point3, f64) {
         let [x, y, z, w] = self.center.0.each_ref().map(|entry| entry.value(s));
@@ -220,7 +220,7 @@ impl CanalPatch {
         center - self.unit_normal(s, t) * radius
     }
 
-    /// Unit normal at `(s, t)`, towards the centre of the ball where its radius is positive: at `t = 0` and `t = 1` that of the surfaces.
+    /// Unit normal at `(s, t)`, towards the center of the ball where its radius is positive: at `t = 0` and `t = 1` that of the surfaces.
     #[must_use]
     pub fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
         let [q0, q1] = self.turns.each_ref().map(|turn| turn.value(s));

@@ -97,7 +97,7 @@ impl QuadricPair {
         if self.norm_ratio < 0.0 { PairKind::Timelike } else { PairKind::Spacelike }
     }
 
-    /// Norm of the common form over the square of the length of its gradient by centre and radius: negative for timelike pairs,
+    /// Norm of the common form over the square of the length of its gradient by center and radius: negative for timelike pairs,
     /// between -1 and 1.
     #[must_use]
     pub fn norm_ratio(&self) -> f64 {

@@ -1,4 +1,4 @@
-//! Two cylinders with skew axes, and the surface of the centres of balls that touch both
+//! Two cylinders with skew axes, and the surface of the centers of balls that touch both
 //! (`docs/math/canal-blends.md#balls-between-two-skew-cylinders`; source: `002`, section 4, for axes at right angles).
 //!
 //! With radii `r1`, `r2`, axes `2h` apart at the angle `w`, `d = r2 - r1`, `k+ = 2h + d`, `k- = 2h - d`, the places `(A, B)` of the plane of a torus give

@@ -1,6 +1,6 @@
 //! Whole Dupin cyclides by their parameters.
 //!
-//! In its own frame (origin at the centre, both planes of symmetry `y = 0` and `z = 0`) the cyclide `a > c >= 0`,
+//! In its own frame (origin at the center, both planes of symmetry `y = 0` and `z = 0`) the cyclide `a > c >= 0`,
 //! `mu >= 0`, `b² = a² - c²` is
 //! ```text
 //! (|p|² + b² - mu²)² = 4 (a x - c mu)² + 4 b² y²
@@ -78,7 +78,7 @@ impl DupinCyclide {
         Ok(Self { a, c, mu, frame: Frame::WORLD })
     }
 
-    /// The same cyclide in another frame: centre at the origin, long axis along x, the plane of the axes z = 0.
+    /// The same cyclide in another frame: center at the origin, long axis along x, the plane of the axes z = 0.
     #[must_use]
     pub fn placed(mut self, frame: Frame) -> Self {
         self.frame = frame;

@@ -7,7 +7,7 @@
 //! (`docs/math/cyclides-and-nets.md#spheres-of-a-cyclide`: `p - N/|k|`). In the linear coordinates `(w, v, k, h)` of
 //! oriented spheres, with the product `|v|² - w k - h²`, both are `E0 + E1 cos + E2 sin` with `E0, E1, E2`
 //! perpendicular and of squares `-b², b², b²`. Maps are linear there and keep this, up to a factor, so what is left of
-//! a map is to turn the image's `E0, E1, E2` to the position in which only `E0` has a `w`: centre, `mu` and `c`, `a`,
+//! a map is to turn the image's `E0, E1, E2` to the position in which only `E0` has a `w`: center, `mu` and `c`, `a`,
 //! `b` with their axes are read from it. It exists for the family in which no image is a plane, which is always one of
 //! the two: inside and outside may change places.
 
@@ -66,7 +66,7 @@ impl DupinCyclide {
         ((self.a - self.c) * (self.a + self.c)).sqrt()
     }
 
-    /// `E0, E1, E2` of both families of spheres, relative to the centre.
+    /// `E0, E1, E2` of both families of spheres, relative to the center.
     fn families(&self) -> [[LieSphere; 3]; 2] {
         let Self { a, c, mu, frame } = *self;
         let b = self.b();

@@ -48,7 +48,7 @@ impl Connections {
         Ok(connections)
     }
 
-    /// Turns the quads as the first one: neighbours run along their side in opposite directions.
+    /// Turns the quads as the first one: neighbors run along their side in opposite directions.
     fn turn_alike(&mut self) -> Result<()> {
         let mut reached = vec![false; self.quads.len()];
         reached[0] = true;

@@ -10,7 +10,7 @@ use crate::surface::net::{apply, carried_back, first_vertex, preferred, signs, s
 use crate::surface::{CyclidicNet, closing_limit};
 use std::collections::{HashMap, VecDeque};
 
-/// Nets of principal patches over the grids of a [`QuadLayout`]: neighbouring nets share their border arcs with their parameters, and have one
+/// Nets of principal patches over the grids of a [`QuadLayout`]: neighboring nets share their border arcs with their parameters, and have one
 /// tangent plane along them. Round each extraordinary vertex an opening is left.
 ///
 /// ```

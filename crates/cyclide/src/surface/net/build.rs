@@ -29,7 +29,7 @@ impl CyclidicNet {
     /// fastest, in the whole rectangle. The limits (1e-9 of a quad's size, 1e-9 radians round a closed direction) are for exact vertices: far
     /// from the origin these are rounded, and to the limits is added what that makes of the shortest edge.
     ///
-    /// The weights are those of the whole net: neighbouring patches agree pointwise on the edge they share. Their
+    /// The weights are those of the whole net: neighboring patches agree pointwise on the edge they share. Their
     /// lengths, of which one row and one column are free, are those nearest to 1 (least squares of the logarithms).
     ///
     /// # Errors

@@ -35,7 +35,7 @@ pub struct RingClosing {
 }
 
 impl RingClosing {
-    /// Of at least three points, neighbours apart.
+    /// Of at least three points, neighbors apart.
     ///
     /// # Errors
     /// `too-few-points`, `coincident-points`.

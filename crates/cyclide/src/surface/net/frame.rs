@@ -33,7 +33,7 @@ pub(super) fn unit(chord: Vec3) -> Vec3 {
 }
 
 /// The frame at vertex (0, 0) by global least squares. At each vertex the target `t1, t2, N` is the symmetric
-/// orthonormalisation of the directions of its edges along s and t; the product `A` of the reflections along any path
+/// orthonormalization of the directions of its edges along s and t; the product `A` of the reflections along any path
 /// from (0, 0) carries a frame `v` there as `(-1)^i A v1, (-1)^j A v2, A v3`, so that
 /// `sum tr(target^T A v)` is largest for the rotation nearest to the sum of the targets carried back. In a net that
 /// is closed with an odd number of edges only some frames come back: the best of these.
@@ -163,7 +163,7 @@ fn target(grid: &QuadGrid, [i, j]: [usize; 2]) -> Option<[Vec3; 3]> {
     Some([v1, v2, v1.cross(v2)])
 }
 
-/// The point at the end of a chord from the centre of inversion.
+/// The point at the end of a chord from the center of inversion.
 fn inverse(chord: Vec3) -> Vec3 {
     chord / chord.length_squared()
 }

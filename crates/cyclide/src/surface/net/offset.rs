@@ -7,11 +7,11 @@ use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, NumberError, PatchError, Result};
 use crate::surface::patch::CyclidePatch;
 
-/// Centres of curvature are as near as each other up to this part of their distance.
+/// Centers of curvature are as near as each other up to this part of their distance.
 const SAME_LIMIT: f64 = 1e-9;
 
 impl CyclidicNet {
-    /// Refuses a distance between which and the net patches have centres of curvature: with the quad that has the nearest, and the distance of that.
+    /// Refuses a distance between which and the net patches have centers of curvature: with the quad that has the nearest, and the distance of that.
     /// 0 of a patch that is singular inside.
     ///
     /// # Errors
@@ -33,7 +33,7 @@ impl CyclidicNet {
 
     /// The net at the signed distance `h` along the normals `D V3 D^-1`: the same weights over the vertices
     /// `a + h w V3 w^-1`, so every patch is the exact offset of its patch
-    /// (`docs/math/cyclides-and-nets.md#offsets-and-thickness`). An offset beyond a curvature centre is made all the
+    /// (`docs/math/cyclides-and-nets.md#offsets-and-thickness`). An offset beyond a curvature center is made all the
     /// same and keeps the normals, so that distances add up: [`singular_patches`](Self::singular_patches) and
     /// [`flipped_patches`](Self::flipped_patches) tell.
     ///

@@ -35,7 +35,7 @@ impl CyclidicNet {
     }
 
     /// The quads whose `f_s × f_t` is against the normal at a corner: one family of their lines runs against the frame,
-    /// as in an offset beyond a centre of curvature. None in a net made of a grid, nor in a whole cyclide.
+    /// as in an offset beyond a center of curvature. None in a net made of a grid, nor in a whole cyclide.
     #[must_use]
     pub fn flipped_patches(&self) -> Vec<[usize; 2]> {
         let against = |patch: &CyclidePatch| {

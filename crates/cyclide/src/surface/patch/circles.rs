@@ -8,7 +8,7 @@ use crate::surface::ParamSurface as _;
 /// A line whose bending vector is this part of its weights is straight.
 const STRAIGHT: f64 = 1e-14;
 
-/// Centre, unit normal (the line runs right-handed about it) and radius of a parameter line.
+/// Center, unit normal (the line runs right-handed about it) and radius of a parameter line.
 pub(super) struct LineCircle {
     pub(super) center: Point3,
     pub(super) normal: Vec3,
@@ -17,7 +17,7 @@ pub(super) struct LineCircle {
 
 impl CyclidePatch {
     /// The full circle that carries the s-line at `t`, starting at `(0, t)` in the direction of growing s: radius
-    /// `|q1|/(2|m|)`, centre `f + k/|k|²` with the curvature vector `k = (2/q1) D (m × V1) D^-1`
+    /// `|q1|/(2|m|)`, center `f + k/|k|²` with the curvature vector `k = (2/q1) D (m × V1) D^-1`
     /// (`docs/math/patches.md#curvatures`). `None` where the line is straight or one point.
     #[must_use]
     pub fn s_circle(&self, t: f64) -> Option<Circle> {
@@ -32,7 +32,7 @@ impl CyclidePatch {
         Circle::from_center(circle.center, circle.normal, self.point(s, 0.0)).ok()
     }
 
-    /// The circles of curvature of the two principal normal sections at `(s, t)`: centre `f + N/k`, in the plane of
+    /// The circles of curvature of the two principal normal sections at `(s, t)`: center `f + N/k`, in the plane of
     /// `N` and the principal direction, starting at the point. `None` where the curvature is zero (radius above 1e14 of
     /// the patch's size) or infinite.
     #[must_use]
@@ -92,7 +92,7 @@ mod tests {
         let parallel = patch.t_circle(1.0).unwrap();
         assert!(parallel.center().distance(Point3::new(0.0, 0.0, 1.0f64.sin())) < 1e-14);
         assert!((parallel.normal() - Vec3::Z).length() < 1e-14, "t grows with the angle");
-        // The centre of the second curvature is on the axis, where the normal meets it.
+        // The center of the second curvature is on the axis, where the normal meets it.
         let [first, second] = patch.curvature_circles(0.4, 0.6).map(Option::unwrap);
         assert!((first.radius() - 1.0).abs() < 1e-14);
         assert!(second.center().x.hypot(second.center().y) < 1e-13);

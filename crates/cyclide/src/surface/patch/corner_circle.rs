@@ -23,7 +23,7 @@ pub(super) struct CornerCircle {
     position: f64,
 }
 
-/// Largest distance between the corners, if those are distinct that must be (the last may be that of a neighbour).
+/// Largest distance between the corners, if those are distinct that must be (the last may be that of a neighbor).
 ///
 /// # Errors
 /// `parameter-out-of-range`, `coincident-points`.
@@ -130,7 +130,7 @@ pub(crate) fn check_following_quad(corners: &[Point3; 4], given: usize, whole: f
     let scale = distinct(corners)?;
     let Foot { measured, rounding, .. } = foot(corners, scale);
     let limit = given as f64 * (CONCIRCULAR_LIMIT * (whole / scale) + rounding);
-    // A corner on a neighbour is on any circle through it.
+    // A corner on a neighbor is on any circle through it.
     let collapsed = [1, 2].into_iter().any(|k| corners[k].distance(corners[3]) <= COINCIDENT_LIMIT * scale);
     if measured <= limit || collapsed { Ok(()) } else { Err(PatchError::NotConcircular { measured, limit }.into()) }
 }

@@ -4,7 +4,7 @@ use super::{CyclidePatch, largest_distance};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 
-/// The opposite corner may coincide with a neighbour up to this part of the largest distance: then the frame goes the
+/// The opposite corner may coincide with a neighbor up to this part of the largest distance: then the frame goes the
 /// other way round.
 const COINCIDENT_LIMIT: f64 = 1e-12;
 

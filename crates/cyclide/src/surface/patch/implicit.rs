@@ -116,7 +116,7 @@ impl CyclidePatch {
     /// times (coordinate/size)⁴ far from the origin.
     #[must_use]
     pub fn implicit_form(&self) -> ImplicitForm {
-        match self.recognise() {
+        match self.recognize() {
             PatchKind::Plane { frame } => {
                 let n = frame.z();
                 return sphere([0.0, n.x, n.y, n.z, -n.dot(frame.origin().to_vec())]);

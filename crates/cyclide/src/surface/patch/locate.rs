@@ -101,7 +101,7 @@ impl CyclidePatch {
             let rest = p - jet.point;
             let [e, _, g] = jet.first_form();
             // At the foot the second derivative of half the squared distance is |f_s|² (1 - h k1), and there is no
-            // mixed one; before a curvature centre, steps that count on it are steps of Newton.
+            // mixed one; before a curvature center, steps that count on it are steps of Newton.
             let height = rest.dot(self.unit_normal(best.s, best.t));
             let stretch = |k: f64| Some(1.0 - height * k).filter(|x| *x > 1e-3).unwrap_or(1.0);
             let step = |along: f64, square: f64, k: f64| {

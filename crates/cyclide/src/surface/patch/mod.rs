@@ -22,7 +22,7 @@ mod offset;
 mod polar;
 mod pole;
 mod rational;
-mod recognise;
+mod recognize;
 mod rows;
 mod singular;
 mod transform;
@@ -40,7 +40,7 @@ use polar::{Polar, runs_backwards};
 
 pub use implicit::ImplicitForm;
 pub use locate::PatchLocation;
-pub use recognise::PatchKind;
+pub use recognize::PatchKind;
 pub use rows::PatchRow;
 
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.

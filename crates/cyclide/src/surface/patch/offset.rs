@@ -18,11 +18,11 @@ impl CyclidePatch {
     /// The surface at the signed distance `h` along [`unit_normal`](Self::unit_normal), with the same parameters:
     /// `f_h = f + h N` exactly. Weights and frame are the same, corners `a_k + h w_k V3 w_k^-1`, speeds
     /// `q1 + 2h m·V2` and `q2 - 2h m*·V1` (`docs/math/patches.md#offsets-and-images`). An offset beyond a curvature
-    /// centre is made all the same; [`offset_is_regular`](Self::offset_is_regular) tells. It keeps the normal, which is
-    /// then against its `f_s × f_t` if one of the two centres was passed: distances add up.
+    /// center is made all the same; [`offset_is_regular`](Self::offset_is_regular) tells. It keeps the normal, which is
+    /// then against its `f_s × f_t` if one of the two centers was passed: distances add up.
     ///
     /// # Errors
-    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` (all curvature centres
+    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` (all curvature centers
     /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
@@ -47,7 +47,7 @@ impl CyclidePatch {
         Ok(patch)
     }
 
-    /// True if no curvature centre lies on the way from the patch to its [`offset`](Self::offset), ends included:
+    /// True if no curvature center lies on the way from the patch to its [`offset`](Self::offset), ends included:
     /// the speeds of the offset have the signs of `q1`, `q2` all over the patch, so it has no cuspidal edge and the
     /// same side up. Sides that are one point may stay so. False for a patch that is singular inside itself.
     #[must_use]
@@ -86,7 +86,7 @@ impl CyclidePatch {
         Err(PatchError::OffsetOnFocalSet { distance: h, measured: left.fold(0.0, f64::max), limit: FOCAL }.into())
     }
 
-    /// How far the surface may be offset to the side of `h` before it meets a centre of curvature, with the sign of `h`: infinite
+    /// How far the surface may be offset to the side of `h` before it meets a center of curvature, with the sign of `h`: infinite
     /// where there is none, 0 for a patch that is singular inside.
     pub(crate) fn offset_limit(&self, h: f64) -> f64 {
         if !self.is_regular() {

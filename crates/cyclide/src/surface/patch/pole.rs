@@ -5,7 +5,7 @@ use super::{CyclidePatch, bilinear};
 use crate::base::quat::Quat;
 use crate::error::{PatchError, Result};
 
-/// Cells are halved this often before their centre is called a pole.
+/// Cells are halved this often before their center is called a pole.
 const HALVINGS: u32 = 20;
 
 impl CyclidePatch {

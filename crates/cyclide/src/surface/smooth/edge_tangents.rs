@@ -1,7 +1,7 @@
 //! The directions in which the edges of a smooth mesh leave their vertices.
 //!
 //! Between smooth faces it is that of the chord, without its part along the normal. An open boundary takes the tangents of the circles
-//! through three neighbouring vertices, without their parts along the normals: it is smooth, and of points of a circle that circle.
+//! through three neighboring vertices, without their parts along the normals: it is smooth, and of points of a circle that circle.
 //! A crease runs in both tangent planes at its vertices: along the product of their normals.
 
 use super::connect::{Connections, MeshEdge};

@@ -1,5 +1,5 @@
 //! Borders of a mesh that lie on each other without being joined: triangles whose vertices are nearly the same, vertices inside an
-//! edge of a neighbour.
+//! edge of a neighbor.
 
 use super::SmoothMesh;
 use crate::base::bounds::Aabb;

@@ -2,14 +2,14 @@
 //!
 //! Every edge is a circle blend of order 2 ([`BlendSegment`]) that is made from its two vertices and their normals alone, and carries the normal
 //! of the surface with it. Inside a triangle each point is the mean of three blends, from the corners to the opposite sides
-//! (`docs/math/triangle-surfaces.md#smooth-meshes`; side-vertex scheme of G. Nielson, 1979). Neighbours share edges and
+//! (`docs/math/triangle-surfaces.md#smooth-meshes`; side-vertex scheme of G. Nielson, 1979). Neighbors share edges and
 //! their normals to the bit: G1. The sphere blends of `004` ([`SphereBlend`](super::SphereBlend)) cannot be that on
 //! general meshes.
 //!
 //! - Points and normals of a sphere give the sphere but for 4.3e-4 of its radius over an icosahedron, 1.2e-5 over 80 triangles
 //!   and 2.1e-7 over 320.
 //! - C1 at the vertices; second derivatives have no limit there. Not rational: files get meshes.
-//! - Local: a vertex moves the triangles around it and, by the normals, their neighbours.
+//! - Local: a vertex moves the triangles around it and, by the normals, their neighbors.
 //! - Similarities map the surface with its data, other Möbius maps do not.
 
 mod comparison;
@@ -60,7 +60,7 @@ pub enum VertexNormals<'a> {
     /// The mean with the weights `sin α/(|a| |b|)`, `a` and `b` being the edges of a triangle at the vertex: exact where all
     /// vertices are on a sphere, and better for meshes of smooth surfaces (N. Max, 1999).
     SphereWeighted,
-    /// Means, but where neighbouring triangles meet at a larger angle than this (radians, between their normals) the edge is
+    /// Means, but where neighboring triangles meet at a larger angle than this (radians, between their normals) the edge is
     /// kept as a crease, with a normal on each side.
     Creased {
         /// Edges with larger angles are creases, radians.
@@ -309,7 +309,7 @@ impl SmoothMesh {
         self.boundary_corners
     }
 
-    /// The patch over a triangle; `None` beyond the last one. Patches of neighbours agree in the points and normals of their
+    /// The patch over a triangle; `None` beyond the last one. Patches of neighbors agree in the points and normals of their
     /// common edge to the bit, if these are asked for with integers as barycentric coordinates.
     #[must_use]
     pub fn triangle(&self, index: usize) -> Option<SmoothTriangle> {

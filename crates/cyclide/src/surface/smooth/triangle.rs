@@ -108,7 +108,7 @@ impl SmoothTriangle {
         self.mean(&at, |spoke, l, _| (spoke.point(l), [Vec3::ZERO; 2])).map(|jet| jet.point)
     }
 
-    /// Unit normal; at the corners and on the sides that which neighbours share.
+    /// Unit normal; at the corners and on the sides that which neighbors share.
     ///
     /// # Errors
     /// As [`point`](Self::point).
@@ -181,7 +181,7 @@ impl SmoothTriangle {
         Ok(Jet { point: origin + mean, derivatives })
     }
 
-    /// The normal where neighbours share it.
+    /// The normal where neighbors share it.
     fn known_normal(&self, at: &Barycentric) -> Result<Option<Vec3>> {
         let nearest = at.largest();
         if at.off_corner(nearest) <= AT_CORNER {

@@ -26,7 +26,7 @@ pub(super) struct DevelopableCell {
 impl Developable {
     /// None if the surface is neither.
     pub(super) fn of(surface: &RationalBezierSurface) -> Option<Self> {
-        match surface.recognise() {
+        match surface.recognize() {
             PatchKind::Plane { frame } => Some(Self { frame, radius: None }),
             PatchKind::Cylinder { frame, radius, .. } => Some(Self { frame, radius: Some(radius) }),
             _ => None,

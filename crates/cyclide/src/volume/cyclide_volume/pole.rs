@@ -5,7 +5,7 @@ use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
 use crate::error::{Result, VolumeError};
 
-/// Cells are halved in all directions this often before their centre is called a pole: what is taken goes into so small parts with positive weights.
+/// Cells are halved in all directions this often before their center is called a pole: what is taken goes into so small parts with positive weights.
 pub(super) const HALVINGS: u32 = 16;
 
 /// The 27 real weights: Bernstein coefficients of `|D|²`.

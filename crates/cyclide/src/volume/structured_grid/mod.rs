@@ -19,7 +19,7 @@ pub use quality::{CellQuality, GridQuality};
 /// Most cells of a structured grid: with their nodes some gigabytes.
 pub const MOST_CELLS: usize = 1 << 24;
 
-/// Nodes and cells of blocks at given parameters. Neighbouring blocks share the nodes of a face whose corners they have in common, bit for bit, if their
+/// Nodes and cells of blocks at given parameters. Neighboring blocks share the nodes of a face whose corners they have in common, bit for bit, if their
 /// parameters there are the same, also with its sides in other directions; blocks that close share them too.
 ///
 /// ```
@@ -251,7 +251,7 @@ fn check_places(places: &[f64], name: ErrorItem) -> Result<()> {
         return Err(PointError::TooFewPoints { given: places.len(), needed: 2 }.into());
     };
     for (value, wanted) in [(first, 0.0), (last, 1.0)] {
-        // Exactly: neighbours share what is at the ends.
+        // Exactly: neighbors share what is at the ends.
         if value.to_bits() != f64::to_bits(wanted) {
             return Err(NumberError::ParameterOutOfRange { name, value, min: wanted, max: wanted }.into());
         }

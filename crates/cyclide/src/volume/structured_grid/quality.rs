@@ -4,8 +4,8 @@ use super::StructuredGrid;
 use crate::base::vector::{Point3, Vec3};
 use crate::volume::ParamVolume as _;
 
-/// The three neighbours of each corner in binary order, so that the sides to them are right-handed.
-const NEIGHBOURS: [[usize; 3]; 8] =
+/// The three neighbors of each corner in binary order, so that the sides to them are right-handed.
+const NEIGHBORS: [[usize; 3]; 8] =
     [[1, 2, 4], [3, 0, 5], [0, 3, 6], [2, 1, 7], [6, 5, 0], [4, 7, 1], [7, 4, 2], [5, 6, 3]];
 
 /// The twelve sides.
@@ -27,7 +27,7 @@ const SIDES: [[usize; 2]; 12] =
 pub struct CellQuality {
     /// Largest cosine between two parameter lines of the block at the eight nodes: zero, up to rounding.
     pub orthogonality: f64,
-    /// Least determinant of the unit vectors along the three sides at a corner, as of VTK and Verdict, without the centre: 1 for a box, not positive for a cell
+    /// Least determinant of the unit vectors along the three sides at a corner, as of VTK and Verdict, without the center: 1 for a box, not positive for a cell
     /// that is inverted. Corners at which a side is one point are left out; 0 if all are.
     pub scaled_jacobian: f64,
     /// The longest side over the shortest that is no point.
@@ -61,7 +61,7 @@ pub struct GridQuality {
     /// The shortest side of a cell that is no point.
     pub shortest_side: f64,
     /// Cells whose scaled Jacobian is not positive, or whose exact Jacobian is negative at a node, beyond rounding. At sides of one point it is zero, and at
-    /// a centre of curvature.
+    /// a center of curvature.
     pub inverted: usize,
     /// The first of these.
     pub first_inverted: Option<usize>,
@@ -160,7 +160,7 @@ impl StructuredGrid {
             }
         }
         let scaled = |corner: usize| {
-            let way = |k: usize| (p[NEIGHBOURS[corner][k]] - p[corner]).unit();
+            let way = |k: usize| (p[NEIGHBORS[corner][k]] - p[corner]).unit();
             let [a, b, c]: [Vec3; 3] = [way(0)?, way(1)?, way(2)?];
             Some(a.cross(b).dot(c))
         };

@@ -1,4 +1,4 @@
-//! Nodes that neighbouring blocks have in common: corners bit for bit, and between common corners the nodes of sides and faces.
+//! Nodes that neighboring blocks have in common: corners bit for bit, and between common corners the nodes of sides and faces.
 //!
 //! A side is known by its two corners and a face by its four: two blocks that have them run over them with the same parameters, if they are the same at
 //! all, or with these exchanged and from the other ends, as [`Turn`] tells. Two arcs may have the same ends (a ring of two blocks), so a place inside is

@@ -59,13 +59,13 @@ table! {
 
         /// Grid lines zigzag from vertex to vertex: the grid is noisy or too coarse.
         Zigzag {
-            /// Correlation of neighbouring turns: 1 for smooth lines, -2/3 for independent errors of the vertices.
+            /// Correlation of neighboring turns: 1 for smooth lines, -2/3 for independent errors of the vertices.
             agreement: f64,
             /// Mean turn at a vertex, radians.
             turn: f64,
         }
         reason "zigzag";
-        says "the grid lines zigzag: they turn by {:.1} degrees at a vertex on average, and neighbouring turns \
+        says "the grid lines zigzag: they turn by {:.1} degrees at a vertex on average, and neighboring turns \
             correlate by {:.2} (smooth lines: 1); smooth or refine the grid first", turn.to_degrees(), *agreement;
     }
 }

@@ -50,7 +50,7 @@ table! {
         reason "sharp-turn";
         at *node;
         says "point {node}: the points turn back by {:.2} degrees (limit {:.0}): the circle through it and its \
-            neighbours is very large, and the curve swings out; if a corner is intended, mark it",
+            neighbors is very large, and the curve swings out; if a corner is intended, mark it",
             angle.to_degrees(),
             limit.to_degrees();
 
@@ -71,7 +71,7 @@ table! {
         /// Segments of a fair spline are less fair than requested, because the fairest curve does not exist or swings out
         /// far there; its curvature is continuous nevertheless.
         Relaxed {
-            /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbours alone.
+            /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbors alone.
             segments: Vec<(usize, f64)>,
         }
         reason "relaxed";

@@ -60,7 +60,7 @@ table! {
         }
         reason "open-seam";
         says "{count} of {borders} border edges lie within {gap} of another one, the first between vertices {} and \
-            {}: weld points that should be one, or cut an edge where a vertex of its neighbour lies inside it",
+            {}: weld points that should be one, or cut an edge where a vertex of its neighbor lies inside it",
             vertices[0], vertices[1];
 
         /// Normals of a mesh point to the back of a face at their vertex: the smooth surface folds over there.

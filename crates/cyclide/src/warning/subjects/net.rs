@@ -43,7 +43,7 @@ table! {
             the surface has radii of curvature down to {} on that side, and its lines run backwards beyond them; use \
             a smaller distance", ShortNumber(rounded_down(*radius));
 
-        /// The frame of a net does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
+        /// The frame of a net does not suit its grid: lines shrink to a point inside patches, or neighbors fold over.
         Folded {
             /// Patches inside which a parameter line shrinks to a point.
             singular: usize,

@@ -83,7 +83,7 @@ table! {
             points: usize,
             /// The estimated standard deviation of the noise.
             noise: f64,
-            /// The typical distance of neighbours.
+            /// The typical distance of neighbors.
             apart: f64,
         }
         reason "few-for-noise";

@@ -30,7 +30,7 @@ table! {
             rounding turns them by up to {} degrees (limit {}): move the points to the origin before they are \
             written, or merge them", degrees(*angle), degrees(*limit);
 
-        /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
+        /// Neighboring chords differ much in length, which makes interpolating curves bulge.
         UnevenSpacing {
             /// Index of the point between the two chords.
             node: usize,
@@ -41,9 +41,9 @@ table! {
         }
         reason "uneven-spacing";
         at *node;
-        when *ratio >= NEARLY_REPEATED, says "point {node}: neighbouring chords differ by a factor of {:.0}: two \
+        when *ratio >= NEARLY_REPEATED, says "point {node}: neighboring chords differ by a factor of {:.0}: two \
             points nearly coincide there, and the curve may loop; remove one of them", *ratio;
-        says "point {node}: neighbouring chords differ by a factor of {:.1} (limit {}), so the curve may bulge",
+        says "point {node}: neighboring chords differ by a factor of {:.1} (limit {}), so the curve may bulge",
             *ratio,
             *limit;
 
@@ -65,7 +65,7 @@ table! {
         says "points {first} to {last} are a stop: {count} points within {radius} of {},{},{} that were measured at \
             a standstill; they count as one point", ShortNumber(at[0]), ShortNumber(at[1]), ShortNumber(at[2]);
 
-        /// Points that coincide with their neighbour were merged.
+        /// Points that coincide with their neighbor were merged.
         PointsMerged {
             /// Index of the first one dropped.
             first: usize,

@@ -21,7 +21,7 @@ use crate::error::Result;
 
 pub use make_circular::*;
 
-/// A smooth surface of patches over a grid of points. Neighbouring patches share their circular edge and the normals
+/// A smooth surface of patches over a grid of points. Neighboring patches share their circular edge and the normals
 /// along it. The four corners of every quad must lie on one circle; `make_circular` moves the vertices so that they do.
 ///
 /// ```

@@ -146,9 +146,9 @@ pub struct GradedCellsSpec {
 pub enum CellLaw {
     /// Equal cells.
     Uniform,
-    /// A constant ratio between neighbours.
+    /// A constant ratio between neighbors.
     Geometric,
-    /// Hyperbolic tangents: the ratio between neighbours changes slowly.
+    /// Hyperbolic tangents: the ratio between neighbors changes slowly.
     Tanh,
 }
 

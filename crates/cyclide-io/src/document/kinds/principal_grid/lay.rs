@@ -23,7 +23,7 @@ impl Builder<'_> {
     pub(in crate::document) fn principal_grid(&mut self, spec: &PrincipalGridSpec) -> Result<GridObject> {
         let given = self.mesh_to_lay_on(spec)?;
         let mut mesh = TriangleMesh::new(&given.mesh).map_err(|bad| self.bad_polygons(&given, bad))?;
-        // Nothing but vertices and neighbours is taken of a mesh: how polygons are cut is nobody's matter.
+        // Nothing but vertices and neighbors is taken of a mesh: how polygons are cut is nobody's matter.
         mesh.cut = Counted::default();
         self.remark_on_mesh(&given, &mesh);
         let options = PrincipalGridOptions {

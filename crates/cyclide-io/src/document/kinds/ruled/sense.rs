@@ -1,6 +1,6 @@
 //! Whether two rails run the same way, and whether the straight lines between them go through each other.
 //!
-//! Each piece of a ruled surface is checked by the kernel; pieces that are no neighbours may still cross, as they all do where a closed rail runs against
+//! Each piece of a ruled surface is checked by the kernel; pieces that are no neighbors may still cross, as they all do where a closed rail runs against
 //! the other one.
 
 use cyclide::{EdgeCurve, Point3, Vec3};
@@ -64,7 +64,7 @@ impl Rulings {
         self.length() > LONGER[usize::from(!self.closed)] * reversed.length()
     }
 
-    /// Whether one of them goes through the surface between two others that are no neighbours of it.
+    /// Whether one of them goes through the surface between two others that are no neighbors of it.
     pub(in crate::document) fn cross(&self) -> bool {
         let count = self.lines.len();
         let faces = if self.closed { count } else { count.saturating_sub(1) };

@@ -293,7 +293,7 @@ impl Builder<'_> {
     }
 }
 
-/// What is wrong with the centre of an inversion that takes a place of a block to infinity, as far as blocks are looked at.
+/// What is wrong with the center of an inversion that takes a place of a block to infinity, as far as blocks are looked at.
 fn center_in_block(at: [f64; 3]) -> String {
     let [s, t, u] = at.map(ShortNumber);
     format!(

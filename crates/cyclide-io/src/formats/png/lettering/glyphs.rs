@@ -4,7 +4,7 @@
 //! A path is written as `M x y` (move), `L x y` (line), `Q a b x y` (parabola with the control point `a b`), and
 //! quarters of ellipses: `H x y` starts level and arrives upright, `V x y` starts upright and arrives level.
 
-/// A letter: its width without the space to its neighbours, and its path.
+/// A letter: its width without the space to its neighbors, and its path.
 pub(super) type Glyph = (char, f64, &'static str);
 
 /// What stands for a character without a drawing.

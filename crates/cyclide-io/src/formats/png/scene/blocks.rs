@@ -1,4 +1,4 @@
-//! Blocks as the picture sees them: what is left of them when a part is cut away, each family of coordinate surfaces in its colour.
+//! Blocks as the picture sees them: what is left of them when a part is cut away, each family of coordinate surfaces in its color.
 
 use super::surface::{CIRCLE, CIRCLE_INK, EDGE, EDGE_INK, Lines, PLACE_INK, Surface};
 use crate::drawing::block_directions::others;

@@ -152,7 +152,7 @@ mod tests {
             |f: fn(&Projected) -> f64| seen.iter().map(f).fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(v), b.max(v)));
         let ((left, right), (top, bottom)) = (range(|p| p.x), range(|p| p.y));
         let (width, height) = (FILLED * 1600.0, FILLED * 1200.0);
-        // One direction is filled, both are centred, to rounding.
+        // One direction is filled, both are centered, to rounding.
         assert!((right - left - width).abs() < 1e-6 || (bottom - top - height).abs() < 1e-6);
         assert!(right - left < width + 1e-6 && bottom - top < height + 1e-6);
         assert!(left > 0.0 && top > 0.0 && right < 1600.0 && bottom < 1200.0);

@@ -14,7 +14,7 @@ const ROUGH: f64 = 3200.0;
 const ROUGH_SIDES: (f64, f64) = (2.0, 24.0);
 /// Curves are drawn in front of surfaces that are nearer by this part of the distance.
 const LIFT: f64 = 0.004;
-/// Length of the dashes of what is taken away, pixels, their half width and colour.
+/// Length of the dashes of what is taken away, pixels, their half width and color.
 const DASH: f64 = 9.0;
 const TAKEN_WIDTH: f64 = 0.6;
 const TAKEN: u32 = 0x8A94A0;
@@ -29,7 +29,7 @@ pub(super) enum Paint {
     Patch { patch: usize, at: [[f64; 3]; 3] },
     /// A triangle with normals at its corners.
     Smooth { object: usize, normals: [Vec3; 3], tint: Rgb },
-    /// One colour, of a curve of the object.
+    /// One color, of a curve of the object.
     Ink { object: usize, light: Rgb },
 }
 
@@ -116,7 +116,7 @@ impl Facets {
         self.add_ribbon(curve, 0.5 * CURVE * scale, palette::linear(curve.object), camera);
     }
 
-    /// A curve in any width and colour.
+    /// A curve in any width and color.
     pub(super) fn add_ribbon(&mut self, curve: &Polyline, radius: f64, light: Rgb, camera: &Camera) {
         let object = curve.object;
         let points: Vec<Projected> = curve.points.iter().map(|p| lifted(*p, camera)).collect();

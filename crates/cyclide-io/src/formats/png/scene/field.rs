@@ -131,7 +131,7 @@ impl Facets {
             let Some(normal) = (b - a).cross(c - a).unit() else { continue };
             let Some(along) = field.along.get(triangle).and_then(|d| d.unit()) else { continue };
             let across = normal.cross(along);
-            // In the colour of the lines that it goes with.
+            // In the color of the lines that it goes with.
             let near = lines.iter().min_by(|a, b| a.0.distance(middle).total_cmp(&b.0.distance(middle)));
             let first = usize::from(near.is_some_and(|(_, s)| along.dot(*s).abs() < HALF_RIGHT));
             let arm = ARM * scale * camera.unit_at(middle);

@@ -139,7 +139,7 @@ fn cone(axis: Vec3, spread: f64, count: usize) -> impl Iterator<Item = Vec3> {
     })
 }
 
-/// Replaces the values of a line by means over their neighbours; those beyond the ends count as 0.
+/// Replaces the values of a line by means over their neighbors; those beyond the ends count as 0.
 fn smooth_line(values: &mut [f32], start: usize, step: usize, count: usize, line: &mut Vec<f32>) {
     line.clear();
     line.extend((0..count).map(|i| values[start + i * step]));

@@ -1,4 +1,4 @@
-//! Colours in linear light, and how a surface shines.
+//! Colors in linear light, and how a surface shines.
 
 use crate::formats::png::eye::UP;
 use cyclide::Vec3;
@@ -18,7 +18,7 @@ const SKY: f64 = 0.42;
 const EARTH: f64 = 0.24;
 /// How far the broad light reaches round an edge.
 const WRAP: f64 = 0.12;
-/// The least part of a colour that stands for a value which reaches the eye.
+/// The least part of a color that stands for a value which reaches the eye.
 const TONE: f64 = 0.66;
 /// Two lobes of reflection: strength and exponent.
 const GLOSS: [(f64, i32); 2] = [(0.16, 64), (0.05, 12)];
@@ -35,7 +35,7 @@ impl Lights {
         Self { key: unit(-right * 0.55 + front * 0.25 + UP), fill: unit(right * 0.9 + front * 0.5 + UP * 0.2) }
     }
 
-    /// What a matt surface sends whose colour stands for a value: no gloss, and little shade.
+    /// What a matt surface sends whose color stands for a value: no gloss, and little shade.
     pub(super) fn tone(&self, tint: Rgb, normal: Vec3) -> Rgb {
         let key = ((normal.dot(self.key) + WRAP) / (1.0 + WRAP)).max(0.0);
         let sky = 0.5 + 0.5 * normal.z;
@@ -58,7 +58,7 @@ impl Lights {
     }
 }
 
-/// To a colour of the screen, 0 to 1.
+/// To a color of the screen, 0 to 1.
 pub(super) fn screen(v: f64) -> f64 {
     let v = v.clamp(0.0, 1.0);
     if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }

@@ -3,7 +3,7 @@
 //! Eight samples in a pixel say which facet of a fine mesh is seen; each facet seen is shaded once in a pixel, at the
 //! middle of its samples, with the patch's own normal at the parameters of that place. Parameter circles are found
 //! there too, as places where a parameter is near a multiple of its step, so they lie on the surface by construction.
-//! Light is averaged before it is made a colour of the screen.
+//! Light is averaged before it is made a color of the screen.
 
 mod blocks;
 mod camera;
@@ -216,7 +216,7 @@ struct Scene<'a> {
     patch_items: Vec<usize>,
     facets: Facets,
     paper: Rgb,
-    /// The quantity that surfaces are coloured by.
+    /// The quantity that surfaces are colored by.
     coloured: Option<Coloured<'a>>,
 }
 
@@ -262,7 +262,7 @@ impl Scene<'_> {
         (sheet, [top, bottom]): (Sheet, [f64; 2]),
     ) -> DrawnLabels {
         let mut drawn = DrawnLabels::default();
-        // Where colours stand for values they are no colours of objects.
+        // Where colors stand for values they are no colors of objects.
         let ink = |k: usize| if self.coloured.is_some() { Ink::TEXT } else { Ink::object(k) };
         let named: Vec<ObjectName<'_>> = names
             .iter()

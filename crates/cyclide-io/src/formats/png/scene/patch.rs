@@ -1,4 +1,4 @@
-//! A patch over a triangle as the picture sees it: its colour, and the sides of the triangle as lines of constant width.
+//! A patch over a triangle as the picture sees it: its color, and the sides of the triangle as lines of constant width.
 
 use super::light::{Lights, Rgb, mix};
 use super::surface::{BORDER, EDGE, EDGE_INK, INNER, cover, fade};

@@ -1,6 +1,6 @@
-//! Colours that show a quantity of a surface: curvatures, and the distance from the surface that was given.
+//! Colors that show a quantity of a surface: curvatures, and the distance from the surface that was given.
 //!
-//! Each place is coloured by the value there, from the exact jet; the scale holds the values of all of the surfaces, also where they are
+//! Each place is colored by the value there, from the exact jet; the scale holds the values of all of the surfaces, also where they are
 //! not seen.
 
 use super::light::Rgb;
@@ -45,7 +45,7 @@ impl<'a> Coloured<'a> {
         let deviation = colour == PictureColour::Deviation;
         let given = |item: usize| job.provenances.given(item).filter(|_| deviation).map(SurfaceDistance::new);
         let followed: Vec<_> = (0..job.model.items.len()).map(given).collect();
-        // The inside of blocks has colours of its own, and a surface over triangles no curvatures.
+        // The inside of blocks has colors of its own, and a surface over triangles no curvatures.
         let faces = |item: usize| {
             let own = job.bodies.iter().filter(move |body| body.item == item);
             own.filter_map(|body| body.body.faces()).flat_map(Body::shells)
@@ -110,7 +110,7 @@ impl<'a> Coloured<'a> {
         .filter(|value| !value.is_nan())
     }
 
-    /// The colour of a place; `None` if it has no value there.
+    /// The color of a place; `None` if it has no value there.
     pub(super) fn tint(&self, item: usize, surface: &Surface<'_>, at: [f64; 2]) -> Option<Rgb> {
         if !self.shown.get(item).copied().unwrap_or(false) {
             return None;

@@ -1,4 +1,4 @@
-//! A face as the picture sees it: its colour, and its parameter circles as lines of constant width.
+//! A face as the picture sees it: its color, and its parameter circles as lines of constant width.
 
 use super::camera::Camera;
 use super::light::{Lights, Rgb, mix};
@@ -22,7 +22,7 @@ pub(super) const EDGE_INK: f64 = 0.78;
 const FADE: (f64, f64) = (3.5, 9.0);
 /// A step of Newton's method after which no other is needed, relative to the facet's parameters.
 const SMALL_STEP: f64 = 0.03;
-/// How much of a colour that stands for a value is left in the lines on it.
+/// How much of a color that stands for a value is left in the lines on it.
 const LINE_ON_TINT: f64 = 0.16;
 /// How much darker the inner side of an open shell is.
 pub(super) const INNER: f64 = 0.78;
@@ -121,7 +121,7 @@ impl Surface<'_> {
         best
     }
 
-    /// The same where a quantity has the colour `tint`: the light leaves it to be read.
+    /// The same where a quantity has the color `tint`: the light leaves it to be read.
     pub(super) fn tinted(&self, (at, slope): ([f64; 2], [f64; 2]), to_eye: Vec3, lights: &Lights, tint: Rgb) -> Rgb {
         let outward = self.surface.normal(at[0], at[1]).unwrap_or(to_eye);
         let normal = if outward.dot(to_eye) >= 0.0 { outward } else { -outward };

@@ -92,7 +92,7 @@ fn a_torus_from_above_is_a_ring() {
     let camera = camera(&torus(large, small, 12), UP);
     let mut covered = 0;
     samples(&facets(torus(large, small, 12), &camera), |_, _, seen| covered += u32::from(seen != NOTHING));
-    // Tangents from the eye on the axis to the tube's circle: the angle to its centre and the asin of its half width.
+    // Tangents from the eye on the axis to the tube's circle: the angle to its center and the asin of its half width.
     let above = camera.eye().z;
     let (middle, half) = (large.atan2(above), (small / large.hypot(above)).asin());
     let focal = camera.project(Point3::new(large, 0.0, 0.0)).x - camera.project(Point3::ORIGIN).x;
@@ -128,7 +128,7 @@ fn the_nearer_of_two_spheres_is_seen() {
 
 /// Facets that share edges cover every sample of their union exactly once.
 #[test]
-fn neighbours_leave_no_gap() {
+fn neighbors_leave_no_gap() {
     let shells = torus(3.0, 1.0, 8);
     let camera = camera(&shells, Vec3::new(0.1, -0.2, 0.97).unit().unwrap());
     let facets = facets(shells, &camera);
@@ -138,7 +138,7 @@ fn neighbours_leave_no_gap() {
         inside[index] = seen != NOTHING;
         index += 1;
     });
-    // A hole is a sample without facet whose pixel has one and all whose eight neighbours are full.
+    // A hole is a sample without facet whose pixel has one and all whose eight neighbors are full.
     let full = |pixel: usize| (0..SAMPLE_COUNT).all(|k| inside[pixel * SAMPLE_COUNT + k]);
     let holes = (1..SIZE.1 - 1).flat_map(|y| (1..SIZE.0 - 1).map(move |x| y * SIZE.0 + x)).filter(|&p| {
         let around = [p - 1, p + 1, p - SIZE.0, p + SIZE.0];

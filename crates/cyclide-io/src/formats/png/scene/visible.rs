@@ -73,13 +73,13 @@ impl Visible {
     fn depths(&self) -> Vec<u32> {
         let (columns, rows) = (self.columns, self.rows);
         let mut depths = vec![u32::MAX - 1; columns * rows];
-        let neighbours: [(i64, i64); 8] = [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)];
-        for sweep in [neighbours[..4].to_vec(), neighbours[4..].to_vec()] {
+        let neighbors: [(i64, i64); 8] = [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)];
+        for sweep in [neighbors[..4].to_vec(), neighbors[4..].to_vec()] {
             let forward = sweep[0].1 < 0;
             for k in 0..columns * rows {
                 let index = if forward { k } else { columns * rows - 1 - k };
                 let (column, row) = ((index % columns) as i64, (index / columns) as i64);
-                for (dx, dy) in neighbours {
+                for (dx, dy) in neighbors {
                     let (x, y) = (column + dx, row + dy);
                     let inside = x >= 0 && y >= 0 && x < columns as i64 && y < rows as i64;
                     let other = if inside { y as usize * columns + x as usize } else { usize::MAX };

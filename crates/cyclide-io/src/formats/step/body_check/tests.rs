@@ -143,7 +143,7 @@ fn parts_that_do_not_tile_the_faces_are_refused() {
 
 #[test]
 fn parts_of_other_places_are_found() {
-    // Neighbours exchanged: all lies in one plane, but an edge of one of them is on the border, of the other inside.
+    // Neighbors exchanged: all lies in one plane, but an edge of one of them is on the border, of the other inside.
     let swapped = told(&ring(), |parts| parts.swap(0, 1));
     assert!(swapped.as_ref().map_or(true, |off| *off > 0.1), "{swapped:?}");
     // A cut told a thousandth beside its place, on both sides of it.

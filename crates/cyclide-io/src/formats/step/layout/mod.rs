@@ -227,7 +227,7 @@ impl Drafts<'_> {
         (drafts, heads)
     }
 
-    /// The regions from neighbour to neighbour, so that seams go on.
+    /// The regions from neighbor to neighbor, so that seams go on.
     fn in_order(&self, regions: &[Region], region_of: &[usize]) -> Vec<usize> {
         let (mut is_seen, mut order) = (vec![false; regions.len()], Vec::with_capacity(regions.len()));
         for first in 0..regions.len() {

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 /// The instances that carry labels, in file order.
 #[derive(Default)]
-pub(super) struct Labelled {
+pub(super) struct Labeled {
     /// Assignments of items to layers.
     layers: Vec<u64>,
     /// Products with their shapes.
@@ -21,7 +21,7 @@ pub(super) struct Labelled {
     places: Vec<u64>,
 }
 
-impl Labelled {
+impl Labeled {
     /// Notes an instance by its first name.
     pub(super) fn visit(&mut self, number: u64, name: &str) {
         match name {
@@ -36,7 +36,7 @@ impl Labelled {
 
 impl File<'_> {
     /// The labels of a file with these curve sets and bodies.
-    pub(super) fn labels(&self, found: &Labelled, sets: &[u64], bodies: &[u64]) -> Result<FileLabels, ReadError> {
+    pub(super) fn labels(&self, found: &Labeled, sets: &[u64], bodies: &[u64]) -> Result<FileLabels, ReadError> {
         let mut labels = FileLabels::default();
         let mut layer_of: HashMap<u64, &str> = HashMap::new();
         for &number in &found.layers {
@@ -93,7 +93,7 @@ impl File<'_> {
     }
 
     /// The products in a product, each where it stands.
-    fn assembly(&self, found: &Labelled, labels: &mut FileLabels) -> Result<(), ReadError> {
+    fn assembly(&self, found: &Labeled, labels: &mut FileLabels) -> Result<(), ReadError> {
         for &number in &found.occurrences {
             let place = format!("#{number}");
             let values = self.simple(number, "NEXT_ASSEMBLY_USAGE_OCCURRENCE")?;
@@ -137,7 +137,7 @@ impl File<'_> {
         Ok(name)
     }
 
-    /// Length of the unit of a context, millimetres; angles are in radians.
+    /// Length of the unit of a context, millimeters; angles are in radians.
     fn unit(&self, context: u64) -> Result<f64, ReadError> {
         let place = format!("#{context}");
         let instance = self.instance(context)?;

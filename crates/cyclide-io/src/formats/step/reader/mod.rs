@@ -9,19 +9,19 @@ use crate::check::read_error::ReadError;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
 
 /// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding
-/// of centre plus radius.
+/// of center plus radius.
 const GAP: f64 = 1e-9;
 
 /// Reads the composite curves of all curve sets and all bodies, in file order.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
-    let (mut sets, mut bodies, mut labelled) = (Vec::new(), Vec::new(), labels::Labelled::default());
+    let (mut sets, mut bodies, mut labeled) = (Vec::new(), Vec::new(), labels::Labeled::default());
     let instances = parse(bytes, |number, name| {
         if name == "GEOMETRIC_CURVE_SET" {
             sets.push(number);
         } else if shapes::is_body(name) {
             bodies.push(number);
         } else {
-            labelled.visit(number, name);
+            labeled.visit(number, name);
         }
     })?;
     let file = File { instances };
@@ -33,7 +33,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
             curves.push(file.composite(curve)?);
         }
     }
-    let labels = file.labels(&labelled, &sets, &bodies)?;
+    let labels = file.labels(&labeled, &sets, &bodies)?;
     let bodies = bodies.into_iter().map(|number| file.body(number)).collect::<Result<_, _>>()?;
     Ok(FileContent { curves, bodies, labels, ..FileContent::default() })
 }

@@ -46,7 +46,7 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             if !(radius > 0.0 && rest > 0.0) {
                 return Err(setup.beyond_apex(depth.max(0.0), height));
             }
-            // How far on this side of the axis the centre is.
+            // How far on this side of the axis the center is.
             let measured = radius - setup.ball * setup.cos;
             if setup.sigma < 0.0 && !(measured > 0.0) {
                 return Err(match setup.ball_on_axis().filter(|limit| *limit > 0.0 && *limit <= setup.ball) {

@@ -1,10 +1,10 @@
 //! Blends of a tube with a plate or a sphere, told by the contacts of their balls with the tube: exact (`docs/math/contact-blends.md`).
 //!
-//! The tube is a cylinder or, with a taper, a cone. Of a ball that touches it at an angle θ round its axis, and the plane or the sphere besides, the centre
+//! The tube is a cylinder or, with a taper, a cone. Of a ball that touches it at an angle θ round its axis, and the plane or the sphere besides, the center
 //! follows from the height of the contact, so that every closed curve of contacts round the tube that is rational makes a rational canal. Over a plane the contacts of a
-//! ball of one radius are rational themselves: its centres lie on a cone, in a plane. Over a sphere off the axis they are not, and pieces
+//! ball of one radius are rational themselves: its centers lie on a cone, in a plane. Over a sphere off the axis they are not, and pieces
 //! `h = a + b cos θ + c sin θ` take their place, tangent to each other, with radii within a tolerance. Where the axis meets the plane at a right angle or passes through
-//! the centre of the sphere, blends are tori.
+//! the center of the sphere, blends are tori.
 
 mod ball_loop;
 mod check;
@@ -112,9 +112,9 @@ pub struct ContactBlend {
 pub struct MadeContactBlend {
     /// The body.
     pub body: Body,
-    /// What is known of the blend; angles are those round the tube, from the side on which the plane rises towards it or the centre of the sphere lies.
+    /// What is known of the blend; angles are those round the tube, from the side on which the plane rises towards it or the center of the sphere lies.
     pub blend: TeeBlendFacts,
-    /// Where the centres of its balls are; round a ring in two circles, that in its hole first.
+    /// Where the centers of its balls are; round a ring in two circles, that in its hole first.
     pub centers: BallCenters,
 }
 

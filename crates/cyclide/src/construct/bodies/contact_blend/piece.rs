@@ -156,7 +156,7 @@ impl Family<'_> {
         (canal.with_even_ends(), second)
     }
 
-    /// The row of centres at a distance from the axis and a height, both over a weight; the distance lacks the weight of the turn.
+    /// The row of centers at a distance from the axis and a height, both over a weight; the distance lacks the weight of the turn.
     fn row(&self, from_axis: &Polynomial, height: Polynomial, weight: Polynomial) -> PolynomialRow {
         let [x, y] = self.across.each_ref().map(|p| p * from_axis);
         self.setup.placed([x, y, height, weight])
@@ -185,7 +185,7 @@ impl Family<'_> {
         }
     }
 
-    /// The centres on a cone about the axis, in a plane: their distances from the axis are one over the rise `d/W` of the lines of the tube.
+    /// The centers on a cone about the axis, in a plane: their distances from the axis are one over the rise `d/W` of the lines of the tube.
     fn on_plane(&self, [z, d]: [&Polynomial; 2], [_, n1]: [f64; 2]) -> Balls {
         let setup = self.setup;
         let down = setup.ball * setup.sigma * setup.sin;
@@ -199,12 +199,12 @@ impl Family<'_> {
 
     /// The balls, and the turn to the second normals in the axes of the tube.
     ///
-    /// Where both surfaces nearly touch along the same plane, all depends on the small way `v` from the centre of the sphere to the contact moved by `r` along its normal:
+    /// Where both surfaces nearly touch along the same plane, all depends on the small way `v` from the center of the sphere to the contact moved by `r` along its normal:
     /// its entries, `n·v` and `v²` are sums of its small parts, so that they agree to the last digits of their own and not of the radii.
     fn on_sphere(&self, z: &Polynomial, [e, r]: [f64; 2]) -> (Balls, QuatPolynomial) {
         let (setup, w) = (self.setup, self.weight);
         let (sigma, sin, cos) = (setup.sigma, setup.sin, setup.cos);
-        // The distance of the moved contact from the axis where it is as high as the centre, less and plus that of the centre.
+        // The distance of the moved contact from the axis where it is as high as the center, less and plus that of the center.
         let level = setup.rho - r * sigma / cos;
         let [near, far] = [level - e, level + e];
         let up = z + &(w * (r * sigma * sin));
@@ -251,7 +251,7 @@ impl Family<'_> {
     }
 }
 
-/// Balls `[X m, X]`, `X R`, and the motion of the centre along the ruling and round, up to one positive factor.
+/// Balls `[X m, X]`, `X R`, and the motion of the center along the ruling and round, up to one positive factor.
 struct Balls {
     center: PolynomialRow,
     radius: Polynomial,

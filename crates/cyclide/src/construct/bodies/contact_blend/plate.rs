@@ -173,7 +173,7 @@ fn check_around(setup: &Setup, shape: PlateShape, turn: &Turn) -> Result<()> {
     Ok(())
 }
 
-/// Refuses lines of the plate that cross their neighbours: between the contact and the border, at equal parameters.
+/// Refuses lines of the plate that cross their neighbors: between the contact and the border, at equal parameters.
 ///
 /// # Errors
 /// `rulings-cross`.

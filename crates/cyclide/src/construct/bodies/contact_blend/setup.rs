@@ -8,7 +8,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{BallError, ContactError, Error, ErrorItem, NumberError, PipeError, Result};
 use crate::rational::{Polynomial, PolynomialRow};
 
-/// An axis nearer to the centre of a sphere than this part of the lengths passes through it.
+/// An axis nearer to the center of a sphere than this part of the lengths passes through it.
 const THROUGH: f64 = 1e-14;
 /// Lines of the tube along the tangent plane, as the sine of the angle between them, are refused up to this.
 const PARALLEL: f64 = 1e-9;
@@ -125,7 +125,7 @@ impl Setup {
 
     /// The radius of the ball that touches the tube all round from inside, and the plane or the sphere: larger ones do not fit.
     pub(super) fn ball_on_axis(&self) -> Option<f64> {
-        // A ball with its centre at the height z on the axis touches the tube with the radius `level + z sin`.
+        // A ball with its center at the height z on the axis touches the tube with the radius `level + z sin`.
         let level = self.rho * self.cos;
         let height = match self.base {
             Base::Plane([_, n1]) => level / (n1 - self.sin),

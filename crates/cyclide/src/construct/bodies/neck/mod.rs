@@ -3,7 +3,7 @@
 //!
 //! The plate is the plane z = 0, with its outside above; the pipe of radius R leans by the angle φ from the normal of the plate towards
 //! +y, its axis meets the plate in the origin. (With the pipe upright and the plane `z = a y` instead: `a = tan φ`, and
-//! the neck is turned about x by -φ.) With σ = 1 outside the pipe and -1 inside it, q = R + σ ρ and (c, s) on the unit circle, the centre of
+//! the neck is turned about x by -φ.) With σ = 1 outside the pipe and -1 inside it, q = R + σ ρ and (c, s) on the unit circle, the center of
 //! a ball of radius ρ and its contacts with pipe and plate are
 //!
 //! ```text
@@ -142,7 +142,7 @@ impl NeckBlend {
         Vec3::new(0.0, self.sin, self.cos)
     }
 
-    /// The centre of the ball at an angle round the pipe; 0 is the direction x.
+    /// The center of the ball at an angle round the pipe; 0 is the direction x.
     #[must_use]
     pub fn center(&self, angle: f64) -> Point3 {
         self.centers().point(direction(angle))
@@ -183,9 +183,9 @@ impl NeckBlend {
     }
 
     /// What should be known of it (`neck-folds`): the envelope outside a pipe, with a large ball and a pipe that leans, runs through itself on the steep
-    /// side. The centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
-    /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused. The vertical variant never folds: seen along the
-    /// axis of the pipe, its points at the part `l` of the way lie on the circle of radius `R + σ l ρ` about a centre moved by `l ρ sin φ`, and
+    /// side. The centers of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
+    /// direction of its center of curvature, a larger ball folds the envelope. A solid of it is refused. The vertical variant never folds: seen along the
+    /// axis of the pipe, its points at the part `l` of the way lie on the circle of radius `R + σ l ρ` about a center moved by `l ρ sin φ`, and
     /// such circles lie one in the other.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
@@ -276,7 +276,7 @@ impl NeckBlend {
         }
     }
 
-    /// Distance of the ball's centre from the axis.
+    /// Distance of the ball's center from the axis.
     fn reach(&self) -> f64 {
         self.pipe_radius + self.sign * self.ball_radius
     }

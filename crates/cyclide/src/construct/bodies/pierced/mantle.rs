@@ -71,7 +71,7 @@ impl Mantle {
         Self { radius: self.radius - depth * cos, origin: self.origin - self.along * (depth * sin), ..*self }
     }
 
-    /// The centre of its circle at a place.
+    /// The center of its circle at a place.
     pub(in crate::construct::bodies) fn centre(&self, along: f64) -> Point3 {
         self.origin + self.along * along
     }

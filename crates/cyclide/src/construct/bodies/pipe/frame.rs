@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// A closed spine that comes back turned about itself by less is not twisted.
 const NOT_TWISTED: f64 = 1e-10;
-/// Largest turn of a corner that is mitred: the mitre is ten times as long as the radius.
+/// Largest turn of a corner that is miterd: the miter is ten times as long as the radius.
 const LARGEST_TURN: f64 = 2.942;
 /// The radius of a pipe is below that of its arcs by at least this part.
 const NARROWER: f64 = 1e-9;
@@ -57,7 +57,7 @@ pub(super) struct Twist {
 }
 
 impl Station {
-    /// From the point to where the line along the spine meets the mitre, for a way across the spine as it is behind.
+    /// From the point to where the line along the spine meets the miter, for a way across the spine as it is behind.
     pub(super) fn slanted(&self, v: Vec3) -> Vec3 {
         if !self.mitred {
             return v;
@@ -158,10 +158,9 @@ impl Spine {
         for (k, station) in self.stations.iter().enumerate().filter(|(_, station)| station.mitred) {
             let [before, behind] = station.ways;
             let turn = before.angle(behind);
-            let neighbours = [&self.pieces[(k + n - 1) % n], &self.pieces[k % n]];
-            if turn > LARGEST_TURN || neighbours.iter().any(|piece| !piece.arc.is_straight()) {
-                let (joint, smooth) =
-                    (neighbours[1].source, largest_smooth_turn(&neighbours[0].arc, &neighbours[1].arc));
+            let neighbors = [&self.pieces[(k + n - 1) % n], &self.pieces[k % n]];
+            if turn > LARGEST_TURN || neighbors.iter().any(|piece| !piece.arc.is_straight()) {
+                let (joint, smooth) = (neighbors[1].source, largest_smooth_turn(&neighbors[0].arc, &neighbors[1].arc));
                 return Err(PipeError::CornerNotMitred { joint, turn, smooth, limit: LARGEST_TURN }.into());
             }
         }

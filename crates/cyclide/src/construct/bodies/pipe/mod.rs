@@ -3,9 +3,9 @@
 //! A circle across the spine, carried along an arc of it by the arc's rotation, sweeps a torus; along a segment a cylinder. The
 //! rotation is parallel transport too: it does not turn the circle about the spine. So four points of the circle, carried from
 //! joint to joint, run along lines of curvature, and each quarter of the tube over a piece of the spine is a principal
-//! patch with the weights `1, u, w, w u` (`u` of the quarter, `w` of the piece), of which neighbours share circles and lines.
+//! patch with the weights `1, u, w, w u` (`u` of the quarter, `w` of the piece), of which neighbors share circles and lines.
 //!
-//! Two things break that. At a **corner** between two segments both cylinders end in their mitre, an ellipse; the parts between
+//! Two things break that. At a **corner** between two segments both cylinders end in their miter, an ellipse; the parts between
 //! a circle and an ellipse are ruled by lines, rational of degree (2, 1). And a **closed** spine in space turns the circle by the
 //! time it comes back: one piece is twisted by that angle, at most an eighth of a turn when quarters are renumbered, by a rational
 //! rotation about the spine: it stays on the same torus or cylinder, of degree (2, 4) or (2, 2).
@@ -103,11 +103,11 @@ impl Pipe {
     }
 
     /// The pipe about a spine. Outside is outwards; a solid unless the ends of an open spine are open. Smooth joints give
-    /// tangent planes that go on, corners between segments a mitre.
+    /// tangent planes that go on, corners between segments a miter.
     ///
     /// # Errors
     /// `pipe-too-wide` (the radius is not below that of an arc), `corner-not-mitred` (a corner next to an arc, or one that turns
-    /// back), `mitre-does-not-fit` (a segment is too short for its mitres), `pipe-meets-itself` with the places (parts that are
+    /// back), `mitre-does-not-fit` (a segment is too short for its miters), `pipe-meets-itself` with the places (parts that are
     /// half a turn of the pipe's own radius or more apart along the spine are nearer than twice the radius), as
     /// [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, spine: &ArcPath) -> Result<Body> {
@@ -127,7 +127,7 @@ impl Pipe {
 
     /// The first two of several spines, by their numbers, whose pipes run into each other, with the distance of the spines there:
     /// each pipe is a body of its own, and what they have in common counts twice. Parts of pipes beyond the balls about their spines, the
-    /// spikes of mitres, are not looked at.
+    /// spikes of miters, are not looked at.
     ///
     /// ```
     /// use cyclide::{ArcPath, Pipe, Point3};

@@ -3,7 +3,7 @@
 //! Two points of a spine whose curvature stays below `1/r`, a way of `π r` or more apart along it and nearer than `2 r`, have tubes
 //! that meet; the nearest such pairs are joined by a line across the spine at both (or end at an end), and if there are none the tube
 //! is free of itself (the reach of a curve: Federer 1959, Theorem 4.18; Schur's theorem for the bound of the way). From the middles of short chords such pairs are
-//! found by closest points in turns. What a tube has beyond the balls about its spine, the spikes of mitres and the rims of slanted plane ends, is
+//! found by closest points in turns. What a tube has beyond the balls about its spine, the spikes of miters and the rims of slanted plane ends, is
 //! looked at by points of its own. Chords are looked up by the cubes they lie in, so that time is linear in the length over the radius.
 
 use super::PipeEnds;
@@ -142,14 +142,14 @@ impl<'a> Measured<'a> {
         middles
     }
 
-    /// True if the way between two places is that of half a turn about the pipe's radius, and no mitre parts them.
+    /// True if the way between two places is that of half a turn about the pipe's radius, and no miter parts them.
     fn is_apart(&self, a: &Place, b: &Place) -> bool {
         let straight = (a.way - b.way).abs();
         let way = if self.spine.closed { straight.min(self.length - straight) } else { straight };
         way >= PI * self.radius * (1.0 - TOUCHING) && !self.have_a_mitre(a.piece, b.piece)
     }
 
-    /// True for segments that share a corner: each lies on its side of the mitre.
+    /// True for segments that share a corner: each lies on its side of the miter.
     fn have_a_mitre(&self, a: usize, b: usize) -> bool {
         let mitred = |k: usize, next: usize| self.spine.behind(k).0 == next && self.spine.stations[next].mitred;
         mitred(a, b) || mitred(b, a)
@@ -201,7 +201,7 @@ impl<'a> Measured<'a> {
             let own = Place { piece, point: station.point, way: if k == piece { self.before[k] } else { self.length } };
             if station.mitred {
                 let [before, behind] = station.ways;
-                // Outwards, as long as the mitre is.
+                // Outwards, as long as the miter is.
                 let reach = 2.0 * self.radius / (before + behind).length();
                 let Some(out) = (before - behind).unit() else { continue };
                 let count = (2.0 * reach / self.radius).ceil() as usize;

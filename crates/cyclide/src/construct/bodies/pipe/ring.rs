@@ -1,4 +1,4 @@
-//! The cross-sections of a tube at the stations of its spine: circles, ellipses in mitres, as quarters.
+//! The cross-sections of a tube at the stations of its spine: circles, ellipses in miters, as quarters.
 
 use super::frame::Station;
 use crate::base::quat::Quat;

@@ -153,7 +153,7 @@ impl BallLoop {
         HoleOrder { nodes, pieces, ahead, sides: [0, front, back, rear, count] }
     }
 
-    /// The way of the centres, which are counted from the middle of the common normal, this far up.
+    /// The way of the centers, which are counted from the middle of the common normal, this far up.
     ///
     /// # Errors
     /// As [`closed_path`].

@@ -42,7 +42,7 @@ pub(super) struct LawFold {
 struct LawBall {
     center: Vec3,
     radius: f64,
-    /// From both contacts to the centre, over the radius.
+    /// From both contacts to the center, over the radius.
     normals: [Vec3; 2],
 }
 
@@ -108,7 +108,7 @@ fn width(balls: &Balls<'_>, scale: f64, depth: f64, angle: f64) -> Option<f64> {
     let bend = ((behind.center - at.center) - (at.center - before.center)) / (step * step);
     let (square, radius) = (motion.length_squared(), at.radius + depth);
     let along = motion.unit()?;
-    // The normals from the first on, about the way of the centre: the way round to the second is the shorter one.
+    // The normals from the first on, about the way of the center: the way round to the second is the shorter one.
     let [first, last] = at.normals.map(|normal| normal - along * normal.dot(along));
     let (start, aside) = (first.unit()?, along.cross(first.unit()?));
     let sweep = last.dot(aside).atan2(last.dot(start));

@@ -56,7 +56,7 @@ impl MixedPair {
 
     /// The contacts of the ball of a radius in a direction from the common normal, where the radius has this slope by the angle.
     ///
-    /// With the distance d of the axes, `Y = sin φ`, `X = sin(w - φ)`, and the square t of how far the centre is off the common normal, its height is z where
+    /// With the distance d of the axes, `Y = sin φ`, `X = sin(w - φ)`, and the square t of how far the center is off the common normal, its height is z where
     /// `t Y² + z² = L1²`, `t X² + (d - z)² = L2²`: without t a quadratic in z.
     ///
     /// # Errors

@@ -158,7 +158,7 @@ pub struct MadeCrossing {
     pub body: Body,
     /// What is known of the blend; angles are those of its balls about the common normal of the axes, from the first axis on.
     pub blend: TeeBlendFacts,
-    /// Where the centres of its balls are.
+    /// Where the centers of its balls are.
     pub centers: BallCenters,
 }
 
@@ -370,7 +370,7 @@ impl PipeCrossing {
         Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
     }
 
-    /// The centres of the ends, and the directions out of them: of the first pipe, then of the second, if they are left.
+    /// The centers of the ends, and the directions out of them: of the first pipe, then of the second, if they are left.
     fn openings(&self, mantles: &[Mantle; 2], short: f64) -> Vec<(Point3, Vec3)> {
         let end = |pipe: usize, side: usize| {
             let mantle = &mantles[pipe];

@@ -34,7 +34,7 @@ impl TorusPair {
         Ok(Self::Cylinders(axes.with_radii(radii)?))
     }
 
-    /// Both, for the surface of the centres.
+    /// Both, for the surface of the centers.
     pub(super) fn of_centers(&self) -> CenterPair {
         match self {
             Self::Cylinders(pair) => CenterPair::Cylinders(*pair),

@@ -94,7 +94,7 @@ impl<'a> Lines<'a> {
         None
     }
 
-    /// The face over two triangles beside each other: of one, and of its neighbour across the edge from its first corner to its second.
+    /// The face over two triangles beside each other: of one, and of its neighbor across the edge from its first corner to its second.
     fn of_pair(&self, [u, v, w]: [usize; 3], across: usize) -> Option<Corners> {
         [[u, across, w, v], [across, v, u, w]].into_iter().find(|&corners| self.is_face(corners))
     }
@@ -121,19 +121,19 @@ pub(super) fn cover(contours: &Contours<'_>) -> Result<(Vec<Point2>, Vec<Corners
         let mut pairs: Vec<(usize, [usize; 3], usize)> = turned
             .iter()
             .filter_map(|&[u, v, w]| {
-                let neighbour = *of_edge.get(&[v, u])?;
-                let across = triangles[neighbour].into_iter().find(|vertex| ![u, v].contains(vertex))?;
-                (free[neighbour]).then_some((neighbour, [u, v, w], across))
+                let neighbor = *of_edge.get(&[v, u])?;
+                let across = triangles[neighbor].into_iter().find(|vertex| ![u, v].contains(vertex))?;
+                (free[neighbor]).then_some((neighbor, [u, v, w], across))
             })
             .collect();
         // Those that are no faces alone first.
-        pairs.sort_by_key(|&(neighbour, ..)| faces[neighbour].is_some());
+        pairs.sort_by_key(|&(neighbor, ..)| faces[neighbor].is_some());
         let pair = pairs
             .into_iter()
-            .find_map(|(neighbour, triangle, across)| Some((neighbour, lines.of_pair(triangle, across)?)));
-        if let Some((neighbour, corners)) = pair {
-            (free[number], free[neighbour]) = (false, false);
-            faces[neighbour] = None;
+            .find_map(|(neighbor, triangle, across)| Some((neighbor, lines.of_pair(triangle, across)?)));
+        if let Some((neighbor, corners)) = pair {
+            (free[number], free[neighbor]) = (false, false);
+            faces[neighbor] = None;
             found.push(corners);
         } else if let Some((p, corners)) = lines.about_inside(triangles[number]) {
             free[number] = false;

@@ -172,7 +172,7 @@ fn ruled(sewing: &Sewing, sides: [Option<FaceEdge>; 2], corners: [Point3; 4]) ->
     Ok(RationalBezierSurface::from_polynomial_rows(&rows)?.with_corners(corners))
 }
 
-/// The rows of a curve with weights of 1 at both ends: rulings there run at uniform speed, and neighbours share them.
+/// The rows of a curve with weights of 1 at both ends: rulings there run at uniform speed, and neighbors share them.
 fn ruled_rows(curve: &EdgeCurve) -> Vec<[f64; 4]> {
     rows_of(&evened(curve))
 }

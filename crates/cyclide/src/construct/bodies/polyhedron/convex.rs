@@ -36,7 +36,7 @@ pub(super) fn check_faces(points: &[Point3], faces: &Faces, normals: &[Vec3], wi
             let at = |ahead: usize| points[corners[(k + ahead) % corners.len()]];
             let (before, after) = (at(1) - at(0), at(2) - at(1));
             let sine = before.cross(after).dot(*normal);
-            // The distance from the line of the neighbours: between short sides angles are rounding.
+            // The distance from the line of the neighbors: between short sides angles are rounding.
             if -sine > within * at(0).distance(at(2)) {
                 return Err(PolyhedronError::NotAFace {
                     face,

@@ -14,7 +14,7 @@ pub(super) struct FaceSide {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Faces {
     loops: Vec<Vec<usize>>,
-    /// For each side of each face the same side as the neighbour has it.
+    /// For each side of each face the same side as the neighbor has it.
     across: Vec<Vec<FaceSide>>,
 }
 
@@ -27,7 +27,7 @@ impl Faces {
         for (face, corners) in loops.iter().enumerate() {
             check_corners(face, corners, vertices)?;
         }
-        let across = neighbours(&loops)?;
+        let across = neighbors(&loops)?;
         let faces = Self { loops, across };
         faces.check_connected()?;
         Ok(faces)
@@ -37,7 +37,7 @@ impl Faces {
         &self.loops
     }
 
-    /// The same side as the neighbour has it.
+    /// The same side as the neighbor has it.
     pub(super) fn across(&self, at: FaceSide) -> FaceSide {
         self.across[at.face][at.side]
     }
@@ -139,8 +139,8 @@ fn check_corners(face: usize, corners: &[usize], vertices: usize) -> Result<()> 
     Ok(())
 }
 
-/// The neighbours of all sides.
-fn neighbours(loops: &[Vec<usize>]) -> Result<Vec<Vec<FaceSide>>> {
+/// The neighbors of all sides.
+fn neighbors(loops: &[Vec<usize>]) -> Result<Vec<Vec<FaceSide>>> {
     let count: usize = loops.iter().map(Vec::len).sum();
     // Directed edges with the first side along them and their number.
     let mut along: HashMap<[usize; 2], (FaceSide, usize)> = HashMap::with_capacity(count);
@@ -150,7 +150,7 @@ fn neighbours(loops: &[Vec<usize>]) -> Result<Vec<Vec<FaceSide>>> {
             along.entry(ends(corners, side)).or_insert((FaceSide { face, side }, 0)).1 += 1;
         }
     }
-    let neighbour = |[first, second]: [usize; 2]| {
+    let neighbor = |[first, second]: [usize; 2]| {
         let uses = |ends: [usize; 2]| along.get(&ends).map_or(0, |(_, count)| *count);
         match (uses([first, second]), along.get(&[second, first])) {
             (1, Some(&(side, 1))) => Ok(side),
@@ -160,5 +160,5 @@ fn neighbours(loops: &[Vec<usize>]) -> Result<Vec<Vec<FaceSide>>> {
             }
         }
     };
-    loops.iter().map(|corners| (0..corners.len()).map(|k| neighbour(ends(corners, k))).collect()).collect()
+    loops.iter().map(|corners| (0..corners.len()).map(|k| neighbor(ends(corners, k))).collect()).collect()
 }

@@ -2,7 +2,7 @@
 //!
 //! A face joins a plane if its corners are near it *and* its normal agrees: of a wall that is cut into low faces the corners of the
 //! highest ones are near the roof too. What is so narrow that its normal is rounding forms planes of its own first, and these join
-//! a larger neighbour if all of their corners are near it.
+//! a larger neighbor if all of their corners are near it.
 
 use super::faces::{FaceSide, Faces};
 use super::plane::{Plane, area_vector};

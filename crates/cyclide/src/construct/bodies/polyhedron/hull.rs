@@ -35,7 +35,7 @@ pub(super) fn triangles(points: &[Point3]) -> Result<Vec<Vec<usize>>> {
 
 struct Triangle {
     corners: [usize; 3],
-    /// The neighbours across its sides, from each corner to the next one.
+    /// The neighbors across its sides, from each corner to the next one.
     across: [FaceSide; 3],
     /// Points outside that no other triangle has, the farthest one last.
     outside: Vec<usize>,

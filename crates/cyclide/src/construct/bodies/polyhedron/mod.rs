@@ -170,7 +170,7 @@ impl ConvexPolyhedron {
     fn shallow_edges(&self) -> Option<Warning> {
         let shallow: Vec<PolyhedronEdge> = self.edges().filter(|edge| edge.angle < SHALLOW).collect();
         let least = shallow.iter().min_by(|a, b| a.angle.total_cmp(&b.angle))?;
-        let off = shallow.iter().map(|edge| self.off_neighbour(edge)).fold(0.0, f64::max);
+        let off = shallow.iter().map(|edge| self.off_neighbor(edge)).fold(0.0, f64::max);
         Some(Warning::Polyhedron(PolyhedronWarning::ShallowEdges {
             ends: least.ends,
             count: shallow.len(),
@@ -194,7 +194,7 @@ impl ConvexPolyhedron {
     }
 
     /// How far the corners of the smaller face of an edge are below the plane of the other one: the less of both ways.
-    fn off_neighbour(&self, edge: &PolyhedronEdge) -> f64 {
+    fn off_neighbor(&self, edge: &PolyhedronEdge) -> f64 {
         let [a, b] = edge.faces;
         let start = self.vertices[edge.ends[0]];
         let below = |face: usize, other: usize| {

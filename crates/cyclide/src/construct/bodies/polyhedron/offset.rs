@@ -1,7 +1,7 @@
 //! Smooth offsets of convex polyhedra: planes, cylinders along the edges, parts of spheres round the vertices, exact
 //! (`docs/math/polyhedron-offsets.md#pieces`; source: `000`, section 7, Fig. 9).
 //!
-//! Every face moves along its normal; the rows of its side and of the neighbour's side span a part of a cylinder, a patch with the
+//! Every face moves along its normal; the rows of its side and of the neighbor's side span a part of a cylinder, a patch with the
 //! weights `1, w, 1, w`, `w` the rotor of half the angle between the normals; the circles at its ends bound the polygon on the
 //! sphere about the vertex, whose corners are the normals of the faces there. Sides so long that a face of that polygon would have
 //! weights that are not positive are halved, and so is the cylinder along them. Polygons become quads between their own
@@ -114,7 +114,7 @@ struct Strip {
     corners: Vec<[usize; 2]>,
     /// The straight edge of each.
     rails: Vec<usize>,
-    /// The arcs between neighbours at the start and at the end.
+    /// The arcs between neighbors at the start and at the end.
     arcs: Vec<[usize; 2]>,
 }
 

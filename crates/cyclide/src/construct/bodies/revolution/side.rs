@@ -63,7 +63,7 @@ fn leaves_backwards(turn: &Revolution, curve: &EdgeCurve, pole: f64, way: Vec3) 
     leaving.dot(way) < 0.0 && leaving.cross(way).length() <= ONE_PLANE.sqrt() * leaving.length() * way.length()
 }
 
-/// The least part of the way off the axis along the one at place `k`, between its neighbours, where the curve stays in a plane with
+/// The least part of the way off the axis along the one at place `k`, between its neighbors, where the curve stays in a plane with
 /// the axis there: it is negative where the curve crosses the axis between two places. By sections in the golden ratio.
 fn least_along(turn: &Revolution, curve: &EdgeCurve, k: u32, way: Vec3) -> f64 {
     let Some(along) = way.unit() else { return 0.0 };

@@ -9,9 +9,9 @@ use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{CurveError, Error, NumberError, PipeError, PointError, Result, TubeError};
 use std::f64::consts::{PI, TAU};
 
-/// Largest turn of a corner that is mitred: as of pipes, the mitre is ten times as long as the section is wide.
+/// Largest turn of a corner that is miterd: as of pipes, the miter is ten times as long as the section is wide.
 const LARGEST_TURN: f64 = 2.942;
-/// The width that a section has left at the inner side of a bend, and a segment between its mitres, as part of their own.
+/// The width that a section has left at the inner side of a bend, and a segment between its miters, as part of their own.
 const LEAST_LEFT: f64 = 1e-7;
 /// Turns about the path that are less are none.
 const NO_TURN: f64 = 1e-9;
@@ -62,7 +62,7 @@ impl Station {
         [self.x, self.axis.cross(self.x)]
     }
 
-    /// From the center to where the line along the path meets the mitre, for a way across the path as it is behind.
+    /// From the center to where the line along the path meets the miter, for a way across the path as it is behind.
     pub(super) fn slanted(&self, v: Vec3) -> Vec3 {
         if !self.mitred {
             return v;
@@ -138,7 +138,7 @@ impl Legs {
         Ok(made)
     }
 
-    /// Refuses legs that are shorter than what their mitres take.
+    /// Refuses legs that are shorter than what their miters take.
     fn check_mitres(&self, pieces: &[Piece], section: &[Point3]) -> Result<()> {
         let n = self.stations.len();
         for (k, leg) in self.legs.iter().enumerate() {
@@ -253,7 +253,7 @@ impl Maker<'_> {
             self.passed += length;
             return Ok(end);
         }
-        // Nothing turns beside a mitre.
+        // Nothing turns beside a miter.
         let stubs = piece.mitred_turns.map(|turn| self.extent * (0.5 * turn).tan() / length * (1.0 + LEAST_LEFT));
         let roll_end = self.law(piece, 1.0, frame)?;
         if roll_end.abs() <= NO_TURN && (piece.arc.is_straight() || self.is_still(piece, frame)?) {

@@ -13,7 +13,7 @@ const MOST_PLACES: f64 = 20_000.0;
 /// Boxes that overlap by less than this part of the reach touch.
 const TOUCHING: f64 = 1e-6;
 
-/// The section at a place of the path, with what lies halfway to its neighbours.
+/// The section at a place of the path, with what lies halfway to its neighbors.
 struct Place {
     center: Point3,
     axes: [Vec3; 3],

@@ -1,4 +1,4 @@
-//! Sweeps: a plane section led across a path of arcs and segments, by frames that do not turn about it, by an up vector, or with a twist; mitred at corners between
+//! Sweeps: a plane section led across a path of arcs and segments, by frames that do not turn about it, by an up vector, or with a twist; miterd at corners between
 //! segments, and closed by plane faces where the path ends (`docs/math/sweeps.md`).
 //!
 //! Over an arc the frame turns with the arc, which is parallel transport: a section of degree m makes faces of degree (m, 2), over a segment (m, 1). A turn about the
@@ -94,7 +94,7 @@ impl Sweep {
     ///
     /// # Errors
     /// `too-few-points` (no contour or an empty one), `disconnected`, `section-not-plane`, `section-meets-itself`, `weight-not-positive`; `corner-not-mitred` (a corner beside an arc, or that
-    /// turns back), `mitre-does-not-fit` (a segment is too short for the section in its mitres), `tube-folds` (a bend narrower than the section), `no-frame` (the path runs along the
+    /// turns back), `mitre-does-not-fit` (a segment is too short for the section in its miters), `tube-folds` (a bend narrower than the section), `no-frame` (the path runs along the
     /// up vector, or that turns the section at a corner), `too-many-pieces`, `parameter-out-of-range`, `not-finite`.
     pub fn new(section: &[(Vec<EdgeCurve>, bool)], path: &ArcPath, options: &SweepOptions) -> Result<Self> {
         if section.is_empty() {

@@ -128,7 +128,7 @@ impl<'a> Canal<'a> {
         }
     }
 
-    /// The centres of the balls.
+    /// The centers of the balls.
     pub(in crate::construct::bodies) fn centres(&self) -> RationalBezier {
         RationalBezier::from_polynomial_row(self.patch.center())
     }

@@ -11,7 +11,7 @@ use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{ErrorItem, NumberError, PipeError, Result, TeeError};
 use std::f64::consts::FRAC_PI_2;
 
-/// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
+/// Refuses a blend that folds. With centers m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
 /// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.
 ///
 /// # Errors

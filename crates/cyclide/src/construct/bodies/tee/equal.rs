@@ -1,4 +1,4 @@
-//! Pipes of one radius whose axes meet: the centres of balls of one radius are two half ellipses, in the planes that halve the angles between the axes,
+//! Pipes of one radius whose axes meet: the centers of balls of one radius are two half ellipses, in the planes that halve the angles between the axes,
 //! and everything is exact (`docs/math/pipe-tees.md#equal-pipes`).
 
 use super::blend::TeeBlend;
@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 const FLANK: f64 = 1e-9;
 
 /// The loop of balls, both half ellipses from flank to flank: in the crotch towards the end of the main pipe first. The factor of its pieces is the distance of the
-/// centres from the axes.
+/// centers from the axes.
 ///
 /// # Errors
 /// `radius-not-positive`, `not-finite`, `tolerance-not-positive`, `tee-law-on-equal-pipes`.

@@ -1,13 +1,13 @@
 //! Tees: branches on a main pipe, blended by balls that roll round them, exact (`docs/math/pipe-tees.md`).
 //!
 //! The branch is thinner than the main pipe, and their axes meet or pass nearer than the radii differ, at any angle: the case that
-//! `docs/math/pipe-tees.md#balls` calls spacelike. The centres of balls that touch both from outside form a surface with rational curves of degree 4, on which
+//! `docs/math/pipe-tees.md#balls` calls spacelike. The centers of balls that touch both from outside form a surface with rational curves of degree 4, on which
 //! every law of the radius has its loop. The canal of a piece of the loop is rational of degree (12, 2), and so are, exactly, what is left of
 //! both pipes: all faces have four sides and share edges.
 //!
 //! Both may be cones. A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
 //!
-//! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
+//! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centers stay.
 
 mod apart;
 mod arrangement;
@@ -159,7 +159,7 @@ pub struct MadeTee {
     pub body: Body,
     /// What is known of the blends, in the order of the branches.
     pub blends: Vec<TeeBlendFacts>,
-    /// Where the centres of their balls are, in the same order.
+    /// Where the centers of their balls are, in the same order.
     pub centers: BallCenters,
 }
 
@@ -209,7 +209,7 @@ struct Placed {
 }
 
 impl Placed {
-    /// The way of the centres of its balls.
+    /// The way of the centers of its balls.
     fn path(&self) -> Result<NurbsCurve> {
         let pieces = self.partition.pieces.iter().map(|piece| Canal::new(&self.crossing, piece, 0.0).into_patch());
         closed_path(pieces.collect::<Vec<_>>().iter().map(CanalPatch::center))

@@ -6,7 +6,7 @@ use crate::rational::Polynomial;
 
 /// What a piece of the loop says about its balls, as polynomials over it.
 pub(in crate::construct::bodies) struct PieceForms {
-    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, the place of the contact along the main pipe from the foot, and
+    /// Weight, and times it: coordinates of the center across the branch, along the branch from the foot, the place of the contact along the main pipe from the foot, and
     /// the radius. Of skins below the place of the contact is counted from where the mantle begins.
     pub(in crate::construct::bodies) weight: Polynomial,
     pub(in crate::construct::bodies) across: [Polynomial; 2],

@@ -35,7 +35,7 @@ impl PipeTee {
         Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
     }
 
-    /// The centres of all ends and the directions out of them, as rings of skins are ordered: both ends of the main pipe, then the branches.
+    /// The centers of all ends and the directions out of them, as rings of skins are ordered: both ends of the main pipe, then the branches.
     fn openings(&self, placed: &[Placed], short: f64) -> Vec<(Point3, Vec3)> {
         let main = [(self.main.ends[0] + short, -1.0), (self.main.ends[1] - short, 1.0)];
         let branches = placed.iter().map(|branch| {

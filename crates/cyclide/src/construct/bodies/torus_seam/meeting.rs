@@ -30,7 +30,7 @@ pub(super) struct Meeting {
     distance: f64,
 }
 
-/// Refuses a seam of which parts that are no neighbours share space.
+/// Refuses a seam of which parts that are no neighbors share space.
 ///
 /// # Errors
 /// `seam-meets-itself`.

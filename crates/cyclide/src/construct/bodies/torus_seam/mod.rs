@@ -6,7 +6,7 @@
 //! n' = (p' - a longitude' around)/b,   t' = (p'' - t (t·p''))/|p'|,   c' = n' × t + n × t'
 //! ```
 //! They are polynomial cubics with these derivatives at both ends, halved until all four are within the tolerance (sampled), and the
-//! faces are ruled between neighbours: their sections are the rectangles. A corner runs backwards where `w/2` is above the radius of
+//! faces are ruled between neighbors: their sections are the rectangles. A corner runs backwards where `w/2` is above the radius of
 //! geodesic curvature, and such a width is refused (`docs/math/torus-splines.md#seams`).
 
 mod cell;
@@ -108,7 +108,7 @@ impl TorusSeam {
     ///
     /// # Errors
     /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds); `seam-too-wide` (it folds in a bend, with the place and the largest width that does not);
-    /// `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
+    /// `seam-meets-itself` (parts of it that are no neighbors share space, by more than the
     /// tolerance, with the place: all others are proved apart); `too-many-pieces`, `zero-tangent` (a stop of the
     /// curve); as [`Shell::new`](crate::Shell::new).
     pub fn body(&self, spline: &TorusSpline, tolerance: f64) -> Result<Body> {

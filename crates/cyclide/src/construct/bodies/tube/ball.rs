@@ -1,4 +1,4 @@
-//! Balls as points of the space of centre and radius, whose square of a way `(v, r)` is `v·v - r²` (`docs/math/tubes.md#balls`).
+//! Balls as points of the space of center and radius, whose square of a way `(v, r)` is `v·v - r²` (`docs/math/tubes.md#balls`).
 
 use crate::base::vector::{Point3, Vec3};
 use std::ops::{Add, Mul, Sub};
@@ -14,14 +14,14 @@ use std::ops::{Add, Mul, Sub};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
-    /// Centre.
+    /// Center.
     pub center: Point3,
     /// Radius.
     pub radius: f64,
 }
 
 impl Ball {
-    /// The ball of a centre and a radius; tubes check both.
+    /// The ball of a center and a radius; tubes check both.
     #[must_use]
     pub const fn new(center: Point3, radius: f64) -> Self {
         Self { center, radius }
@@ -35,7 +35,7 @@ impl Ball {
         Self { center: self.center + way.v, radius: self.radius + way.r }
     }
 
-    /// The sum of the distance of the centres and the difference of the radii: no point of one ball is farther than this from the other.
+    /// The sum of the distance of the centers and the difference of the radii: no point of one ball is farther than this from the other.
     pub(super) fn distance(self, other: Self) -> f64 {
         self.center.distance(other.center) + (self.radius - other.radius).abs()
     }

@@ -1,4 +1,4 @@
-//! Arcs of balls: conics that are circles in the space of centre and radius. Their envelope is a part of a Dupin cyclide
+//! Arcs of balls: conics that are circles in the space of center and radius. Their envelope is a part of a Dupin cyclide
 //! (`docs/math/tubes.md#arcs-of-balls`).
 
 use super::ball::{Ball, Way};

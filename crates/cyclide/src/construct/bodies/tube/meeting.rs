@@ -1,4 +1,4 @@
-//! Whether a tube runs into itself: pairs of parts of its arcs, halved until they are apart, are neighbours, or are so short that their balls are compared
+//! Whether a tube runs into itself: pairs of parts of its arcs, halved until they are apart, are neighbors, or are so short that their balls are compared
 //! (`docs/math/tubes.md#meeting`).
 
 use super::ball::{Ball, Way};
@@ -68,7 +68,7 @@ impl Section {
     /// True if two disks share a point: their parts of the line in which their planes meet do.
     pub(super) fn meets(self, other: Self) -> bool {
         let Some(line) = self.axis.cross(other.axis).unit() else { return false };
-        // From the first centre in its plane to the other plane.
+        // From the first center in its plane to the other plane.
         let to_plane = line.cross(self.axis);
         let lean = to_plane.dot(other.axis);
         let foot = self.center + to_plane * ((other.center - self.center).dot(other.axis) / lean);
@@ -183,7 +183,7 @@ impl Part {
 }
 
 /// True if parts that follow each other run on in one direction so steadily that balls of theirs that meet are less than a conformal half turn apart: directions
-/// of centres are within an angle with the cosine `c` of one, radii change by less than `m` of the length, and with `u = m/c`
+/// of centers are within an angle with the cosine `c` of one, radii change by less than `m` of the length, and with `u = m/c`
 /// ```text
 /// 2/(c u) log(1/(1 - u)) <= pi
 /// ```
@@ -206,7 +206,7 @@ fn meeting([first, second]: [&Tracked<'_>; 2], [i, j]: [usize; 2], left: &mut us
     let mut waiting = vec![(first.part(i, [0.0, 1.0]), second.part(j, [0.0, 1.0]))];
     while let Some((a, b)) = waiting.pop() {
         *left = left.saturating_sub(1);
-        if same && first.are_neighbours(a.conformal, b.conformal) {
+        if same && first.are_neighbors(a.conformal, b.conformal) {
             continue;
         }
         if same && a.arc == b.arc && a.range.map(f64::to_bits) == b.range.map(f64::to_bits) {
@@ -255,7 +255,7 @@ fn compared(tubes: [&Tracked<'_>; 2], parts: [&Part; 2], nearest: [f64; 2], give
     let same = tubes[0].number == tubes[1].number;
     for a in &places[0] {
         for b in &places[1] {
-            let apart = same && tubes[0].are_neighbours([a.conformal; 2], [b.conformal; 2]);
+            let apart = same && tubes[0].are_neighbors([a.conformal; 2], [b.conformal; 2]);
             if !apart && (given_up || share(a, b)) {
                 let [a, b] = deepest(tubes, [a, b]);
                 let mut pair = [(tubes[0].number, &a), (tubes[1].number, &b)];
@@ -268,7 +268,7 @@ fn compared(tubes: [&Tracked<'_>; 2], parts: [&Part; 2], nearest: [f64; 2], give
 }
 
 /// The balls beside two that meet which reach deepest into each other: the first two found say little of how near the tubes come. Both are moved along their
-/// tubes, in steps that grow smaller, as long as that goes on and they are no neighbours.
+/// tubes, in steps that grow smaller, as long as that goes on and they are no neighbors.
 fn deepest(tubes: [&Tracked<'_>; 2], [a, b]: [&Place; 2]) -> [Place; 2] {
     let same = tubes[0].number == tubes[1].number;
     let room = |[a, b]: &[Place; 2]| a.ball.center.distance(b.ball.center) - a.ball.radius - b.ball.radius;
@@ -281,7 +281,7 @@ fn deepest(tubes: [&Tracked<'_>; 2], [a, b]: [&Place; 2]) -> [Place; 2] {
                 let pair = [tubes[0].place_at(best[0].at + by[0])?, tubes[1].place_at(best[1].at + by[1])?];
                 let conformal = [pair[0].conformal, pair[1].conformal];
                 let [before, behind] = [conformal[0].min(conformal[1]), conformal[0].max(conformal[1])];
-                let near = same && tubes[0].are_neighbours([before; 2], [behind; 2]);
+                let near = same && tubes[0].are_neighbors([before; 2], [behind; 2]);
                 (!near).then_some(pair)
             });
             let Some(next) = moved.min_by(|p, q| room(p).total_cmp(&room(q))).filter(|next| room(next) < room(&best))
@@ -366,7 +366,7 @@ impl<'a> Tracked<'a> {
     }
 
     /// True if all places of a part are less than a conformal half turn before those of one behind it, or, round the other way, behind them.
-    fn are_neighbours(&self, [from, end]: [f64; 2], [start, to]: [f64; 2]) -> bool {
+    fn are_neighbors(&self, [from, end]: [f64; 2], [start, to]: [f64; 2]) -> bool {
         let round = self.conformal[self.conformal.len() - 1] - (start - end).max(0.0);
         to - from <= PI || (self.course.closed && round <= PI)
     }

@@ -33,7 +33,7 @@ use skin::{Skin, Step};
 /// Width that a tube has left at the inner side of a bend, as part of its own: below, points there have lost their digits.
 const LEAST_LEFT: f64 = 1e-7;
 
-/// Circles of neighbouring balls are told apart by so many times what they are uncertain by.
+/// Circles of neighboring balls are told apart by so many times what they are uncertain by.
 const LEAST_TOLD: f64 = 1e9;
 
 /// The least radius as part of the coordinates: sides along the tube are known as well as the directions across it, a billionth (measured: tubes that are refused are
@@ -67,17 +67,17 @@ pub struct Tube {
 
 impl Tube {
     /// The tube through balls: it touches each in a circle. Between two it is a cone or a cylinder; else it goes on by biarcs with, at each
-    /// ball, the tangent of the arc of balls through it and its neighbours. Exact: this is what it is.
+    /// ball, the tangent of the arc of balls through it and its neighbors. Exact: this is what it is.
     ///
     /// # Errors
-    /// `too-few-points` (2, or 3 of a closed tube), `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `balls-nested` (one of two neighbours holds the
+    /// `too-few-points` (2, or 3 of a closed tube), `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `balls-nested` (one of two neighbors holds the
     /// other), `tube-turns-back` (no smooth tube goes on there).
     pub fn through(balls: &[Ball], closed: bool) -> Result<Self> {
         let arcs = through::through(balls, closed)?;
         Ok(Self { arcs, bound: 0.0, closed, wall: None, ends: PipeEnds::Flat })
     }
 
-    /// The tube along a chain of arcs, with a law of the radius over the fraction of its length, no ball of which is farther than the tolerance from that of the law: centres and
+    /// The tube along a chain of arcs, with a law of the radius over the fraction of its length, no ball of which is farther than the tolerance from that of the law: centers and
     /// radii together ([`bound`](Self::bound), proved). Where the radius stays, and where it is linear along a segment, it is exact.
     ///
     /// # Errors
@@ -184,7 +184,7 @@ impl Tube {
         self.closed
     }
 
-    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two balls that do: looked for as by
+    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centers of two balls that do: looked for as by
     /// [`body`](Self::body).
     ///
     /// ```
@@ -203,7 +203,7 @@ impl Tube {
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
-    /// `tube-radius-vanishes` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `below-rounding-of-place` (so thin for where it is), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
+    /// `tube-radius-vanishes` (between balls), `coincident-points` (neighboring balls so near that the way between them is rounding), `below-rounding-of-place` (so thin for where it is), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
     /// proved apart, but where they are as near as their hulls: there balls are compared in the middle of parts half their radius long and where the chords of these are nearest), as
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {

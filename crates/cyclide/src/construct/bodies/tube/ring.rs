@@ -14,7 +14,7 @@ const GAPS: [f64; 2] = [0.9, 2.2];
 pub(super) struct Ring {
     pub(super) ball: Ball,
     tangent: Way,
-    /// Unit, along the way of the centre.
+    /// Unit, along the way of the center.
     pub(super) axis: Vec3,
     pub(super) normals: [Vec3; 4],
     /// Weights of the places as ends of the arcs between them: so faces before and behind have one parameter across.
@@ -92,7 +92,7 @@ impl Ring {
         self.ball.center + self.normals[place] * (self.ball.radius - depth)
     }
 
-    /// The centre of the circle.
+    /// The center of the circle.
     pub(super) fn center(&self, depth: f64) -> Point3 {
         self.ball.center + self.axis * (self.normals[0].dot(self.axis) * (self.ball.radius - depth))
     }

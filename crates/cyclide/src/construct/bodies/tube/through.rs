@@ -23,7 +23,7 @@ pub(super) fn check(balls: &[Ball]) -> Result<()> {
     Ok(())
 }
 
-/// The biarcs through balls, with the tangent at each ball of the arc through it and both its neighbours, and at the ends of the arc
+/// The biarcs through balls, with the tangent at each ball of the arc through it and both its neighbors, and at the ends of the arc
 /// through the last three.
 ///
 /// # Errors

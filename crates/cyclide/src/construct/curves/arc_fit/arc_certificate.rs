@@ -1,6 +1,6 @@
 //! The exact certificate of one planar arc against a polyline (`docs/math/arc-fitting.md#certificate-of-one-arc`).
 //!
-//! Piece `P_0..P_m`, arc from `P_0` to `P_m` with centre `C` and radius `R`, `u_k = P_k - C`, direction `s = ±1`:
+//! Piece `P_0..P_m`, arc from `P_0` to `P_m` with center `C` and radius `R`, `u_k = P_k - C`, direction `s = ±1`:
 //!
 //! ```text
 //! M  s (u_k x u_{k+1}) >= 0 for every edge       W  the angles of the edges sum to the sweep itself
@@ -9,7 +9,7 @@
 //! Theorem: under M and W, Fréchet distance = Hausdorff distance = the largest V or E. No sampling is needed.
 //!
 //! In chord coordinates, with `sigma = sin(sweep/2)`, `c = cos(sweep/2)` and lengths in half chords, everything is
-//! finite also for the line: `R = 1/sigma`, centre `(0, c/sigma)`,
+//! finite also for the line: `R = 1/sigma`, center `(0, c/sigma)`,
 //! `|u| - R = (sigma (x²+y²-1) - 2 c y)/(hypot(sigma x, sigma y - c) + 1)`, step `sigma (p x q) + c (q_x - p_x)`.
 
 use super::chord::{ChordFrame, mirrored};
@@ -36,9 +36,9 @@ pub struct ArcCertificate {
     pub vertex_deviation: f64,
     /// Largest of V and E: the Fréchet and Hausdorff distance of polyline and arc if [`proves`](Self::proves) holds.
     pub deviation: f64,
-    /// M: no edge runs against the arc as seen from its centre.
+    /// M: no edge runs against the arc as seen from its center.
     pub monotone: bool,
-    /// W: full turns the polyline makes about the centre beyond the arc's own sweep; must be 0.
+    /// W: full turns the polyline makes about the center beyond the arc's own sweep; must be 0.
     pub extra_turns: i32,
     /// Radius; infinite for the line.
     pub radius: f64,
@@ -152,7 +152,7 @@ impl UnitChordArc {
         self.sine * p.cross(q) + self.cosine * (q.x - p.x)
     }
 
-    /// Angle of a step about the centre as a fraction of the sweep; for the line the fraction of the chord.
+    /// Angle of a step about the center as a fraction of the sweep; for the line the fraction of the chord.
     fn angle_fraction(&self, p: Vec2, q: Vec2) -> f64 {
         if self.sine == 0.0 {
             return 0.5 * (q.x - p.x);
@@ -162,7 +162,7 @@ impl UnitChordArc {
         (s * self.step(p, q)).atan2(dot) / self.sweep
     }
 
-    /// How far the edge dips inside the circle at the foot of the centre, if the foot is inside the edge; else 0.
+    /// How far the edge dips inside the circle at the foot of the center, if the foot is inside the edge; else 0.
     fn edge_deviation(&self, p: Vec2, q: Vec2) -> f64 {
         let Some(e) = (q - p).unit() else { return 0.0 };
         let foot = self.cosine * e.y;

@@ -89,7 +89,7 @@ pub(super) struct Tube<'a> {
 }
 
 impl<'a> Tube<'a> {
-    /// Neighbouring points must differ, and there must be at least two, with the slacks of each.
+    /// Neighboring points must differ, and there must be at least two, with the slacks of each.
     fn new(run: &'a Run, tolerance: f64, limits: ArcLimits) -> Self {
         let points = &run.points;
         let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));

@@ -189,7 +189,7 @@ impl Bends {
         Foot { piece, along, state: state.along(k, along), distance, slack: point.slack, fitted: point.fitted }
     }
 
-    /// The foot of a point, on a neighbour of its piece where it is beyond the end.
+    /// The foot of a point, on a neighbor of its piece where it is beyond the end.
     fn foot(&self, states: &[State], piece: usize, point: Matched) -> Foot {
         let foot = self.foot_on(states, piece, point);
         let n = self.pieces.len();

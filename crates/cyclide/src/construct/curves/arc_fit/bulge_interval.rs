@@ -139,7 +139,7 @@ impl Range {
         }
     }
 
-    /// E: `(1+e_x) b² - 2 w b + (1-e_x) <= 0` while the foot of the centre is inside the edge.
+    /// E: `(1+e_x) b² - 2 w b + (1-e_x) <= 0` while the foot of the center is inside the edge.
     ///
     /// Where the foot leaves the edge the condition is that of a vertex, which holds already; so if a bound breaks
     /// E and the whole condition has no root there, nothing feasible is left.
@@ -147,7 +147,7 @@ impl Range {
         let Some(e) = (q - p).unit() else { return Some(()) };
         let (from, to) = (e.dot(p), e.dot(q));
         let inside = |b: f64| {
-            // k e_y with k = (1-b²)/(2b), the height of the centre; infinite for the line.
+            // k e_y with k = (1-b²)/(2b), the height of the center; infinite for the line.
             let foot = if b > 0.0 {
                 0.5 * (1.0 / b - b) * e.y
             } else if e.y == 0.0 {

@@ -208,7 +208,7 @@ impl Sheet {
             raise(&mut self.polyline, foot.distance, vertex);
             if let Some((q, t, distance)) = before {
                 let (length, turn) = part(arc, t, foot.t);
-                // W: seen from the centre an edge spans less than half a turn, and so does the arc over it.
+                // W: seen from the center an edge spans less than half a turn, and so does the arc over it.
                 let short = turn < PI;
                 self.monotone &= foot.t >= t - FOOT_SLACK && short && runs_along(arc, t, foot.t, p - q);
                 let largest = distance.max(foot.distance);

@@ -4,12 +4,12 @@ use super::options::{ArcFitOptions, FitTarget};
 use crate::base::vector::Point3;
 use crate::construct::curves::outline::{CORNER_ANGLE, Outline, Scattered};
 
-/// A corner stands out if its turn is this many times those of its neighbours.
+/// A corner stands out if its turn is this many times those of its neighbors.
 const PROMINENCE: f64 = 3.0;
 /// A turn above this is a reversal: no smooth curve turns so far from one sample to the next.
 const CUSP_ANGLE: f64 = 150.0 * std::f64::consts::PI / 180.0;
 
-/// Turn at every vertex, radians in `[0, pi]`; 0 at the ends of an open polyline. Neighbouring points differ.
+/// Turn at every vertex, radians in `[0, pi]`; 0 at the ends of an open polyline. Neighboring points differ.
 pub(super) fn turns(points: &[Point3], closed: bool) -> Vec<f64> {
     let n = points.len();
     let turn = |i: usize| {
@@ -69,7 +69,7 @@ pub(super) fn outline(
 
 /// Corners in ascending order, with their turn. The ends of an open polyline are none.
 ///
-/// Asked for by index (ascending); or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
+/// Asked for by index (ascending); or reversals; or turns above the angle limit that stand out from their neighbors. Edges that
 /// are meant themselves (`Polyline`) also keep a corner whose rounding would be lost in its long legs.
 pub(in crate::construct) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
     let (n, closed) = (points.len(), options.closed);

@@ -37,7 +37,7 @@ impl JointFrame {
         Self { joint: self.joint + forward + aside, tangent: self.rotated(b, a) }
     }
 
-    /// The joint turned by the angle of `(cosine, sine)`, which need not be normalised.
+    /// The joint turned by the angle of `(cosine, sine)`, which need not be normalized.
     fn rotated(&self, cosine: f64, sine: f64) -> Vec2 {
         let t = self.tangent * cosine + self.tangent.left() * sine;
         let l = t.length();
@@ -102,7 +102,7 @@ impl CurvatureSweep {
         }
     }
 
-    /// E: `|kappa| (tolerance + p x e) >= 1 - e_x` (mirrored for negative curvature) where the foot of the centre is
+    /// E: `|kappa| (tolerance + p x e) >= 1 - e_x` (mirrored for negative curvature) where the foot of the center is
     /// inside the edge. Where it leaves the edge the condition is that of a vertex, which holds already; so a bound
     /// of large curvature that breaks E leaves nothing.
     fn edge(&mut self, p: Vec2, q: Vec2, tolerance: f64) -> bool {

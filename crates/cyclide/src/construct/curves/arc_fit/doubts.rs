@@ -77,7 +77,7 @@ pub(super) fn wide(points: &[Point3], tolerance: f64) -> Option<Warning> {
     (tolerance > WIDE * size).then_some(Warning::Fit(FitWarning::WideTolerance { tolerance, used: tolerance }))
 }
 
-/// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.
+/// Most arcs stand for one or two edges and turn the other way than their neighbor: they follow noise.
 pub(super) fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Option<Warning> {
     // Edges that are meant themselves may well turn to and fro.
     if pieces.len() < MIN_ARCS || target == FitTarget::Polyline {

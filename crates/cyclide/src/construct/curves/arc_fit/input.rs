@@ -1,4 +1,4 @@
-//! Checks of what comes in, merging of equal neighbours, and the plane of the data (`docs/math/arc-fitting.md#limits`).
+//! Checks of what comes in, merging of equal neighbors, and the plane of the data (`docs/math/arc-fitting.md#limits`).
 
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
@@ -7,7 +7,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{ErrorItem, NumberError, PointError, Result};
 use crate::warning::{PointWarning, Warning};
 
-/// Neighbours closer than this times the diameter are one point,
+/// Neighbors closer than this times the diameter are one point,
 const MERGE_LIMIT: f64 = 1e-9;
 /// unless the tolerance tells them apart: closer than this times the tolerance.
 const MERGE_TOLERANCE: f64 = 0.01;
@@ -39,7 +39,7 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
     }
 }
 
-/// Points that all differ from their neighbours, with the index each had in the user's list.
+/// Points that all differ from their neighbors, with the index each had in the user's list.
 pub(in crate::construct) struct Distinct {
     pub points: Vec<Point3>,
     pub source: Vec<usize>,
@@ -51,7 +51,7 @@ pub(in crate::construct) struct Distinct {
 }
 
 impl Distinct {
-    /// Merges neighbours that are equal to within the tolerance; an open polyline keeps its first and its last point, a
+    /// Merges neighbors that are equal to within the tolerance; an open polyline keeps its first and its last point, a
     /// closed one its first.
     ///
     /// # Errors

@@ -73,7 +73,7 @@ pub(super) struct Piece {
     pub smooth: bool,
 }
 
-/// Neighbouring pieces on one circle or line become one.
+/// Neighboring pieces on one circle or line become one.
 pub(super) fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
     let mut out: Vec<Piece> = Vec::with_capacity(pieces.len());
     for piece in pieces {

@@ -1,7 +1,7 @@
 //! Fewer pieces and the least deviation, once a chain within the tolerance is known
 //! (`docs/math/arc-fitting.md#least-deviation`).
 //!
-//! A search spends the tolerance wherever it likes. Afterwards two neighbours become one piece where least squares find such
+//! A search spends the tolerance wherever it likes. Afterwards two neighbors become one piece where least squares find such
 //! a chain within the tolerance, and then all pieces are moved to the least squares of their points. Short chains are moved as
 //! a whole; long ones in windows that keep their ends, each in the order of the chain.
 
@@ -30,7 +30,7 @@ const MOST_OF_BEND: usize = 6;
 const WHOLE_STEPS: usize = 16;
 const WINDOW_STEPS: usize = 4;
 const MERGE_STEPS: usize = 7;
-/// The curvature of a piece may become this many times the largest of the search there: of the piece and its neighbours.
+/// The curvature of a piece may become this many times the largest of the search there: of the piece and its neighbors.
 const NO_TIGHTER: f64 = 1.75;
 /// A power of the distances that stands for the largest of them: of the points that are fitted, and of all places that bind.
 const LARGEST_FITTED: Sum = Sum { power: 8, of: Counted::Fitted };
@@ -186,7 +186,7 @@ impl Polish<'_> {
         Some(bends)
     }
 
-    /// Two neighbours become one where that stays within the tolerance, and the pieces of a bend between lines one arc.
+    /// Two neighbors become one where that stays within the tolerance, and the pieces of a bend between lines one arc.
     fn merge(&self, chain: &mut Spanned, back: bool) {
         let fewest = if chain.is_loop() { 3 } else { 1 };
         // Pieces that were tried, from the end where it begins.

@@ -117,7 +117,7 @@ pub(super) fn single_circle(
     Some(vec![joint(0)?, joint(half)?, joint(n)?])
 }
 
-/// Centre of the least-squares circle `x²+y² - 2ax - 2by + c = 0` about the centroid.
+/// Center of the least-squares circle `x²+y² - 2ax - 2by + c = 0` about the centroid.
 fn circle_center(points: &[Point2]) -> Option<Point2> {
     let n = points.len() as f64;
     let sum = points.iter().fold(Vec2::default(), |s, p| s + (*p - points[0]));

@@ -2,7 +2,7 @@
 //!
 //! The search offers lines wherever a curvature interval holds 0, but the arcs that close a chain come out of an
 //! equation and are straight only up to rounding or tolerance. Such an arc is replaced by a line near its chord, and its
-//! two neighbours by the arcs from their far joints that are tangent to that line: from a point `p` with unit tangent
+//! two neighbors by the arcs from their far joints that are tangent to that line: from a point `p` with unit tangent
 //! `t`, the arc that ends on the line through `q` along `d` with tangent `d` has its chord along `t + d`. The count stays,
 //! the tangents at the far joints stay, and the change is taken only if the certificate of the three pieces holds.
 
@@ -17,9 +17,9 @@ use crate::curve::Arc;
 /// those that are farther from their data than the chord of the data is: a search within the tolerance bows a straight
 /// run as far as it may.
 const STRAIGHTNESS: f64 = 0.2;
-/// The sweeps of the neighbours change by less than this, radians.
+/// The sweeps of the neighbors change by less than this, radians.
 const MAX_SWEEP_CHANGE: f64 = 0.5;
-/// The neighbours get at most this many times tighter: a turn squeezed into a short arc is a hidden corner.
+/// The neighbors get at most this many times tighter: a turn squeezed into a short arc is a hidden corner.
 const MAX_TIGHTENING: f64 = 2.0;
 /// Places of the line between chord (0) and apex (1) of the arc.
 const OFFSETS: [f64; 3] = [0.5, 0.0, 1.0];
@@ -46,7 +46,7 @@ pub(super) fn straighten_between(
         // The whole arc bends four times as far from its chord.
         let whole = if axis.is_some() { 4.0 } else { 1.0 };
         let sagitta = whole * 0.5 * arc.chord().length() * arc.bulge_vector().length();
-        // Neighbours that share a smooth joint; a fixed end or corner has none.
+        // Neighbors that share a smooth joint; a fixed end or corner has none.
         let before = pieces[i].smooth.then_some((i + n - 1) % n);
         let after = Some((i + 1) % n).filter(|j| pieces[*j].smooth);
         // A whole side between corners is straight where its chord is within the tolerance.
@@ -137,7 +137,7 @@ fn data_height(span: Span, trace: &Trace) -> f64 {
     span.inside().map(|i| (trace.point(i) - from).cross(along).length()).fold(0.0, f64::max)
 }
 
-/// A piece with its smooth neighbours.
+/// A piece with its smooth neighbors.
 struct Triple {
     before: Option<Piece>,
     middle: Piece,
@@ -148,8 +148,8 @@ struct Triple {
 }
 
 impl Triple {
-    /// The neighbours keep their sweeps and radii but for a little: the other circle tangent to the line is a rogue, and
-    /// what the line takes from a neighbour must not leave a corner.
+    /// The neighbors keep their sweeps and radii but for a little: the other circle tangent to the line is a rogue, and
+    /// what the line takes from a neighbor must not leave a corner.
     fn resembles(&self, new: &Self) -> bool {
         let near = |a: &Option<Piece>, b: &Option<Piece>| {
             a.iter().zip(b).all(|(a, b)| {

@@ -2,7 +2,7 @@
 //!
 //! A fit can pass near every point and still hide corners in tiny arcs, or swing to and fro between the points: both
 //! show in its total turning, the integral of the curvature and the angles at its corners. What the data turn is
-//! measured on the smooth curve through them whose tangents are those of the circles through three neighbours (own
+//! measured on the smooth curve through them whose tangents are those of the circles through three neighbors (own
 //! derivation). With `a` and `b` the angles between the chord of an edge and the tangents at its two ends, positive
 //! where the curve turns on,
 //!
@@ -39,7 +39,7 @@ pub(super) struct Data<'a> {
 }
 
 impl<'a> Data<'a> {
-    /// Neighbouring points must differ; corners in ascending order.
+    /// Neighboring points must differ; corners in ascending order.
     pub fn new(points: &'a [Point3], outline: &'a Outline, options: &'a ArcFitOptions) -> Self {
         let n = points.len();
         let turn = |i: usize| {
@@ -103,7 +103,7 @@ impl<'a> Data<'a> {
         DOUBT * self.turning() + pieces.iter().map(allowance).sum::<f64>()
     }
 
-    /// Radius of the tightest circle of the data at a point: the circle through it and its neighbours; where the edges
+    /// Radius of the tightest circle of the data at a point: the circle through it and its neighbors; where the edges
     /// themselves are meant, at most the largest that rounds the turn within the tolerance
     /// (`docs/math/arc-fitting.md#corners`).
     fn circle_at(&self, vertex: usize) -> f64 {
@@ -214,7 +214,7 @@ mod tests {
         let zigzag: Vec<_> = (0..=40).map(|i| Point3::new(f64::from(i), 0.1 * f64::from(i % 2), 0.0)).collect();
         let turn = 2.0 * 0.1_f64.atan();
         let got = Data::new(&zigzag, &read(&zigzag), &options).turning();
-        // 38 inner edges swing by twice the turn, the two at the ends run on in their neighbour's circle.
+        // 38 inner edges swing by twice the turn, the two at the ends run on in their neighbor's circle.
         assert!((got - (38.0 * 2.0 + 2.0) * turn).abs() < 1e-9, "{got}");
     }
 }

@@ -1,5 +1,5 @@
 //! Cholesky factors of banded matrices whose last rows may be full: the matrices of splines and smoothers on a line
-//! of unknowns, and on a ring of them, where the last unknowns are neighbours of the first.
+//! of unknowns, and on a ring of them, where the last unknowns are neighbors of the first.
 
 /// A symmetric positive definite matrix. Row `i` of the banded part holds the `N` columns up to the diagonal, so the
 /// half bandwidth is `N - 1`; the rows of the border are full.
@@ -28,7 +28,7 @@ impl<const N: usize> BorderedBand<N> {
         self.band.iter_mut().flatten().chain(self.border.iter_mut().flatten()).for_each(|x| *x *= factor);
     }
 
-    /// The entry of two unknowns that are neighbours; each pair has one entry, in either order.
+    /// The entry of two unknowns that are neighbors; each pair has one entry, in either order.
     pub fn entry(&mut self, i: usize, j: usize) -> &mut f64 {
         let (row, column) = if i < j { (j, i) } else { (i, j) };
         let inner = self.band.len();

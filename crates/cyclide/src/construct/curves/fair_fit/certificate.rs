@@ -23,7 +23,7 @@ use crate::rational::RationalBezier;
 const CLOSE: f64 = 1.02;
 /// Halvings of a piece at most: a bound that is not close by then is taken as it is.
 const DEPTH: u32 = 20;
-/// Edges tried on either side of those between two neighbouring feet.
+/// Edges tried on either side of those between two neighboring feet.
 const EDGES_BESIDE: usize = 1;
 /// Edges tried in all, where feet jump over many.
 const MOST_EDGES: usize = 64;

@@ -17,7 +17,7 @@ const GAP: f64 = 6.0;
 const ROUND: usize = 5;
 /// Straight sides that turn by more than this make a corner: one degree.
 const SOME_TURN: f64 = CORNER_ANGLE / 30.0;
-/// The neighbours of an outlier are closer to each other than this part of the edge to it.
+/// The neighbors of an outlier are closer to each other than this part of the edge to it.
 const SPIKE: f64 = 0.5;
 /// At an outlier a polyline turns by more than this, and by less than a part of it in all. One in so many points may be one, of
 /// so many at least.
@@ -138,7 +138,7 @@ pub(super) fn without_figures(
     bursts.iter().filter(|i| !is_figure(i)).copied().collect()
 }
 
-/// The sides without those that wrong points make: a single one, whose neighbours are close to each other, and runs of some,
+/// The sides without those that wrong points make: a single one, whose neighbors are close to each other, and runs of some,
 /// `bursts`.
 pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool], bursts: &[usize]) -> Vec<bool> {
     let n = points.len();
@@ -155,9 +155,9 @@ pub(super) fn without_spikes(points: &[Point3], closed: bool, straight: &[bool],
     (0..n).map(is_side).collect()
 }
 
-/// Single points off a polyline that goes on past them as if they were not there, with their neighbours, rising: it turns away,
+/// Single points off a polyline that goes on past them as if they were not there, with their neighbors, rising: it turns away,
 /// back, and away again, by nothing in all. Of single ones none if they are many: then it is the figure that does so. And runs of
-/// wrong points, `bursts`, with their neighbours too.
+/// wrong points, `bursts`, with their neighbors too.
 pub(super) fn spikes(points: &[Point3], closed: bool, bursts: &[usize]) -> Vec<usize> {
     let n = points.len();
     if n < FEWEST_TO_TELL {

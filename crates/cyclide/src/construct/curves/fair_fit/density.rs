@@ -81,7 +81,7 @@ fn density(z: &[Point3], chords: &[f64], closed: bool, tolerance: f64) -> Vec<f6
     density
 }
 
-/// The point at a position of a list, on the cubic through its neighbours.
+/// The point at a position of a list, on the cubic through its neighbors.
 pub(super) fn point_at(z: &[Point3], closed: bool, position: f64) -> Point3 {
     let n = z.len();
     let m = if closed { n } else { n - 1 };

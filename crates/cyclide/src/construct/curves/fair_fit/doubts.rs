@@ -193,7 +193,7 @@ pub(super) fn swing(
 }
 
 /// How often the polyline changes the side it turns to, in space by more than a right angle: at points that stand out from
-/// their neighbours by more than the tolerance.
+/// their neighbors by more than the tolerance.
 fn changes(points: &[Point3], closed: bool, tolerance: f64) -> usize {
     let n = points.len();
     let turn = |i: usize| {

@@ -41,7 +41,7 @@ impl Foot {
         for _ in 0..steps {
             let error = p - at.point;
             let speed = at.d1.length_squared();
-            // Beyond the centre of curvature Newton would run to the farthest point.
+            // Beyond the center of curvature Newton would run to the farthest point.
             let slope = (speed - error.dot(at.d2)).max(0.1 * speed);
             let step = (error.dot(at.d1) / slope).clamp(-LONGEST_STEP, LONGEST_STEP);
             let next = curve.moved(place, step);

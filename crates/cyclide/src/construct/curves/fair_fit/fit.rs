@@ -25,7 +25,7 @@ pub(super) struct Data<'a> {
     /// The curve starts and ends exactly at the first and the last datum.
     pub fixed: [bool; 2],
     pub tolerance: f64,
-    /// Weight of the mean square of the distances (`docs/math/fair-fits.md#centre`).
+    /// Weight of the mean square of the distances (`docs/math/fair-fits.md#center`).
     pub centre: f64,
     /// `J` below which a curve counts as straight: the floor of the scale (`docs/math/fair-fits.md#interior-point`).
     pub floor: f64,
@@ -71,7 +71,7 @@ impl Fit {
         self.feet.iter().enumerate().filter(move |(_, f)| f.error.length_squared() > square)
     }
 
-    /// What is minimised: `J`, and with a `centre` the mean square of the distances, in units of `scale`.
+    /// What is minimized: `J`, and with a `centre` the mean square of the distances, in units of `scale`.
     pub fn objective(&self, data: &Data<'_>, scale: f64) -> f64 {
         let mean = squares(&self.feet) / (self.feet.len() as f64 * data.tolerance * data.tolerance);
         self.fairness / scale + data.centre * mean

@@ -6,7 +6,7 @@
 //! ```
 //! by a primal-dual interior point method with slacks `s_i = xi_i - f_i`, duals `lam_i` in `(0, rho)` and
 //! `t_i = rho - lam_i`. Elastic: always solvable, and `xi` shows which data stay outside. Each Newton step costs one
-//! banded Cholesky factorisation. (The reduced system is derived in `docs/math/fair-fits.md#interior-point`; predictor
+//! banded Cholesky factorization. (The reduced system is derived in `docs/math/fair-fits.md#interior-point`; predictor
 //! and corrector are Mehrotra's.)
 
 use super::bordered_band::BorderedBand;
@@ -64,7 +64,7 @@ pub(super) struct Solved {
 
 impl<const R: usize, const N: usize> LinearModel<R, N> {
     /// The squares of the variation over `scale`, plus `centre` times the mean square of the distances
-    /// (`docs/math/fair-fits.md#centre`) at all `feet`; rows and columns of fixed nodes are those of the identity.
+    /// (`docs/math/fair-fits.md#center`) at all `feet`; rows and columns of fixed nodes are those of the identity.
     pub fn objective(&self, scale: f64, centre: f64, feet: &[Foot]) -> Quadratic<N> {
         let size = self.unknowns();
         let mut matrix = BorderedBand::zero(size, self.closed);

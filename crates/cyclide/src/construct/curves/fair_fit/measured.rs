@@ -45,7 +45,7 @@ pub(super) struct Measured<'a> {
     pub straight: &'a [bool],
 }
 
-/// Merges equal neighbours, and the points of stops.
+/// Merges equal neighbors, and the points of stops.
 pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Prepared> {
     let merged = Distinct::new(points, options.closed, options.tolerance)?;
     let stops = if options.edge_points == 0 { noise::stops(&merged.points) } else { Vec::new() };
@@ -167,7 +167,7 @@ impl FairFit {
             // Runs between corners and sides that have too few points to tell noise: an outline, which is kept.
             Err(edged) if edged.is_any() => {
                 let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
-                // What neighbours were merged over counts.
+                // What neighbors were merged over counts.
                 let tolerance = (NEAREST * size + distinct.moved).min(options.tolerance);
                 let outline = FairFitOptions {
                     tolerance,

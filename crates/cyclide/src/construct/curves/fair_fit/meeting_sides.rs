@@ -18,7 +18,7 @@ const OFF: f64 = 3.0;
 const OFF_BEFORE: f64 = 2.5;
 /// A corner that is farther from the points beside it than so many deviations is none of them, whatever they are off its sides.
 const CLEAR: f64 = 3.0;
-/// What the smooth curve leaves is not the noise where neighbours tell less than this part of it.
+/// What the smooth curve leaves is not the noise where neighbors tell less than this part of it.
 const OF_CUTS: f64 = 0.6;
 /// A curve that is free enough to bend in each corner is off none of them. All of them together are corners where the curve with them
 /// leaves no more noise with this part of that freedom: for false ones it needs as much or more.
@@ -140,7 +140,7 @@ impl<'a> Meetings<'a> {
         found: &Denoised,
         place: Place,
     ) -> Self {
-        // Most points lie on sides, where their neighbours tell their noise: a curve that cuts corners everywhere takes the cuts for some.
+        // Most points lie on sides, where their neighbors tell their noise: a curve that cuts corners everywhere takes the cuts for some.
         let most = noise::most_noise(&distinct.points, options.closed, found.directions).unwrap_or(found.deviation);
         let noises = [most.min(found.deviation), if most < OF_CUTS * found.deviation { most } else { found.deviation }];
         let points = in_plan(&distinct.points, options);

@@ -6,7 +6,7 @@
 //! ```text
 //! J = sum d |V|² ~ int k'² ds,    V the derivative of curvature of a segment, d its chord
 //! ```
-//! is minimised while every point stays within the tolerance of the curve: a sequence of convex problems in the
+//! is minimized while every point stays within the tolerance of the curve: a sequence of convex problems in the
 //! displacements of the nodes, each solved by an interior point method with banded matrices; after each the exact spline
 //! and the exact feet are found again. Then nodes are taken out in batches while `J` stays near the fairest seen. The
 //! choice of nodes is greedy and the tube is not convex in the curve: nothing proves that `J` or the number of nodes is

@@ -82,7 +82,7 @@ pub struct FairFitOptions {
     pub outliers: Outliers,
     /// Tolerance in z.
     pub heights: Heights,
-    /// Turns above this angle (radians, in `(0, pi]`) that stand out from their neighbours, and that a line eight
+    /// Turns above this angle (radians, in `(0, pi]`) that stand out from their neighbors, and that a line eight
     /// tolerances long on either side confirms, stay corners. `None`: only the [`corners`](Self::corners) given.
     pub corner_angle: Option<f64>,
     /// Indices of points that are corners in any case. The curve passes through corners exactly.

@@ -100,7 +100,7 @@ fn remap(fit: &Fit, kept: &[usize]) -> Remap {
 }
 
 /// The unlocked nodes whose jumps in the derivative of curvature mean least, as displacements of the curve; never
-/// two neighbours, never the ends. Rising.
+/// two neighbors, never the ends. Rising.
 fn cheapest(fit: &Fit, locked: &[bool], batch: f64, least: usize) -> Vec<usize> {
     let curve = &fit.curve;
     let (n, m) = (curve.nodes.len(), curve.segments.len());

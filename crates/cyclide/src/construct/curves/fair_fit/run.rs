@@ -15,7 +15,7 @@ use crate::construct::curves::canonical_start::canonical_start;
 /// Rounds of insertion where the first nodes do not reach the data.
 const INSERTIONS: usize = 12;
 /// The start keeps to the tolerance, and to this part of the size of the data: smoothed over more a closed figure shrinks
-/// to its centre.
+/// to its center.
 const START_SIZE: f64 = 0.1;
 /// Smoothed over less than this part of their size the data keep their length but for noise.
 const SHAPE_SIZE: f64 = 1.0 / 32.0;

@@ -15,7 +15,7 @@ const STRAIGHT: f64 = 3.0;
 const STRAIGHT_BETWEEN: f64 = 3.5;
 /// The corner itself may be this many times as far off both lines: it lies beyond their ends, where their direction counts too.
 const BEYOND: f64 = 1.5;
-/// Over a corner between two points these are as far apart as neighbours on its sides are: on average, and by so many deviations of
+/// Over a corner between two points these are as far apart as neighbors on its sides are: on average, and by so many deviations of
 /// that and this part of it more. Over a rounding they are closer together than the way over the corner.
 const SCATTER: f64 = 3.0;
 const EVEN: f64 = 0.05;

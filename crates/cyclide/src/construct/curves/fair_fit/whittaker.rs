@@ -1,7 +1,7 @@
 //! The start of a fair fit: the data themselves, smoothed as far as part of the tolerance allows
 //! (`docs/math/fair-fits.md#nodes`).
 //!
-//! `z` minimises `sum |z - p|² + lambda sum h (z''')²` (Whittaker's smoother, third divided differences over the chord
+//! `z` minimizes `sum |z - p|² + lambda sum h (z''')²` (Whittaker's smoother, third divided differences over the chord
 //! lengths). What is solved for is `w = p - z`, so that parabolas lose nothing to rounding:
 //! `(I + lambda K) w = lambda K p`. Feasible by construction, and no tangent or normal of noisy data is needed.
 
@@ -214,7 +214,7 @@ mod tests {
         let points: Vec<_> = (0..40).map(|i| Point3::new(i as f64, noise(i), 0.0)).collect();
         let smoothed = smooth(&points, &chords(&points, false), false, [true; 2], 2.0).points;
         assert_eq!((smoothed[0], smoothed[39]), (points[0], points[39]));
-        // The neighbours follow their ends: no jump beside them.
+        // The neighbors follow their ends: no jump beside them.
         assert!((smoothed[1].y - smoothed[0].y).abs() < 0.5);
     }
 }

@@ -45,7 +45,7 @@ use straight::with_tight_corners;
 impl CircleSpline {
     /// The fair circle spline through points, in their order.
     ///
-    /// Neighbours must differ; a closed curve does not repeat its first point. Two points open give a straight segment,
+    /// Neighbors must differ; a closed curve does not repeat its first point. Two points open give a straight segment,
     /// three points their circle. Linear in the number of points.
     ///
     /// Where the fairest curve does not exist or swings out, smaller blends are taken and a warning says so; points where
@@ -60,7 +60,7 @@ impl CircleSpline {
     /// ```
     ///
     /// # Errors
-    /// `too-few-points` (2 open, 3 closed), `not-finite`, `coincident-points` (neighbours closer than 1e-12 of the
+    /// `too-few-points` (2 open, 3 closed), `not-finite`, `coincident-points` (neighbors closer than 1e-12 of the
     /// bounding box's diagonal), `parameter-out-of-range` (tension, tight, or a corner that is not a point), and for
     /// clamped ends `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn fair(points: &[Point3], options: &FairSplineOptions) -> Result<Self> {
@@ -108,7 +108,7 @@ pub fn blends_by_turn(points: &[Point3], closed: bool, tension: f64) -> Result<V
     Ok(blends)
 }
 
-/// The clamped tangents, normalised.
+/// The clamped tangents, normalized.
 fn unit_ends(ends: [FairEnd; 2]) -> Result<[FairEnd; 2]> {
     let unit = |end: FairEnd, index| match end {
         FairEnd::Clamped(t) => unit_tangent(t, index).map(FairEnd::Clamped),

@@ -17,8 +17,8 @@ pub(crate) struct TangentLimits {
 
 /// The unit tangents at the nodes of the fair spline with `e = 1` and arc ends
 /// (`docs/math/fair-splines.md#newtons-method`), by Newton steps from given tangents or from those of the circles
-/// through neighbours; one unknown per node if the nodes lie in a plane, two in space. `None` if there are too few
-/// nodes, neighbours coincide, the steps do not converge or an angle is out of bounds: there is no fallback.
+/// through neighbors; one unknown per node if the nodes lie in a plane, two in space. `None` if there are too few
+/// nodes, neighbors coincide, the steps do not converge or an angle is out of bounds: there is no fallback.
 pub(crate) fn fair_tangents(
     nodes: &[Point3],
     closed: bool,

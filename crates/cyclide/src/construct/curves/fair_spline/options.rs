@@ -42,7 +42,7 @@ pub struct FairSplineOptions {
     pub closed: bool,
     /// First and last end of an open curve; without effect on a closed one, which a warning says.
     pub ends: [FairEnd; 2],
-    /// From 0, the fairest curve, to 1, the circle spline of order 2, where every node follows its neighbours alone.
+    /// From 0, the fairest curve, to 1, the circle spline of order 2, where every node follows its neighbors alone.
     pub tension: f64,
     /// Runs of points on a line beside a corner stay straight: the curve bends at the corner only.
     pub straight_runs: bool,

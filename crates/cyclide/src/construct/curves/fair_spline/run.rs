@@ -124,7 +124,7 @@ fn mapped<D, E>(end: RunEnd<D>, map: impl FnOnce(D) -> E) -> RunEnd<E> {
     }
 }
 
-/// Components in the plane of a frame, normalised: what leans out of it is rounding.
+/// Components in the plane of a frame, normalized: what leans out of it is rounding.
 fn in_plane(frame: &Frame, v: Vec3) -> [f64; 2] {
     let (x, y) = (v.dot(frame.x()), v.dot(frame.y()));
     let r = (x * x + y * y).sqrt();

@@ -2,12 +2,12 @@
 //! (`docs/math/fair-splines.md#straight-runs`), and the further points of tight corners (D3).
 //!
 //! A curve with continuous curvature and an exactly straight leg needs `e = 0` there. With `t_i` the turn at a node (0 at
-//! open ends), `M_i` the larger and `m_i` the smaller one of its neighbours' turns (not below `t_i`):
+//! open ends), `M_i` the larger and `m_i` the smaller one of its neighbors' turns (not below `t_i`):
 //!
 //! ```text
 //! f_i = 1 - ramp(M_i; 30°, 60°) (1 - ramp(m_i/M_i; 0.005, 0.02)),   ramp(x; a, b) = clamp((x-a)/(b-a), 0, 1)
 //! ```
-//! and the neighbour with the turn `M_i` takes the smaller of its own factor and `f_i`. Segments take the smaller factor
+//! and the neighbor with the turn `M_i` takes the smaller of its own factor and `f_i`. Segments take the smaller factor
 //! of their two nodes.
 
 use crate::base::vector::Point3;
@@ -36,7 +36,7 @@ impl Turns<'_> {
     }
 
     /// The nodes before and after a node that is no open end.
-    fn neighbours(&self, node: usize) -> Option<[usize; 2]> {
+    fn neighbors(&self, node: usize) -> Option<[usize; 2]> {
         let n = self.node_count();
         match (self.closed, node) {
             (true, _) => Some([if node == 0 { n - 1 } else { node - 1 }, if node + 1 == n { 0 } else { node + 1 }]),
@@ -47,19 +47,19 @@ impl Turns<'_> {
 
     /// The turn at a node.
     fn at(&self, node: usize) -> f64 {
-        self.neighbours(node).map_or(0.0, |[before, _]| self.chords[before].turn(&self.chords[node]))
+        self.neighbors(node).map_or(0.0, |[before, _]| self.chords[before].turn(&self.chords[node]))
     }
 
     /// True if the turn at a node is a corner of any degree: cheaper than the turn.
     fn is_corner(&self, node: usize) -> bool {
         let cosine = |[before, _]: [usize; 2]| self.chords[before].unit.dot(self.chords[node].unit);
-        self.neighbours(node).is_some_and(|beside| cosine(beside) < CORNER_TURN[0].cos())
+        self.neighbors(node).is_some_and(|beside| cosine(beside) < CORNER_TURN[0].cos())
     }
 
-    /// Calls with every node next to a corner, its own factor, and its neighbours with the largest turn.
+    /// Calls with every node next to a corner, its own factor, and its neighbors with the largest turn.
     fn beside_corners(&self, mut found: impl FnMut(usize, f64, &[usize])) {
         for node in 0..self.node_count() {
-            let Some(beside) = self.neighbours(node) else { continue };
+            let Some(beside) = self.neighbors(node) else { continue };
             if !beside.iter().any(|j| self.is_corner(*j)) {
                 continue;
             }
@@ -115,7 +115,7 @@ pub(super) fn with_tight_corners(
     let (mut out, mut source) = (Vec::new(), Vec::new());
     let mut before_first = None;
     for (i, p) in points.iter().enumerate() {
-        let reach = turns.neighbours(i).filter(|_| is_tight[i]).map(|[before, _]| {
+        let reach = turns.neighbors(i).filter(|_| is_tight[i]).map(|[before, _]| {
             let reach = tight * chords[before].length.min(chords[i].length);
             (*p - chords[before].unit * reach, *p + chords[i].unit * reach)
         });

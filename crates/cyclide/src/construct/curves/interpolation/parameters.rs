@@ -35,7 +35,7 @@ impl NodeParameters {
     /// The parameters of points: from 0 to 1, but for those given, which are as they are.
     ///
     /// # Errors
-    /// `count-differs` (given ones), `not-finite`, `coincident-points` (neighbours, of parameters by distance).
+    /// `count-differs` (given ones), `not-finite`, `coincident-points` (neighbors, of parameters by distance).
     pub fn of(&self, points: &[Point3]) -> Result<Vec<f64>> {
         if let Self::Given(given) = self {
             return check_given(given, points.len());

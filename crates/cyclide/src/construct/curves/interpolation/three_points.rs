@@ -68,7 +68,7 @@ impl QbInterpolation {
     }
 }
 
-/// The pairs, measured from the centre of the data.
+/// The pairs, measured from the center of the data.
 fn closed_form(
     [a0, a2, a4]: [Point3; 3],
     [v0, v1]: [Vec3; 2],

@@ -3,7 +3,7 @@
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::QbCurve;
 
-/// Even parts between two neighbouring points whose tangents are compared.
+/// Even parts between two neighboring points whose tangents are compared.
 const PARTS: u32 = 12;
 /// Turns by more than this, in radians, are turns right back if they stay so on a hundredth of the spacing of the points: a smooth turn gets less with its
 /// length, and half of a hairpin is a right angle.

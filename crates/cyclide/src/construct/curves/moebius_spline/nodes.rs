@@ -84,8 +84,8 @@ impl<'a> Nodes<'a> {
     }
 
     /// Where the curve is cut: by the circle through the next two points, or along the chord if that is cut too.
-    fn cut_velocity(&self, chords: [usize; 2], neighbour: usize, reversed: bool) -> Vec3 {
-        if self.is_cut(neighbour) { self.chord_velocity(chords[0]) } else { self.end_velocity(chords, reversed) }
+    fn cut_velocity(&self, chords: [usize; 2], neighbor: usize, reversed: bool) -> Vec3 {
+        if self.is_cut(neighbor) { self.chord_velocity(chords[0]) } else { self.end_velocity(chords, reversed) }
     }
 
     fn inner_velocity(&self, before: usize, after: usize) -> NodeVelocity {
@@ -106,8 +106,8 @@ impl<'a> Nodes<'a> {
     /// At an end: by the circle of the first (last) three points; along the chord beside a cusp.
     fn end_velocity(&self, [own, next]: [usize; 2], reversed: bool) -> Vec3 {
         let ([c0, c1], [h0, h1]) = ([&self.chords[own], &self.chords[next]], [self.steps[own], self.steps[next]]);
-        let neighbour = if reversed { c1.tangent_to(c0) } else { c0.tangent_to(c1) };
-        match neighbour {
+        let neighbor = if reversed { c1.tangent_to(c0) } else { c0.tangent_to(c1) };
+        match neighbor {
             Some(tangent) => {
                 let speed = h1 / (h0 * (h0 + h1)) * c0.length * (across(c0, c1) / c1.length);
                 tangent.reflect(c0.unit) * speed
@@ -126,7 +126,7 @@ fn across(a: &Chord, b: &Chord) -> f64 {
     (a.unit * a.length + b.unit * b.length).length()
 }
 
-/// At each point the derivative, by the knots, of the circle through it and its neighbours, which it passes at their knots: the
+/// At each point the derivative, by the knots, of the circle through it and its neighbors, which it passes at their knots: the
 /// Möbius-covariant tangents of a [Möbius spline](crate::QbSpline::through_points). At the ends of an open curve the circle is that of the
 /// three points there; of two points it is the segment. A closed curve does not repeat its first point and has one more knot, at
 /// which it closes.

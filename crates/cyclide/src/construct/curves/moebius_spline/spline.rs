@@ -42,7 +42,7 @@ impl QbSpline {
     ///
     /// # Errors
     /// `count-differs` (knots, tangents), `too-few-points` (2 open, 3 closed), `not-finite`, `parameters-not-increasing` (knots that do not
-    /// increase), `coincident-points` (neighbours closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is
+    /// increase), `coincident-points` (neighbors closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is
     /// no point), `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`, `curve-through-infinity`.
     pub fn through_points(points: &[Point3], options: &MoebiusSplineOptions) -> Result<Self> {
         let (n, closed) = (points.len(), options.closed);

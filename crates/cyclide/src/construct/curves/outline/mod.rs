@@ -33,14 +33,14 @@ pub(super) const CORNER_ANGLE: f64 = PI / 6.0;
 const CUSP_ANGLE: f64 = 150.0 * PI / 180.0;
 /// No smooth curve is sampled with fewer points to a full turn than this angle gives; a hexagon turns by 60 degrees.
 const LARGEST_SAMPLE_TURN: f64 = 65.0 * PI / 180.0;
-/// A corner stands out if its turn is this many times those of its neighbours, and samples support a turn that
+/// A corner stands out if its turn is this many times those of its neighbors, and samples support a turn that
 /// is at most this many times their own.
 const PROMINENCE: f64 = 3.0;
-/// Neighbouring edges of samples differ in length by at most this factor, without a change of the curvature by a lot.
+/// Neighboring edges of samples differ in length by at most this factor, without a change of the curvature by a lot.
 const STEP: f64 = 3.0;
-/// Neighbouring edges of samples differ in length by at most this factor in any case.
+/// Neighboring edges of samples differ in length by at most this factor in any case.
 const LONGEST_STEP: f64 = 6.0;
-/// Neighbouring edges of samples differ in sagitta by at most this factor.
+/// Neighboring edges of samples differ in sagitta by at most this factor.
 const SAGITTA_STEP: f64 = 3.0;
 /// Beside a straight side the curvature falls below this part of that of the samples.
 const CURVATURE_DROP: f64 = 0.5;
@@ -59,9 +59,9 @@ const NO_TURN: f64 = 1e-3;
 const LEGS: f64 = 8.0;
 /// With legs half as long a corner keeps this part of its turn; a bend keeps half.
 const SHARP: f64 = 0.75;
-/// Samples are off from where two neighbours on either side say by at most this part of what they are from where one says.
+/// Samples are off from where two neighbors on either side say by at most this part of what they are from where one says.
 const PREDICTED: f64 = 0.6;
-/// Noise is told by pairs of neighbours that turn by more than this, up to a sample's largest turn,
+/// Noise is told by pairs of neighbors that turn by more than this, up to a sample's largest turn,
 const ROUGH: f64 = 5.0 * PI / 180.0;
 /// of which at least so many,
 const ROUGH_PAIRS: u32 = 16;
@@ -95,14 +95,14 @@ pub(in crate::construct) struct Outline {
     /// Whether the curve keeps to the edge that begins at each point: straight sides, and in an outline with corners or
     /// straight sides the edges between samples as far as arcs of several samples can keep to them.
     pub bound: Vec<bool>,
-    /// Whether points that are not where their neighbours say were taken for noisy samples.
+    /// Whether points that are not where their neighbors say were taken for noisy samples.
     pub has_noise: bool,
 }
 
 /// Without a tolerance noise may move points by this part of their size.
 const EXACT: f64 = 1e-9;
 
-/// What points are that are not where their neighbours say.
+/// What points are that are not where their neighbors say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scattered {
     /// Vertices of an outline.
@@ -112,7 +112,7 @@ pub(super) enum Scattered {
 }
 
 impl Outline {
-    /// Reads the points of a polyline; neighbours must differ.
+    /// Reads the points of a polyline; neighbors must differ.
     ///
     /// `angle`, in radians: turns above it are corners and nothing else is, but for the points `forced` (by index,
     /// ascending). `None`: turns above 30 degrees, where samples of a smooth curve do not explain them, and reversals, above
@@ -196,7 +196,7 @@ impl Outline {
 /// What the points of a polyline are if no curve is meant: the numbers of those that are corners, and of those where an edge begins
 /// that is a straight side, both ascending. A polyline of samples of a smooth curve has neither (`docs/math/arc-fitting.md#outlines`).
 ///
-/// Lengths may have any unit. Two equal neighbours, or fewer than three points, or numbers that are not finite: there are none.
+/// Lengths may have any unit. Two equal neighbors, or fewer than three points, or numbers that are not finite: there are none.
 ///
 /// ```
 /// use cyclide::{Point3, outline_corners};
@@ -321,8 +321,8 @@ impl<'a> Reader<'a> {
     /// Of a turn above the corner angle: it stands out, or is more than a sample's, and noise within the tolerance has not caused it.
     fn is_evident_corner(&self, vertex: usize, noisy: bool) -> bool {
         let turn = self.turn(vertex);
-        let neighbours = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
-        let stands_out = turn > PROMINENCE * neighbours;
+        let neighbors = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
+        let stands_out = turn > PROMINENCE * neighbors;
         (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
     }
 
@@ -357,9 +357,9 @@ impl<'a> Reader<'a> {
     }
 
     /// The part of the turn at one end of an edge that falls to the edge; `None` at corners and ends. A straight side takes none.
-    fn share(&self, edge: usize, vertex: usize, neighbour: usize) -> Option<f64> {
+    fn share(&self, edge: usize, vertex: usize, neighbor: usize) -> Option<f64> {
         let length = self.lengths[edge];
-        let beyond = if self.straight[neighbour] { 0.0 } else { self.lengths[neighbour] };
+        let beyond = if self.straight[neighbor] { 0.0 } else { self.lengths[neighbor] };
         self.is_passed(vertex).then(|| self.turn(vertex) * length / (length + beyond))
     }
 
@@ -452,9 +452,9 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Turns that no samples support: above the limit, a neighbour has to turn the same way by a third of it, over edges of
+    /// Turns that no samples support: above the limit, a neighbor has to turn the same way by a third of it, over edges of
     /// comparable length, none of them a straight side; and the points of the run up to the next corners have to turn by less
-    /// than the limit on average, and to be where their neighbours say, as samples of a curve are.
+    /// than the limit on average, and to be where their neighbors say, as samples of a curve are.
     fn unsupported_turns(&self, limit: f64) -> Vec<usize> {
         let n = self.n();
         let candidate = |i: usize| self.is_passed(i) && self.turn(i) > limit && self.lasts(i);
@@ -481,7 +481,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// The edges that matter between points that are not where their neighbours say.
+    /// The edges that matter between points that are not where their neighbors say.
     fn edges_between_scattered_points(&self) -> Vec<usize> {
         let is_shape = self.scattered == Scattered::Vertices;
         let scattered = self.runs().into_iter().filter(|run| is_shape && !self.is_predicted(run));
@@ -489,7 +489,7 @@ impl<'a> Reader<'a> {
         edges.filter(|edge| self.sagitta(*edge) > MATTERS * self.tolerance).collect()
     }
 
-    /// Whether the points of a run are where their neighbours say, as samples of a curve are.
+    /// Whether the points of a run are where their neighbors say, as samples of a curve are.
     fn is_predicted(&self, run: &[usize]) -> bool {
         unpredicted(self.windows(run), self.tolerance) <= PREDICTED
     }

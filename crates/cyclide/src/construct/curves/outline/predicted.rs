@@ -1,9 +1,9 @@
-//! Whether points are where their neighbours say: samples of a smooth curve are (`docs/math/arc-fitting.md#outlines`).
+//! Whether points are where their neighbors say: samples of a smooth curve are (`docs/math/arc-fitting.md#outlines`).
 
 use crate::base::vector::Point3;
-use crate::construct::curves::off_neighbours::off_neighbours;
+use crate::construct::curves::off_neighbors::off_neighbors;
 
-/// How far points are from where the two neighbours on either side say, as a part of how far they are from where only the next
+/// How far points are from where the two neighbors on either side say, as a part of how far they are from where only the next
 /// ones do: root mean squares over all windows of five points in a row, less what noise of up to a tolerance explains. 0 of none, and
 /// of points on a line.
 ///
@@ -11,8 +11,8 @@ use crate::construct::curves::off_neighbours::off_neighbours;
 pub(super) fn unpredicted(windows: impl Iterator<Item = [Point3; 5]>, tolerance: f64) -> f64 {
     let (mut off, mut all) = (0.0, 0.0);
     for points in windows {
-        let (nearest, _) = off_neighbours(&points, &[1, 3]);
-        let (two, spread) = off_neighbours(&points, &[0, 1, 3, 4]);
+        let (nearest, _) = off_neighbors(&points, &[1, 3]);
+        let (two, spread) = off_neighbors(&points, &[0, 1, 3, 4]);
         // Of uneven points the nearest may say more.
         off += (two.min(nearest) - spread * tolerance).max(0.0).powi(2);
         all += nearest.powi(2);

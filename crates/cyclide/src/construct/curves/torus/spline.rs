@@ -49,7 +49,7 @@ impl TorusSpline {
     ///
     /// # Errors
     /// `too-few-points` (2 are needed, 1 of a closed curve that winds), `not-finite`, `count-differs` (tangents, knots, half turns),
-    /// `zero-tangent`, `coincident-points` (neighbours modulo pi, unless loops are asked for), `empty-interval` (knots that do not
+    /// `zero-tangent`, `coincident-points` (neighbors modulo pi, unless loops are asked for), `empty-interval` (knots that do not
     /// increase, or a span below 1e-12 of the whole), `parameter-out-of-range` (angles above 1e6, more than 2,000 half turns, a
     /// tangent times the length of its span outside 1e-12 to 1e12), `too-many-pieces`.
     pub fn through_places(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -> Result<Self> {

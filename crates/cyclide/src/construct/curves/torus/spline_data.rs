@@ -16,13 +16,13 @@ const MOST_TURNS: f64 = 2_000.0;
 /// Steps up to this part of `pi` and both angles are rounding of equal points.
 const SAME_PLACE: f64 = 1e-15;
 
-/// Tangents times the length of their span accepted, radians: outside, the speeds of neighbouring pieces lose their digits.
+/// Tangents times the length of their span accepted, radians: outside, the speeds of neighboring pieces lose their digits.
 const WAY_RANGE: [f64; 2] = [1e-12, 1e12];
 
 /// Shortest span of the knot parameter as part of the whole.
 const SHORTEST_SPAN: f64 = 1e-12;
 
-/// Estimated tangents below this part of the speed of the neighbouring chords are those of a cusp.
+/// Estimated tangents below this part of the speed of the neighboring chords are those of a cusp.
 const CUSP: f64 = 0.05;
 
 /// Speed at a cusp, across its longer chord, as part of the speed of that.
@@ -247,7 +247,7 @@ fn wind_component(steps: &mut [Vec2], asked: f64, component: impl Fn(&mut Vec2) 
     }
 }
 
-/// Makes neighbours the same that are so but for the rounding of the angles as they were given: what starts at one ends at the other.
+/// Makes neighbors the same that are so but for the rounding of the angles as they were given: what starts at one ends at the other.
 fn unite(places: &mut [Point2], given: &[Point2], closed: bool) {
     let n = places.len();
     // Once round is not enough where the last place is the first one.

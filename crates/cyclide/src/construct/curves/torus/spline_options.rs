@@ -16,7 +16,7 @@ use crate::base::vector::Vec3;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum TorusTangent {
-    /// Estimated from the neighbours.
+    /// Estimated from the neighbors.
     #[default]
     Free,
     /// Speed of the place in the plane of the torus, radians per unit of the knot parameter.
@@ -68,6 +68,6 @@ pub struct TorusSplineOptions {
     pub knots: Vec<f64>,
     /// Which way round it runs.
     pub winding: TorusWinding,
-    /// Equal neighbouring points get a loop between them and are no fault.
+    /// Equal neighboring points get a loop between them and are no fault.
     pub loops: bool,
 }

@@ -11,7 +11,7 @@ use crate::base::vector::Vec3;
 use crate::curve::ParamCurve;
 use crate::curve::measure::continuity::joints;
 
-/// Turns below this part of a neighbour's are straight on.
+/// Turns below this part of a neighbor's are straight on.
 pub(super) const STRAIGHT: f64 = 0.02;
 /// Bends that turn by less, in radians, do not count.
 pub(super) const LEAST_TURN: f64 = 5e-4;
@@ -52,7 +52,7 @@ pub(super) fn changes(turns: &mut [Option<Vec3>], limit: impl Fn(usize) -> f64, 
     sides.windows(2).filter(|pair| pair[0][1].dot(pair[1][0]) < 0.0).count()
 }
 
-/// Neighbouring turns to one side, each within a right angle of the one before.
+/// Neighboring turns to one side, each within a right angle of the one before.
 struct Bend {
     first: usize,
     last: usize,

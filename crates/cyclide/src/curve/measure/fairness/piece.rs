@@ -255,7 +255,7 @@ impl Cell {
         self.width / SAMPLES as f64
     }
 
-    /// True if every second sample lies where the cubic through its neighbours has it.
+    /// True if every second sample lies where the cubic through its neighbors has it.
     fn is_cubic(&self, rounding: f64) -> bool {
         let step = 2.0 * self.step();
         (0..SAMPLES / 2).all(|i| {

@@ -18,7 +18,7 @@ pub(super) struct Course {
     pub(super) total_variation: f64,
 }
 
-/// Follows the curvature along a run: between two neighbouring values that `walk` hands over it is monotone. The end of
+/// Follows the curvature along a run: between two neighboring values that `walk` hands over it is monotone. The end of
 /// a closed run is its start, and the walk begins at the largest value. The values are made anew for each walk: of long
 /// curves they would be most of the memory.
 pub(super) fn course(walk: impl Fn(&mut dyn FnMut(Swing)), closed: bool) -> Course {

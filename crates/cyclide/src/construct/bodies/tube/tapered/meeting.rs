@@ -1,4 +1,4 @@
-//! Whether a tube of circles runs into itself or into another: pairs of parts, halved until they are apart, are neighbours, or are so short that their
+//! Whether a tube of circles runs into itself or into another: pairs of parts, halved until they are apart, are neighbors, or are so short that their
 //! disks are compared (`docs/math/tubes.md#disks-that-meet`).
 
 use super::super::meeting::{MOST_PAIRS, SHORT, Section, TOUCHING};
@@ -32,7 +32,7 @@ struct Stretch {
 /// The radius over a stretch.
 enum Radius {
     Law(Polynomial),
-    /// A part of a ball: its radius, and the heights above its centre at both ends.
+    /// A part of a ball: its radius, and the heights above its center at both ends.
     Ball(f64, [f64; 2]),
 }
 
@@ -121,7 +121,7 @@ pub(super) fn check(course: &Course) -> Result<()> {
     })
 }
 
-/// The first two of several tubes that run into each other, with the distance of the centres of disks that do.
+/// The first two of several tubes that run into each other, with the distance of the centers of disks that do.
 pub(super) fn first(courses: &[Course]) -> Option<([usize; 2], f64)> {
     let mut left = MOST_PAIRS;
     courses.iter().enumerate().find_map(|(k, second)| {
@@ -141,7 +141,7 @@ fn meeting(courses: [&Course; 2], [i, j]: [usize; 2], same: bool, left: &mut usi
     let mut waiting = vec![[courses[0].part(i, [0.0, 1.0]), courses[1].part(j, [0.0, 1.0])]];
     while let Some([a, b]) = waiting.pop() {
         *left = left.saturating_sub(1);
-        if same && courses[0].are_neighbours(&a, &b) {
+        if same && courses[0].are_neighbors(&a, &b) {
             continue;
         }
         let (distance, at) = nearest_of_segments([a.ends, b.ends]);
@@ -230,7 +230,7 @@ impl Course {
 
     /// True if no disks between the start of the one part and the end of the other can meet, by all that is between them: with a curvature of at most k and radii of at
     /// most 1/k disks less than half a turn of that radius apart along the spine do not.
-    fn are_neighbours(&self, a: &Part, b: &Part) -> bool {
+    fn are_neighbors(&self, a: &Part, b: &Part) -> bool {
         let n = self.stretches.len();
         let run_on = |first: &Part, second: &Part, length: f64| {
             let (mut curvature, mut most) = (0.0_f64, first.most.max(second.most));

@@ -191,7 +191,7 @@ impl TaperedTube {
         Ok(Body { outer: stations.with_bore(&self.pieces, wall)?, voids: Vec::new() })
     }
 
-    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two circles that do: looked for as by
+    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centers of two circles that do: looked for as by
     /// [`body`](Self::body).
     ///
     /// ```

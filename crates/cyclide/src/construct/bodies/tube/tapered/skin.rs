@@ -220,9 +220,9 @@ struct Cap {
     /// Radius of the ball, and of the circle.
     ball: f64,
     circle: f64,
-    /// Height of the centre above the circle.
+    /// Height of the center above the circle.
     center: f64,
-    /// From the circle to the apex, seen from the centre.
+    /// From the circle to the apex, seen from the center.
     angle: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Symmetric data get symmetric arcs: the chain over the part of a trace between two neighbouring axes of symmetry, which it
+//! Symmetric data get symmetric arcs: the chain over the part of a trace between two neighboring axes of symmetry, which it
 //! crosses at right angles, and its mirror images (`docs/math/arc-fitting.md#symmetry`).
 
 mod axes;

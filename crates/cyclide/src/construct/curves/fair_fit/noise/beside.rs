@@ -54,8 +54,8 @@ impl<'a> Beside<'a> {
     /// of both sides.
     pub fn off(&self, point: Point3) -> (f64, f64) {
         let (before, after): (Side<'_>, Side<'_>) = (&|k| self.before(k), &|k| self.after(k));
-        let neighbours: Vec<Point3> = [before(1), before(0), after(0), after(1)].into_iter().flatten().collect();
-        let skipping = neighbours.windows(2).map(|w| from_segment(point, w[0], w[1])).fold(f64::INFINITY, f64::min);
+        let neighbors: Vec<Point3> = [before(1), before(0), after(0), after(1)].into_iter().flatten().collect();
+        let skipping = neighbors.windows(2).map(|w| from_segment(point, w[0], w[1])).fold(f64::INFINITY, f64::min);
         let beyond = |side: Side<'_>| {
             let near = side(0)?;
             let back = base(side, 0, near.distance(point))?.1 - near;

@@ -3,7 +3,7 @@
 
 use super::beside::{Beside, around};
 use super::chords::{chords, median};
-use super::neighbours::offs;
+use super::neighbors::offs;
 use crate::base::vector::Point3;
 
 /// Points of a run.
@@ -12,7 +12,7 @@ const COUNTS: [usize; 4] = [2, 3, 4, 5];
 const OFF: f64 = 5.0;
 /// so many on either side,
 const AROUND: isize = 10;
-/// which are no exact points: from the polynomials through two neighbours on either side they are off by more than this part of it; heights,
+/// which are no exact points: from the polynomials through two neighbors on either side they are off by more than this part of it; heights,
 /// of which a wrong one may be a thousand deviations off, by more than the second.
 const EXACT: [f64; 2] = [1e-3, 1e-7];
 /// And by more than this part of what they are off the next ones alone: a coarse curve is off those by more.

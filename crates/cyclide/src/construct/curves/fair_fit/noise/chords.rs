@@ -4,7 +4,7 @@ use crate::base::vector::{Point3, Vec3};
 
 /// Points on either side whose median says how far the data go on.
 const WINDOW: usize = 5;
-/// An edge up to this many times the median of its neighbours is believed.
+/// An edge up to this many times the median of its neighbors is believed.
 const BELIEVED: f64 = 2.0;
 /// No edge is shorter than this part of the mean: the third differences divide by it.
 pub(super) const SHORTEST: f64 = 0.02;

@@ -5,7 +5,7 @@ mod beside;
 mod bursts;
 mod chords;
 mod directions;
-mod neighbours;
+mod neighbors;
 mod outliers;
 mod predicted;
 mod residuals;
@@ -23,13 +23,13 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
 pub(super) use beside::from_segment;
 use directions::directions;
-pub(super) use neighbours::most_noise;
+pub(super) use neighbors::most_noise;
 use outliers::{Cleaned, cleaned};
 use smoother::{Series, Smoothed, smoothed};
 
 /// An outlier that is kept has the share of one this many deviations away in the sum of squares.
 const INFLUENCE: f64 = 2.0;
-/// Noise this many times as large as the neighbours of the points allow is none,
+/// Noise this many times as large as the neighbors of the points allow is none,
 const TOO_MUCH: f64 = 1.5;
 /// (more of few points: by this part for each),
 const UNSURE: f64 = 10.0;
@@ -49,7 +49,7 @@ pub(super) fn lengths(points: &[Point3], closed: bool) -> Vec<f64> {
     chords::above_shortest(chords::chords(points, closed))
 }
 
-/// How far apart neighbours usually are.
+/// How far apart neighbors usually are.
 pub(super) fn usual_length(points: &[Point3]) -> f64 {
     chords::median(&mut chords::chords(points, false))
 }

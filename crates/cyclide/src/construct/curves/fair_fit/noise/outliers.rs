@@ -1,5 +1,5 @@
 //! Points that do not belong to a run of measured points: far from the smoothed curve of the others, and off the polyline
-//! of their neighbours by more than any bend of it explains (`docs/math/fair-fits.md#outliers`).
+//! of their neighbors by more than any bend of it explains (`docs/math/fair-fits.md#outliers`).
 
 use super::beside::{self, Beside, around};
 use super::bursts::{bursts, bursts_of_heights};
@@ -7,9 +7,9 @@ use super::chords::{chords, median};
 use super::predicted::unpredicted;
 use super::smoother::{Series, Smoothed, smoothed};
 use crate::base::vector::Point3;
-use crate::construct::curves::off_neighbours::off_neighbours;
+use crate::construct::curves::off_neighbors::off_neighbors;
 
-/// A spike stands out from its polyline by this many times what its neighbours do.
+/// A spike stands out from its polyline by this many times what its neighbors do.
 const SPIKE: f64 = 8.0;
 /// An outlier by this many times,
 const ALONE: f64 = 4.0;
@@ -39,14 +39,14 @@ pub(super) struct Cleaned {
     /// Positions that belong to the run, rising, and what they are smoothed to.
     pub kept: Vec<usize>,
     pub smoothed: Smoothed,
-    /// Positions of the others, rising, and how far each is from the curve of its neighbours.
+    /// Positions of the others, rising, and how far each is from the curve of its neighbors.
     pub outliers: Vec<(usize, f64)>,
 }
 
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
     let laid = Laid::of(data);
-    // What their neighbours do not predict needs no other proof.
+    // What their neighbors do not predict needs no other proof.
     let unpredicted = if laid.heights { Vec::new() } else { unpredicted(data.points, data.closed, protected) };
     let mut flagged = laid.spikes(protected);
     flagged.extend(&unpredicted);
@@ -93,7 +93,7 @@ fn over(kept: &[usize], chords: &[f64], n: usize) -> Vec<f64> {
     ends.windows(2).map(|w| (w[0]..w[1]).map(|i| chords[i % n]).sum()).collect()
 }
 
-/// Those that are outliers by the smoothed curve and by their neighbours, with their distances from the curve.
+/// Those that are outliers by the smoothed curve and by their neighbors, with their distances from the curve.
 fn confirmed(
     data: &Series<'_>,
     laid: &Laid,
@@ -113,14 +113,14 @@ fn confirmed(
         }
     }
     for i in flagged {
-        // The curve between the neighbours, without the point.
+        // The curve between the neighbors, without the point.
         let at = kept.partition_point(|k| k < i) as isize;
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
         let distance = if laid.heights {
             laid.off_heights(*i, kept, &smooth.points)
         } else if let ([a, b, c, d], Ok(_)) = (&places[..], unpredicted.binary_search(i)) {
             // Among points far apart the curve is not where their polyline is.
-            off_neighbours(&[*a, *b, data.points[*i], *c, *d], &[0, 1, 3, 4]).0
+            off_neighbors(&[*a, *b, data.points[*i], *c, *d], &[0, 1, 3, 4]).0
         } else {
             places.windows(2).map(|w| beside::from_segment(data.points[*i], w[0], w[1])).fold(f64::INFINITY, f64::min)
         };
@@ -237,7 +237,7 @@ fn spikes(points: &[Point3], closed: bool, runs: &[usize], protected: &dyn Fn(us
             .collect();
         spikes.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let room = (points.len() / MOST).saturating_sub(found.len());
-        // Of neighbours the farthest alone: it may be why the others seem off.
+        // Of neighbors the farthest alone: it may be why the others seem off.
         let mut taken: Vec<usize> = Vec::new();
         for (_, j) in spikes {
             let near = |k: &usize| {

@@ -1,20 +1,20 @@
-//! Single points far off the cubic through two neighbours on either side, where that predicts the others well: among points that
+//! Single points far off the cubic through two neighbors on either side, where that predicts the others well: among points that
 //! are far apart for their noise, the bends of the curve hide them from a look at the polyline (`docs/math/fair-fits.md#outliers`).
 
 use super::beside::around;
 use super::chords::median;
 use crate::base::vector::Point3;
-use crate::construct::curves::off_neighbours::off_neighbours;
+use crate::construct::curves::off_neighbors::off_neighbors;
 
 /// A point is off by this many times what those around it are off their own predictions,
 const OFF: f64 = 8.0;
-/// and the worst of them, except its neighbours, by this part of it at most: else they bend more than cubics say.
+/// and the worst of them, except its neighbors, by this part of it at most: else they bend more than cubics say.
 const REST: f64 = 0.25;
-/// Without it so are its neighbours, or by this many times the usual.
+/// Without it so are its neighbors, or by this many times the usual.
 const WITHOUT: f64 = 4.0;
-/// Points on either side that are looked at, and of them the neighbours whose predictions depend on it.
+/// Points on either side that are looked at, and of them the neighbors whose predictions depend on it.
 const AROUND: isize = 10;
-const NEIGHBOURS: isize = 3;
+const NEIGHBORS: isize = 3;
 /// One in so many points may be one.
 const FEW: usize = 20;
 const ROUNDS: usize = 12;
@@ -42,28 +42,28 @@ pub(super) fn unpredicted(points: &[Point3], closed: bool, protected: &dyn Fn(us
     found
 }
 
-/// A point is off by far more than those around it, except its neighbours, and without it these are not.
+/// A point is off by far more than those around it, except its neighbors, and without it these are not.
 fn stands_out(at: &[Point3], offs: &[Option<f64>], closed: bool, j: isize, overall: f64) -> bool {
     let off_at = |o: isize| around(offs, j + o, closed).flatten();
     let distance = off_at(0).unwrap_or(0.0);
     let beside = |range: std::ops::RangeInclusive<isize>| (-AROUND..=AROUND).filter(move |o| range.contains(&o.abs()));
-    let mut near: Vec<f64> = beside(NEIGHBOURS + 1..=AROUND).filter_map(off_at).collect();
+    let mut near: Vec<f64> = beside(NEIGHBORS + 1..=AROUND).filter_map(off_at).collect();
     let largest = near.iter().copied().fold(0.0, f64::max);
     let usual = median(&mut near).max(overall);
-    let is_farthest = beside(1..=NEIGHBOURS).filter_map(off_at).all(|off| off < distance);
+    let is_farthest = beside(1..=NEIGHBORS).filter_map(off_at).all(|off| off < distance);
     if near.is_empty() || !is_farthest || distance <= OFF * usual || largest > REST * distance {
         return false;
     }
     let without: Vec<Point3> = beside(1..=AROUND).filter_map(|o| around(at, j + o, closed)).collect();
     let middle = beside(1..=AROUND).filter(|o| *o < 0 && around(at, j + o, closed).is_some()).count() as isize;
     let limit = (WITHOUT * usual).max(REST * distance);
-    (middle - NEIGHBOURS..middle + NEIGHBOURS).filter_map(|k| off(&without, k, false)).all(|off| off <= limit)
+    (middle - NEIGHBORS..middle + NEIGHBORS).filter_map(|k| off(&without, k, false)).all(|off| off <= limit)
 }
 
-/// How far a point is off the cubic through two neighbours on either side; `None` next to an end.
+/// How far a point is off the cubic through two neighbors on either side; `None` next to an end.
 fn off(points: &[Point3], at: isize, closed: bool) -> Option<f64> {
     let place = |o: isize| around(points, at + o, closed);
-    let (off, _) = off_neighbours(&[place(-2)?, place(-1)?, place(0)?, place(1)?, place(2)?], &[0, 1, 3, 4]);
+    let (off, _) = off_neighbors(&[place(-2)?, place(-1)?, place(0)?, place(1)?, place(2)?], &[0, 1, 3, 4]);
     off.is_finite().then_some(off)
 }
 

@@ -1,11 +1,11 @@
-//! What smoothing leaves of each point, across and along the curve, and what stands out from its neighbours
+//! What smoothing leaves of each point, across and along the curve, and what stands out from its neighbors
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::chords::median;
 use crate::base::vector::{Point3, Vec3};
 
-/// Neighbours on either side that a residual is compared with.
-const NEIGHBOURS: isize = 3;
+/// Neighbors on either side that a residual is compared with.
+const NEIGHBORS: isize = 3;
 
 /// The residual of a point.
 #[derive(Debug, Clone, Copy)]
@@ -13,10 +13,10 @@ pub(super) struct Residual {
     /// Length across the curve, and along it.
     pub across: f64,
     pub along: f64,
-    /// The same after the median of the neighbours' residuals is taken off, which a bend that is smoothed too much has
+    /// The same after the median of the neighbors' residuals is taken off, which a bend that is smoothed too much has
     /// in common with them and a wrong point has not.
     pub alone: [f64; 2],
-    /// Median length of the neighbours' residuals.
+    /// Median length of the neighbors' residuals.
     pub around: f64,
 }
 
@@ -42,7 +42,7 @@ pub(super) fn residuals(points: &[Point3], smoothed: &[Point3], closed: bool, ax
         let back = if closed { k - 1 } else { (k - 1).max(0) };
         let tangent = (smoothed[place(ahead)] - smoothed[place(back)]).unit().filter(|_| !axis_only);
         let tangent = tangent.unwrap_or(Vec3::ZERO);
-        let around: Vec<Vec3> = (-NEIGHBOURS..=NEIGHBOURS).filter(|o| *o != 0).map(|o| rest(k + o)).collect();
+        let around: Vec<Vec3> = (-NEIGHBORS..=NEIGHBORS).filter(|o| *o != 0).map(|o| rest(k + o)).collect();
         let axis = |get: fn(&Vec3) -> f64| median(&mut around.iter().map(get).collect::<Vec<_>>());
         let common = Vec3::new(axis(|v| v.x), axis(|v| v.y), axis(|v| v.z));
         let [across, along] = split(rest(k), tangent);

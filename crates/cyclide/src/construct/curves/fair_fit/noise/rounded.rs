@@ -2,7 +2,7 @@
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::chords::median;
-use super::neighbours::most_noise;
+use super::neighbors::most_noise;
 use crate::base::vector::{Point3, Vec3};
 
 /// Points off by so many deviations, and by this part of the edges beside them, at least so many of them, are more than noise.
@@ -43,7 +43,7 @@ pub(in crate::construct::curves::fair_fit) fn rounded(
     let offs: Vec<(usize, f64)> = (0..n).filter(inside).map(|i| (i, across(i))).collect();
     let directions = directions.clamp(1, 2);
     let median = median(&mut offs.iter().map(|o| o.1).collect::<Vec<_>>()) / MEDIAN[directions - 1];
-    // Where corners are everywhere most points are off by the cut; their neighbours tell less.
+    // Where corners are everywhere most points are off by the cut; their neighbors tell less.
     let noise = most_noise(measured, closed, directions).map_or(median, |most| most.min(median));
     let is_rounded = |(i, off): &&(usize, f64)| {
         let [before, after] = edges(*i);

@@ -1,4 +1,4 @@
-//! The smoother of measured points: Whittaker's, stiffer where the curve varies less, its strength chosen by generalised
+//! The smoother of measured points: Whittaker's, stiffer where the curve varies less, its strength chosen by generalized
 //! cross-validation of the residuals across the curve (`docs/math/fair-fits.md#noise`).
 
 use super::super::density::point_at;
@@ -97,7 +97,7 @@ pub(super) fn smoothed(data: &Series<'_>) -> Option<Smoothed> {
     }
 }
 
-/// So many neighbours each; an end that stays is alone, or the curve would bend to it from a mean beside it.
+/// So many neighbors each; an end that stays is alone, or the curve would bend to it from a mean beside it.
 fn groups(data: &Series<'_>, size: usize) -> Vec<Range<usize>> {
     let n = data.points.len();
     let [first, last] = data.fixed.map(|fixed| usize::from(fixed && !data.closed && size > 1));
@@ -105,7 +105,7 @@ fn groups(data: &Series<'_>, size: usize) -> Vec<Range<usize>> {
     (0..first).map(|i| i..i + 1).chain(inner).chain((n - last..n).map(|i| i..i + 1)).collect()
 }
 
-/// Means of groups of neighbours.
+/// Means of groups of neighbors.
 fn averaged(data: &Series<'_>, groups: &[Range<usize>]) -> (Vec<Point3>, Vec<f64>) {
     let given: Vec<f64> = data.weights.map_or_else(|| vec![1.0; data.points.len()], <[f64]>::to_vec);
     if groups.len() == data.points.len() {
@@ -214,7 +214,7 @@ fn choose(
     best.map(|(_, choice)| choice)
 }
 
-/// By how many deviations each point stands out from its neighbours.
+/// By how many deviations each point stands out from its neighbors.
 fn standing_out(choice: &Choice, data: &Series<'_>) -> Vec<f64> {
     let n = choice.points.len() as f64;
     let grown = (n / (n - choice.freedom)).sqrt();

@@ -38,7 +38,7 @@ pub(super) fn steps(heights: &[f64], lengths: &[f64], closed: bool) -> Vec<(usiz
         is_step.then_some((i, apart))
     });
     let mut found: Vec<(usize, f64)> = found.collect();
-    // Of neighbours the largest.
+    // Of neighbors the largest.
     let all = found.clone();
     found.retain(|(i, apart)| all.iter().all(|(j, other)| i.abs_diff(*j) >= SIDE || other <= apart));
     found

@@ -10,7 +10,7 @@ const FEWEST: usize = 10;
 const GOING: f64 = 4.0;
 /// The means of its quarters are within this part of its width of its middle.
 const STEADY: f64 = 0.25;
-/// Neighbouring steps inside it have less than this correlation: they do not go round.
+/// Neighboring steps inside it have less than this correlation: they do not go round.
 const ALIKE: f64 = 0.25;
 /// And their directions on average less than this one: points on a dense bend go on in one direction.
 const TURNED: f64 = 0.7;

@@ -1,11 +1,11 @@
-//! How far a point is off the polynomial through its neighbours, by lengths along their chords: little where they are samples of a
+//! How far a point is off the polynomial through its neighbors, by lengths along their chords: little where they are samples of a
 //! smooth curve (`docs/math/arc-fitting.md#outlines`, `docs/math/fair-fits.md#noise`).
 
 use crate::base::vector::{Point3, Vec3};
 
 /// How far the middle one of some points in a row is across from the polynomial through others of them, and what that is as a
 /// multiple of the deviation where each has noise of its own.
-pub(super) fn off_neighbours(points: &[Point3], of: &[usize]) -> (f64, f64) {
+pub(super) fn off_neighbors(points: &[Point3], of: &[usize]) -> (f64, f64) {
     let middle = points.len() / 2;
     let mut at = vec![0.0; points.len()];
     for k in 1..points.len() {

@@ -1,4 +1,4 @@
-"""STEP solids survive modelling: what OpenCASCADE checks, cuts and rounds, as read and without repair.
+"""STEP solids survive modeling: what OpenCASCADE checks, cuts and rounds, as read and without repair.
 
 The figures: an edge on a face misses its tolerance nowhere (CIRCLE edges without parameter curves missed it by up to 0.02 mm);
 the volume of a cut, fuse or common is right to 1e-6 of the solid's, against the flux through the faces in the quaternion form;
@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from OCP.TopAbs import TopAbs_SHELL
 
-import step_modelling as modelling
+import step_modeling as modeling
 from conftest import ROOT
 from reference_objects import reported_area
 from step_checks import EDGES, revolved
@@ -97,7 +97,7 @@ class Read:
 
 @pytest.fixture(scope="module")
 def read(program, tmp_path_factory):
-    return Read(program, tmp_path_factory.mktemp("modelling"))
+    return Read(program, tmp_path_factory.mktemp("modeling"))
 
 
 def total(report, measure):
@@ -111,26 +111,26 @@ def total(report, measure):
 def test_edges_keep_their_tolerance(name, edges, read):
     step, report = read(name, edges=edges)
     assert step.valid and step.exactly_valid
-    assert all(distance <= tolerance for distance, tolerance in modelling.departures(step))
+    assert all(distance <= tolerance for distance, tolerance in modeling.departures(step))
     assert step.area() == pytest.approx(total(report, "area"), rel=AREA_LIMIT)
     if name in SOLIDS:
         assert step.volume() == pytest.approx(total(report, "volume"), rel=AREA_LIMIT)
-        assert modelling.faults(step.shape) == []
+        assert modeling.faults(step.shape) == []
     elif edges == "circle":  # rational edges are those of the solids
-        assert all(modelling.faults(shell) == [] for shell in step.shells)
+        assert all(modeling.faults(shell) == [] for shell in step.shells)
 
 
 @pytest.mark.parametrize("name", SOLIDS)
 def test_booleans_have_the_right_volume(name, read):
     step, report = read(name)
-    own, (low, high) = total(report, "volume"), modelling.box(step)
-    for tool, volume, field in (modelling.slab(low, high), modelling.drill(low, high)):
-        results = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
-        assert all(modelling.valid(result) for result in results.values())
-        found = {kind: modelling.volume(result) for kind, result in results.items()}
+    own, (low, high) = total(report, "volume"), modeling.box(step)
+    for tool, volume, field in (modeling.slab(low, high), modeling.drill(low, high)):
+        results = {kind: make(step.shape, tool).Shape() for kind, make in modeling.OPERATIONS.items()}
+        assert all(modeling.valid(result) for result in results.values())
+        found = {kind: modeling.volume(result) for kind, result in results.items()}
         common = found["common"]
         if all(len(face.edges) == 4 for face in step.faces):
-            common = modelling.common_volume(step, field)
+            common = modeling.common_volume(step, field)
         assert 0 < common < own
         expected = {"cut": own - common, "fuse": own + volume - common, "common": common}
         for kind, value in expected.items():
@@ -140,11 +140,11 @@ def test_booleans_have_the_right_volume(name, read):
 @pytest.mark.parametrize("name", SOLIDS)
 def test_sections_lie_in_their_plane_and_on_the_solid(name, read):
     step, _ = read(name)
-    low, high = modelling.box(step)
+    low, high = modeling.box(step)
     at, normal = low + (high - low) * [0.41, 0.47, 0.53], np.array([0.3, 0.2, 1.0]) / math.sqrt(1.13)
-    cut = modelling.section(step.shape, at, normal)
-    assert modelling.valid(cut)
-    points = modelling.wire_points(cut)
+    cut = modeling.section(step.shape, at, normal)
+    assert modeling.valid(cut)
+    points = modeling.wire_points(cut)
     assert len(points) >= 6
     assert abs((points - at) @ normal).max() <= 1e-6 * step.size()
 
@@ -152,12 +152,12 @@ def test_sections_lie_in_their_plane_and_on_the_solid(name, read):
 @pytest.mark.parametrize("name", CREASED)
 def test_fillets_succeed_as_on_a_shell_thickened_by_the_reader(name, read):
     step, _ = read(name)
-    edges = modelling.creases(step.faces_of_edges())
+    edges = modeling.creases(step.faces_of_edges())
     assert edges
-    good = modelling.fillets(step.shape, edges, FILLET)
+    good = modeling.fillets(step.shape, edges, FILLET)
     document, distance = CREASED[name]
     skin, _ = read(f"{name}, open", document)
-    theirs = modelling.thickened(distinct(skin.shape, TopAbs_SHELL)[0], distance)
-    assert modelling.valid(theirs)
-    reference = modelling.fillets(theirs, modelling.creases(StepFaces.of(theirs).faces_of_edges()), FILLET)
+    theirs = modeling.thickened(distinct(skin.shape, TopAbs_SHELL)[0], distance)
+    assert modeling.valid(theirs)
+    reference = modeling.fillets(theirs, modeling.creases(StepFaces.of(theirs).faces_of_edges()), FILLET)
     assert (good, len(edges)) == (len(edges), len(edges)) or good >= reference

@@ -1,12 +1,12 @@
-//! What noise measured points can have at most: how far they are off the polynomials through their neighbours. Noise moves them
+//! What noise measured points can have at most: how far they are off the polynomials through their neighbors. Noise moves them
 //! off by a known multiple of its deviation, and a bend that the polynomial misses only adds to that
 //! (`docs/math/fair-fits.md#noise`).
 
 use super::chords::median;
 use crate::base::vector::Point3;
-use crate::construct::curves::off_neighbours::off_neighbours;
+use crate::construct::curves::off_neighbors::off_neighbors;
 
-/// Neighbours on either side, at most.
+/// Neighbors on either side, at most.
 const MOST: usize = 4;
 /// The median of the absolute values of a normal variable, and of the lengths of pairs of them, in deviations.
 const MEDIAN: [f64; 2] = [0.6745, 1.1774];
@@ -24,7 +24,7 @@ pub(in crate::construct::curves::fair_fit) fn most_noise(
     found.reduce(f64::min)
 }
 
-/// How far each point is across from the polynomial through `k` neighbours on either side, in units of what noise of
+/// How far each point is across from the polynomial through `k` neighbors on either side, in units of what noise of
 /// deviation 1 makes of that.
 pub(super) fn offs(points: &[Point3], closed: bool, k: usize) -> Vec<f64> {
     let n = points.len();
@@ -35,7 +35,7 @@ pub(super) fn offs(points: &[Point3], closed: bool, k: usize) -> Vec<f64> {
     let others: Vec<usize> = (0..=2 * k).filter(|j| *j != k).collect();
     let off = |i: usize| {
         let window: Vec<Point3> = (0..=2 * k).map(|j| points[(i + n + j - k) % n]).collect();
-        let (off, spread) = off_neighbours(&window, &others);
+        let (off, spread) = off_neighbors(&window, &others);
         off / spread
     };
     range.map(off).filter(|off| off.is_finite()).collect()

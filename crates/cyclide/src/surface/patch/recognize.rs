@@ -20,7 +20,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// ```
 /// use cyclide::{DupinCyclide, PatchKind};
 /// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
-/// assert!(matches!(patch.recognise(), PatchKind::Torus { .. }));
+/// assert!(matches!(patch.recognize(), PatchKind::Torus { .. }));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,11 +32,11 @@ pub enum PatchKind {
     },
     /// A sphere.
     Sphere {
-        /// Origin at the centre; the third axis is far from the patch.
+        /// Origin at the center; the third axis is far from the patch.
         frame: Frame,
         /// Radius.
         radius: f64,
-        /// True if the normal `f_s × f_t` points away from the centre.
+        /// True if the normal `f_s × f_t` points away from the center.
         outward: bool,
     },
     /// A cylinder.
@@ -61,9 +61,9 @@ pub enum PatchKind {
     },
     /// A torus.
     Torus {
-        /// Origin at the centre, third axis along the axis.
+        /// Origin at the center, third axis along the axis.
         frame: Frame,
-        /// Distance of the tube's centre from the axis; below `minor_radius` the torus crosses itself (spindle).
+        /// Distance of the tube's center from the axis; below `minor_radius` the torus crosses itself (spindle).
         major_radius: f64,
         /// Radius of the tube.
         minor_radius: f64,
@@ -95,7 +95,7 @@ impl PatchKind {
             Self::Torus { frame, major_radius, minor_radius, .. } => {
                 let (rho, height) = place(frame);
                 let from_tube = |side: f64| ((side - major_radius).hypot(height) - minor_radius).abs();
-                // On the inner part of a spindle the tube's centre is beyond the axis.
+                // On the inner part of a spindle the tube's center is beyond the axis.
                 from_tube(rho).min(from_tube(-rho))
             }
             Self::Cyclide => return None,
@@ -119,7 +119,7 @@ impl CyclidePatch {
     /// family zero, cylinder (the other constant) or cone; exactly one a nonzero constant, torus. The converse is not
     /// proved, so the result is kept only if a 5×5 grid of the patch's points is on the surface found.
     #[must_use]
-    pub fn recognise(&self) -> PatchKind {
+    pub fn recognize(&self) -> PatchKind {
         let found = self.by_curvatures().unwrap_or(PatchKind::Cyclide);
         let grid = (0..25).map(|i| self.point(0.25 * f64::from(i % 5), 0.25 * f64::from(i / 5)));
         let on_it = |p: Point3| {
