@@ -418,3 +418,34 @@ fn centres_are_a_path() {
         assert!(path.point_at_knot(0.0).distance(path.point_at_knot(1.0)) < 1e-13);
     }
 }
+
+/// A straight tube on a plate: the ball touches it at the height of its radius, beyond which a thousandth of the tube's radius must be left.
+#[test]
+fn tubes_reach_beyond_their_blend() {
+    let (radius, ball) = (2.0, 0.6);
+    let made = |length: f64| {
+        let strut = BlendTube { length, ..tube([0.0; 3], [0.0, 0.0, 1.0], radius, 0.0) };
+        ContactBlend::new(strut, PLATE, ball).and_then(|blend| blend.with_thickness(1.0)?.made())
+    };
+    let least = ball + 1e-3 * radius;
+    let error = made(least - 1e-9).unwrap_err();
+    let Error::Contact(ContactError::TubeTooShort { end, needed }) = error else { panic!("{error}") };
+    assert!((end - least).abs() < 2e-9 && (needed - least).abs() < 1e-12, "{end} {needed}");
+    check(&made(least + 1e-9).unwrap().body, 0.0);
+}
+
+/// A tube may be wider than the sphere that it goes round: a wall is thinner than both.
+#[test]
+fn walls_are_thinner_than_tube_and_sphere() {
+    for (base, radius, limit) in [
+        (BlendBase::Sphere { radius: 5.0 }, 1.0, 1.0),
+        (BlendBase::Sphere { radius: 0.5 }, 1.0, 0.5),
+        (PLATE, 1.0, 1.0),
+    ] {
+        let blend = ContactBlend::new(tube([0.0; 3], [0.0, 0.0, 1.0], radius, 0.0), base, 0.5).unwrap();
+        assert!(blend.with_wall(limit * 0.999).is_ok(), "{base:?}");
+        for wall in [limit, limit * 1.001, 0.0, -0.1, f64::NAN] {
+            assert_eq!(blend.with_wall(wall).unwrap_err().reason(), "parameter-out-of-range", "{base:?} {wall}");
+        }
+    }
+}

@@ -118,6 +118,11 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!(reason(on_sphere(ring(30.0, 8.0, 0.0), 38.1, 3.0)), "contact-loop-open");
     assert_eq!(reason(on_sphere(ring(30.0, 8.0, 0.0), 15.9, 3.0)), "contact-loop-open");
     assert_eq!(reason(RingBlend::on_plate(ring(30.0, 8.0, 0.0), 39.0, 3.0).unwrap().made()), "plate-too-small");
+    // The plate reaches a thousandth beyond the place where the ball that touches the ring from outside lies on it.
+    let reach = 1.001 * (30.0 + (11.0_f64.powi(2) - 3.0_f64.powi(2)).sqrt());
+    let plate = |part: f64| RingBlend::on_plate(ring(30.0, 8.0, 0.0), part * reach, 3.0).unwrap().made();
+    assert_eq!(reason(plate(1.0 - 1e-9)), "plate-too-small");
+    assert!(plate(1.0 + 1e-9).is_ok());
     assert_eq!(reason(on_plate(ring(30.0, 3.0, 40.0), 21.0)), "contact-blend-folds");
     assert_eq!(reason(RingBlend::on_plate(ring(8.0, 8.0, 0.0), 39.0, 3.0).map(|_| unreachable!())), "not-a-ring-torus");
     // The largest ball in the hole touches ring and base from the axis.

@@ -70,4 +70,27 @@ mod tests {
         assert_eq!(solution([[0.0, 2.0, 4e9], [1.0, 1.0, 3e9]]), Some([1e9, 2e9]));
         assert_eq!(solution([[1.0, 2.0, 1.0], [2.0, 4.0, 0.0]]), None);
     }
+
+    #[test]
+    fn a_unit_of_length_changes_neither_the_direction_nor_how_well_it_is_known() {
+        let rows = [[2.0, -1.0, 0.5, 3.0], [0.0, 4.0, 1.0, -2.0], [1.0, 1.0, -3.0, 0.25]];
+        let (vector, ratio) = null_vector(rows).unwrap();
+        for row in rows {
+            let image: f64 = row.iter().zip(vector).map(|(a, x)| a * x).sum();
+            assert!(image.abs() < 1e-15 * 8.0, "{image:e}"); // rounding of a sum of four terms below 4
+        }
+        assert!(ratio > 0.1 && ratio <= 1.0, "{ratio}");
+        for unit in [1e-9, 1e9] {
+            let (scaled, same) = null_vector(rows.map(|row| row.map(|a| a * unit))).unwrap();
+            assert!(vector.iter().zip(scaled).all(|(a, b)| (a - b).abs() < 1e-14));
+            assert!((same / ratio - 1.0).abs() < 1e-12, "{unit:e}: {same} {ratio}");
+        }
+        // Rows that are nearly one: another vector is nearly taken to zero too, whatever the unit.
+        let [first, second, _] = rows;
+        let nearly = |unit: f64| {
+            let third: [f64; 4] = std::array::from_fn(|k| first[k] + second[k] + if k == 0 { 1e-7 } else { 0.0 });
+            null_vector([first, second, third].map(|row| row.map(|a| a * unit))).unwrap().1
+        };
+        assert!([1e-6, 1.0, 1e6].into_iter().map(nearly).all(|ratio| ratio > 1e-9 && ratio < 1e-7));
+    }
 }

@@ -409,13 +409,20 @@ mod tests {
 
     #[test]
     fn matrices_are_judged_alike_wherever_their_spheres_stand() {
-        for o in [0.0, 1.0, 1024.0, 1048576.0] {
+        for o in [0.0, 1.0, 1024.0, 1_048_576.0, 1_000_003.0] {
             // Exact in doubles: so is the map.
             let [a, b, c, d] = matrix(o);
             let map = Mobius::from_matrix(a, b, c, d).unwrap();
             for v in [Vec3::new(0.5, 0.0, 0.0), Vec3::new(-1.0, 0.5, 2.0)] {
                 let o = Point3::new(o, 0.0, 0.0);
                 close(map.map_point(o + v).unwrap(), o + v / v.length_squared(), 4.0 * f64::EPSILON * (1.0 + o.x));
+            }
+            // Of points whose products with the entries are rounded the map is as good: relative to their place.
+            for v in [Vec3::new(0.3, 0.1, -0.7), Vec3::new(-1.1, 0.6, 0.2)] {
+                let o = Point3::new(o, 0.0, 0.0);
+                let p = o + v;
+                let v = p - o;
+                close(map.map_point(p).unwrap(), o + v / v.length_squared(), 16.0 * f64::EPSILON * (1.0 + o.x));
             }
             // The same part of the sphere's size off three-space is refused everywhere, against the determinant 1: the
             // imaginary part of ~a d + ~c b.

@@ -1,6 +1,6 @@
 //! The rational forms: exact for the rational variant, certified for the trigonometric one.
 
-use crate::data::{self, infinity_distance_squared, p, reach, rounding_of, spline};
+use crate::data::{self, infinity_distance_squared, least_infinity_distance_squared, p, reach, rounding_of, spline};
 use cyclide::{
     BlendSegment, BlendVariant, ChainPiece, CircleSpline, CircleSplineOptions, Exactness, FairEnd, FairSplineOptions,
     Lower, NurbsCurve, ParamCurve, Point3, RationalRun, SplineEnds, Vec3, joints,
@@ -107,11 +107,11 @@ proptest! {
         let tolerance = 10.0_f64.powf(-digits);
         if let Err(error) = s.to_rational_runs(tolerance) {
             // Refused is what needs more than 4096 parts of a segment: theta (0.0046 L/(T w²))^(1/3), by its turn (a whole one at most), its
-            // chord, and how near its circles come to infinity (w² by samples, a tenth at most too large).
+            // chord, and how near its circles come to infinity (w², a tenth more for what is between the places looked at).
             prop_assert_eq!(error.reason(), "too-many-pieces");
             let part = std::f64::consts::TAU / 4096.0;
             let limit = |x: &BlendSegment| 1.1 * 0.0046 * x.chord_length() / tolerance * part.powi(3);
-            prop_assert!(s.segments().iter().any(|x| infinity_distance_squared(x) < limit(x)));
+            prop_assert!(s.segments().iter().any(|x| least_infinity_distance_squared(x) < limit(x)));
             return Ok(());
         }
         let Some((nurbs, bound)) = only_spline(&s, tolerance) else { return Ok(()) };

@@ -253,3 +253,40 @@ fn a_segment_that_runs_far_out_is_measured_in_full() {
         }
     }
 }
+
+/// End circles that are many chords large and some roundings of their tangents apart: what lies between them reaches no farther than they do.
+#[test]
+fn a_segment_between_circles_some_roundings_apart_reaches_as_far_as_they_do() {
+    for off in [1e-1_f64, 1e-2, 1e-3] {
+        // Above a chord that it leaves at this angle less than half a turn.
+        let height = 0.5 / (0.5 * off).tan();
+        for k in 10..60 {
+            for apart in [1e-15, -1e-15].map(|rounding| f64::from(k) * rounding) {
+                let start = Vec3::new(-off.cos(), off.sin(), 0.0);
+                let end = Vec3::new(-off.cos(), -(off.sin() + apart), 0.0);
+                let (a, b) = (p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0));
+                let s = BlendSegment::hermite(a, start, b, end, 2, BlendVariant::Rational).unwrap();
+                let bounds = s.bounds();
+                assert!((0..=200).all(|k| bounds.contains(cyclide::Aabb::of_point(s.point(f64::from(k) / 200.0)))));
+                // About the middle of the chord, a half from the origin.
+                assert!(bounds.max_abs() <= height * 1.001 + 0.5, "{off} {apart:e}: {bounds:?}");
+            }
+        }
+    }
+}
+
+/// In a plane the tangent turns evenly, also between circles that all but oppose each other: halfway it is the bisector, known as well as both.
+#[test]
+fn circles_that_all_but_oppose_each_other_are_met_halfway() {
+    for short_of_half in [1e-1, 1e-4, 1e-6, 1e-8] {
+        let (from, turn) = (-1.0, std::f64::consts::PI - short_of_half);
+        let at = |angle: f64| Vec3::new(angle.cos(), angle.sin(), 0.0);
+        // At the end the arc of a start tangent runs in the mirror image.
+        let (start, end) = (at(from), at(-from - turn));
+        let s =
+            BlendSegment::hermite(p(0.0, 0.0, 0.0), start, p(1.0, 0.0, 0.0), end, 2, BlendVariant::Rational).unwrap();
+        let way = Vec3::X + at(from + 0.5 * turn);
+        let middle = Point3::ORIGIN + way / way.length_squared();
+        assert!(!s.long_way() && s.point(0.5).distance(middle) < 8.0 * f64::EPSILON, "{short_of_half:e}");
+    }
+}

@@ -115,6 +115,37 @@ fn equally_near_points_give_the_first() {
     let sides = (0..4).map(|i| Arc::segment(corners[i], corners[(i + 1) % 4]).unwrap()).collect();
     let square = ArcPath::new(sides, true).unwrap();
     assert_eq!(cyclide::closest_point(&square, Point3::ORIGIN).t, 0.125);
+    // Seen from below the ends of a half circle are equally near, and nearer than all between.
+    let [a, b, c] = [point(1.0, 0.0, 0.0), point(0.0, 1.0, 0.0), point(-1.0, 0.0, 0.0)];
+    let half = Arc::from_three_points(a, b, c).unwrap();
+    let below = point(0.0, -3.0, 0.0);
+    assert_eq!((half.closest_point(below).t, cyclide::closest_point(&half, below).t), (0.0, 0.0));
+}
+
+#[test]
+fn arcs_are_written_in_pieces_of_at_most_the_angle_asked_for() {
+    let [a, b, c] = [point(1.0, 0.0, 0.0), point(0.0, 1.0, 0.0), point(-1.0, 0.0, 0.0)];
+    let half = Arc::from_three_points(a, b, c).unwrap();
+    for (angle, pieces) in [(3.1, 2), (1.6, 2), (1.5, 3), (0.1, 32), (0.001_001, 3139)] {
+        assert_eq!(half.to_nurbs(angle).unwrap().span_count(), pieces, "{angle}");
+    }
+    for angle in [std::f64::consts::PI, 4.0, 0.001, 1e-9, 0.0, -1.0, f64::NAN] {
+        assert_eq!(half.to_nurbs(angle).unwrap_err().reason(), "parameter-out-of-range", "{angle}");
+    }
+}
+
+/// The last point of these polygons is at the distance 1 from the origin and so is the middle of one side before it, while boxes round the last two
+/// sides contain the origin.
+#[test]
+fn the_first_of_equally_near_points_is_found_behind_boxes_that_are_farther() {
+    for (start, end, t) in
+        [([[-1.0, 1.0], [1.0, 1.0]], [2.0, 1.5], 0.125), ([[-1.0, 3.0], [-1.0, 1.0]], [1.0, 1.0], 0.375)]
+    {
+        let corners = [start[0], start[1], end, [2.0, -2.0], [0.0, -1.0]].map(|[x, y]| point(x, y, 0.0));
+        let sides = corners.windows(2).map(|w| Arc::segment(w[0], w[1]).unwrap()).collect();
+        let found = cyclide::closest_point(&ArcPath::new(sides, false).unwrap(), Point3::ORIGIN);
+        assert_eq!((found.t, found.point, found.distance), (t, point(0.0, 1.0, 0.0), 1.0));
+    }
 }
 
 #[test]

@@ -124,6 +124,25 @@ fn small_parts_of_a_large_surface_are_right_where_they_are() {
     net.transformed(&moved).unwrap();
 }
 
+/// Steps of the coordinates' last digit: a quad may be that narrow in one direction, or in both where its diagonal is more than the rounding of its
+/// place, but not less.
+#[test]
+fn parts_of_a_surface_are_more_than_a_point_of_their_place() {
+    let shell = |place: f64, [first, second]: [f64; 2]| {
+        let (x, y) = ([place, place + first, place + 2.0], [place, place + second, place + 2.0]);
+        let points = (0..9).map(|k| Point3::new(x[k % 3], y[k / 3], 0.0)).collect();
+        let grid = QuadGrid::new(points, [3, 3], [false; 2]).unwrap();
+        CyclidicNet::new(grid, NetFrame::First(Vec3::X, Vec3::Y)).unwrap().to_shell()
+    };
+    // Between 2^26 and 2^27 the last digit is 2^-26, and the rounding of a place nearly as much as 2^-25.
+    let (high, low, digit) = (1.9 * 2.0_f64.powi(26), 2.0_f64.powi(26), 2.0_f64.powi(-26));
+    let error = shell(high, [digit; 2]).unwrap_err();
+    assert_eq!((error.reason(), error.index()), ("below-rounding-of-place", Some(0)), "{error}");
+    for (place, steps) in [(low, [digit; 2]), (high, [digit, 1.0]), (high, [1.0, digit])] {
+        assert_eq!(shell(place, steps).unwrap().faces().len(), 4, "{place} {steps:?}");
+    }
+}
+
 #[test]
 fn refinements_have_a_cap_that_is_told_before_memory_is_taken() {
     let ring = DupinCyclide::new(2.0, 1.0, 1.5).unwrap();

@@ -1,7 +1,7 @@
 //! Shells of nets, and what is no shell.
 
 use crate::data::nets;
-use cyclide::{Shell, ShellEdge};
+use cyclide::{DupinCyclide, FaceGeometry as _, Shell, ShellEdge, Side};
 
 #[test]
 fn every_inner_edge_has_two_faces() {
@@ -63,4 +63,29 @@ fn what_is_no_shell_is_refused() {
     refused((v, e, f), "face", 4);
     let (v, e, _) = parts();
     assert_eq!(Shell::new(v, e, Vec::new()).unwrap_err().reason(), "not-a-shell");
+}
+
+/// Two vertices at the place of a pole, one for each of the sides that meet there: the face has a gap of no width.
+#[test]
+fn a_side_of_one_point_has_one_vertex() {
+    let bodies = DupinCyclide::new(1.0, 0.5, 0.2).unwrap().to_bodies([4, 4]).unwrap();
+    let faces = bodies.iter().flat_map(|body| body.outer.faces());
+    let pointed: Vec<_> = faces.filter(|face| face.sides.contains(&None)).collect();
+    assert!(!pointed.is_empty());
+    for face in pointed {
+        let shell = Shell::from_surface(face.surface.clone()).unwrap();
+        let (mut v, mut e, f) = (shell.vertices().to_vec(), shell.edges().to_vec(), shell.faces().to_vec());
+        assert_eq!((v.len(), e.len()), (3, 3));
+        Shell::new(v.clone(), e.clone(), f.clone()).unwrap();
+        let side = Side::ALL.into_iter().find(|side| face.side(*side).is_none()).unwrap();
+        let pole = face.surface.corners()[side.corners()[0]];
+        let at = v.iter().position(|vertex| *vertex == pole).unwrap();
+        v.push(pole);
+        let edge = e.iter_mut().find(|edge| edge.start == at || edge.end == at).unwrap();
+        let end = if edge.start == at { &mut edge.start } else { &mut edge.end };
+        *end = 3;
+        let error = Shell::new(v, e, f).unwrap_err();
+        assert_eq!((error.reason(), error.index()), ("not-a-shell", Some(0)), "{error}");
+        assert!(error.to_string().contains("two vertices"), "{error}");
+    }
 }

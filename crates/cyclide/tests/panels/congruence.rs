@@ -1,5 +1,5 @@
 use crate::shapes::{Random, exchanged, general, mirrored, renumbered, ring, torus};
-use cyclide::{Conformal, Congruences, CyclidePatch, ParamSurface, Point3};
+use cyclide::{Conformal, Congruences, CyclidePatch, ParamSurface, Point3, Vec3};
 
 /// Classes as sets of panels.
 fn sets(found: &Congruences, name: impl Fn(usize) -> usize) -> Vec<Vec<usize>> {
@@ -103,6 +103,28 @@ fn classes_are_those_of_all_pairs() {
             assert!(class.panels.iter().all(|member| pair(class.panels[0].panel, member.panel)));
         }
         assert!(found.classes.len() >= 6 && found.classes.len() < 140, "{}", found.classes.len());
+    }
+}
+
+/// Rectangles laid middle on middle are half the difference of their sides apart, longer or shorter, wherever these are among all lengths.
+#[test]
+fn rectangles_within_the_tolerance_are_one_class_whatever_their_size() {
+    let rectangle = |w: f64, h: f64| {
+        let corners = [[0.0, 0.0], [w, 0.0], [0.0, h], [w, h]].map(|[x, y]| Point3::new(x, y, 0.0));
+        CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap()
+    };
+    for k in 0..50 {
+        let w = 2.0 + 1e-4 * f64::from(k);
+        for h in [1.0 + 1e-4, 1.0 - 1e-4] {
+            let apart = 0.5 * 1e-3_f64.hypot(1e-4);
+            let panels = [rectangle(w, 1.0), rectangle(w + 1e-3, h)];
+            let found = Congruences::new(&panels, 1e-3).unwrap();
+            assert_eq!(sets(&found, |k| k), [[0, 1]], "{w} {h}");
+            // Least to a percent or two.
+            let deviation = found.classes[0].panels[1].deviation;
+            assert!(deviation >= apart * (1.0 - 1e-9) && deviation < 1.02 * apart, "{w} {h}: {deviation} {apart}");
+            assert_eq!(Congruences::new(&panels, 0.99 * apart).unwrap().classes.len(), 2, "{w} {h}");
+        }
     }
 }
 

@@ -113,7 +113,7 @@ impl Arc {
     /// arc is that of constant length per piece. Lines come out with weights 1, 1, 1.
     ///
     /// # Errors
-    /// `parameter-out-of-range` if `max_angle` is not in `(0, pi)`.
+    /// `parameter-out-of-range` if `max_angle` is not between 0.001 and pi, the ends excluded.
     pub fn to_nurbs(&self, max_angle: f64) -> Result<NurbsCurve> {
         if !(max_angle > 1e-3 && max_angle < std::f64::consts::PI) {
             return Err(NumberError::ParameterOutOfRange {

@@ -307,6 +307,25 @@ mod tests {
         }
     }
 
+    /// Of a strip that meets itself the other way round a cell and its mirror image are one: where either fails both are divided.
+    #[test]
+    fn cells_are_divided_with_their_mirror_images() {
+        let old = [0.0, 0.25, 0.5, 0.75, 1.0];
+        let strip = Strip { fixed: vec![0.0, 0.5, 1.0], symmetric: true, reversed: true, ..Strip::default() };
+        for (excess, [outer, inner]) in [
+            ([4.0, 0.0, 0.0, 0.0], [4, 1]),
+            ([0.0, 0.0, 0.0, 4.0], [4, 1]),
+            ([0.0, 4.0, 0.0, 0.0], [1, 4]),
+            ([0.0, 0.0, 4.0, 0.0], [1, 4]),
+        ] {
+            let cuts = refined(&old, &excess, &strip);
+            let cells = |a: f64, b: f64| cuts.windows(2).filter(|w| w[1] > a && w[0] < b).count();
+            assert!(cells(0.0, 0.2) >= outer && cells(0.3, 0.5) >= inner, "{excess:?}: {cuts:?}");
+            assert!(cells(0.0, 0.5) <= 6, "{excess:?}: no more than needed: {cuts:?}");
+            assert!(cuts.iter().zip(cuts.iter().rev()).all(|(a, b)| (a + b - 1.0).abs() < 1e-15), "{cuts:?}");
+        }
+    }
+
     #[test]
     fn cuts_stay_apart_from_either_end() {
         // Below the rounding of 1: from the other end both ends of a part of the first cell are 1.
