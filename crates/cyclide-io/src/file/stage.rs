@@ -60,7 +60,10 @@ impl Stage {
                 // Another run has removed it, or does.
                 let _ = fs::remove_dir(&path);
                 under_way::forget(&path);
-                other.map(|_| None)
+                match other {
+                    Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+                    _ => Ok(None),
+                }
             }
         }
     }

@@ -19,6 +19,8 @@ const BEYOND: f64 = 1.5;
 /// that and this part of it more. Over a rounding they are closer together than the way over the corner.
 const SCATTER: f64 = 3.0;
 const EVEN: f64 = 0.05;
+/// A rounding of a radius of so many edges is told from a corner by that: else none is inserted.
+const ROUNDING: f64 = 1.5;
 /// Where noise is more than this part of an edge on average, nothing is told from single edges.
 const NOISE: f64 = 1.0 / 6.0;
 /// A point is the corner itself if it is nearer than so many deviations of the noise.
@@ -112,11 +114,15 @@ impl Side {
 
 /// How far apart the points on both sides of a corner are, at most.
 fn farthest_apart(before: &Side, after: &Side, noise: f64) -> Option<f64> {
+    let turn = (-before.direction).angle(after.direction);
+    // The way over the corner of a rounding of radius 1 is longer by this.
+    let excess = 2.0 * (0.5 * turn).tan() - turn;
     let edges = || before.edges.iter().chain(&after.edges);
     let count = edges().count() as f64;
     let mean = edges().sum::<f64>() / count;
     let deviation = (edges().map(|edge| (edge - mean).powi(2)).sum::<f64>() / count).sqrt();
-    (noise < NOISE * mean).then_some(mean + SCATTER * deviation + EVEN * mean)
+    let slack = SCATTER * deviation + EVEN * mean;
+    (noise < NOISE * mean && slack < ROUNDING * excess * mean).then_some(mean + slack)
 }
 
 fn turns(before: &Side, after: &Side, options: &FairFitOptions) -> bool {

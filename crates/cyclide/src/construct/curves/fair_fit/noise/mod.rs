@@ -203,7 +203,13 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
                     weights: None,
                 };
                 let protected = |i: usize| protected(numbers[own[i]]);
-                let Some(found) = cleaned(&heights, &protected) else {
+                // Rounded heights are no better known than that.
+                let floor = steps::rounding(&z);
+                let found = cleaned(&heights, &protected).and_then(|found| {
+                    let is_below = found.smoothed.deviation < floor;
+                    if is_below { cleaned(&Series { noise: Some(floor), ..heights }, &protected) } else { Some(found) }
+                });
+                let Some(found) = found else {
                     // Too few to tell.
                     placed.extend(own.iter().map(|k| (*k, z[*k])));
                     continue;

@@ -4,9 +4,10 @@
 use super::chords::median;
 use std::ops::Range;
 
-/// Points on either side that tell on which line the heights are there: more than a run of wrong ones has.
-const SIDE: usize = 6;
-/// They are off it by less than so many deviations of the noise.
+/// Points on either side that tell on which line the heights are there: two more than a run of wrong ones has, since one of them may
+/// be off.
+const SIDE: usize = 7;
+/// The others are off it by less than so many deviations of the noise.
 const STRAIGHT: f64 = 3.0;
 /// The lines are apart by more than so many deviations,
 const APART: f64 = 10.0;
@@ -14,6 +15,10 @@ const APART: f64 = 10.0;
 /// the ground is that steep.
 const STEEP: f64 = 4.0;
 const OF_NOISE: f64 = 4.0;
+/// Most of the step is between the two points: else it is a ramp.
+const BETWEEN: f64 = 0.75;
+/// Heights that differ by less than this part of the largest are the same.
+const SAME: f64 = 1e-12;
 /// The median of the absolute values of second differences of normal errors, as a part of their deviation.
 const MEDIAN: f64 = 0.6745 * 2.449_489_742_783_178;
 
@@ -26,7 +31,7 @@ pub(super) fn steps(heights: &[f64], lengths: &[f64], closed: bool) -> Vec<(usiz
     let at = |i: usize| heights[i % n];
     let inside = if closed { 0..n } else { 0..n - 2 };
     let mut second: Vec<f64> = inside.map(|i| (at(i) - 2.0 * at(i + 1) + at(i + 2)).abs()).collect();
-    let noise = median(&mut second) / MEDIAN;
+    let noise = (median(&mut second) / MEDIAN).max(rounding(heights));
     let edges = if closed { 0..n } else { SIDE - 1..n - SIDE };
     let found = edges.filter_map(|i| {
         let before = line((0..SIDE).map(|k| (i + n - k) % n), heights, |k| -lengths[(i + n - k) % n])?;
@@ -34,14 +39,30 @@ pub(super) fn steps(heights: &[f64], lengths: &[f64], closed: bool) -> Vec<(usiz
         // Halfway over the edge between.
         let apart = (after.at(-0.5 * lengths[i]) - before.at(0.5 * lengths[i])).abs();
         let steepest = (before.steepest.max(after.steepest) - OF_NOISE * noise).max(0.0);
-        let is_step = before.off.max(after.off) < STRAIGHT * noise && apart > APART * noise && apart > STEEP * steepest;
-        is_step.then_some((i, apart))
+        let change = |i: usize| at(i + 1) - at(i);
+        let is_between = change(i).abs() > BETWEEN * apart;
+        // A run of wrong heights goes back by as much.
+        let goes_back = |k: usize| change(k) * change(i) < 0.0 && change(k).abs() > BETWEEN * change(i).abs();
+        let is_between = is_between && !(1..SIDE).any(|k| goes_back((i + k) % n) || goes_back((i + n - k) % n));
+        let is_step = is_between
+            && before.off.max(after.off) < STRAIGHT * noise
+            && apart > APART * noise
+            && apart > STEEP * steepest;
+        is_step.then_some((i, apart, before.misfit + after.misfit))
     });
-    let mut found: Vec<(usize, f64)> = found.collect();
-    // Of neighbors the largest.
-    let all = found.clone();
-    found.retain(|(i, apart)| all.iter().all(|(j, other)| i.abs_diff(*j) >= SIDE || other <= apart));
-    found
+    let all: Vec<(usize, f64, f64)> = found.collect();
+    // Beside a step one of the points is on the wrong side of an edge.
+    let apart = |i: usize, j: usize| if closed { i.abs_diff(j).min(n - i.abs_diff(j)) } else { i.abs_diff(j) };
+    let is_least = |a: &&(usize, f64, f64)| all.iter().all(|b| apart(a.0, b.0) >= SIDE || a.2 <= b.2);
+    all.iter().filter(is_least).map(|(i, apart, _)| (*i, *apart)).collect()
+}
+
+/// The deviation that rounding to some decimals leaves: nearly that of a number anywhere between two values.
+pub(super) fn rounding(heights: &[f64]) -> f64 {
+    let changes = heights.windows(2).map(|w| (w[1] - w[0]).abs());
+    let largest = heights.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
+    let least = changes.filter(|change| *change > SAME * largest).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least / 12.0_f64.sqrt() } else { 0.0 }
 }
 
 /// The runs of points between steps: numbers from `start` on, past the end of closed ones.
@@ -59,16 +80,18 @@ pub(super) fn between(steps: &[(usize, f64)], n: usize, closed: bool) -> Vec<Ran
 
 /// The straight line through heights beside an edge.
 struct Line {
-    mean: [f64; 2],
+    height: f64,
     slope: f64,
-    /// How far a height is off it, and how much heights differ from one to the next, at most.
+    /// How far a height is off it, and how much heights differ from one to the next, at most, without one that may be wrong.
     off: f64,
     steepest: f64,
+    /// Sum of the distances from it.
+    misfit: f64,
 }
 
 impl Line {
     fn at(&self, x: f64) -> f64 {
-        self.mean[1] + self.slope * (x - self.mean[0])
+        self.height + self.slope * x
     }
 }
 
@@ -82,13 +105,20 @@ fn line(numbers: impl Iterator<Item = usize>, heights: &[f64], length: impl Fn(u
         }
         rows.push([x, heights[number]]);
     }
-    let count = rows.len() as f64;
-    let mean = [0, 1].map(|c| rows.iter().map(|row| row[c]).sum::<f64>() / count);
-    let sum = |of: &dyn Fn(f64, f64) -> f64| rows.iter().map(|row| of(row[0] - mean[0], row[1] - mean[1])).sum::<f64>();
-    let slope = sum(&|x, z| x * z) / sum(&|x, _| x * x);
-    let mut line = Line { mean, slope, off: 0.0, steepest: 0.0 };
-    line.off = rows.iter().map(|row| (row[1] - line.at(row[0])).abs()).fold(0.0, f64::max);
-    line.steepest = rows.windows(2).map(|w| (w[1][1] - w[0][1]).abs()).fold(0.0, f64::max);
+    // The median slope of all pairs, and the median height over it: one point may be wrong.
+    let pairs =
+        |(i, a): (usize, &[f64; 2])| rows[..i].iter().map(|b| (a[1] - b[1]) / (a[0] - b[0])).collect::<Vec<_>>();
+    let slope = median(&mut rows.iter().enumerate().flat_map(pairs).collect::<Vec<_>>());
+    let height = median(&mut rows.iter().map(|row| row[1] - slope * row[0]).collect::<Vec<_>>());
+    let mut line = Line { height, slope, off: 0.0, steepest: 0.0, misfit: 0.0 };
+    let mut offs: Vec<f64> = rows.iter().map(|row| (row[1] - line.at(row[0])).abs()).collect();
+    offs.sort_by(f64::total_cmp);
+    line.misfit = offs.iter().sum();
+    line.off = offs[rows.len() - 2];
+    let mut changes: Vec<f64> = rows.windows(2).map(|w| (w[1][1] - w[0][1]).abs()).collect();
+    changes.sort_by(f64::total_cmp);
+    // A wrong one is in two of them.
+    line.steepest = changes[changes.len() - 3];
     slope.is_finite().then_some(line)
 }
 
@@ -114,6 +144,14 @@ mod tests {
         let found = steps(&heights, &lengths[1..], false);
         assert!(found.len() == 1 && found[0].0 == 21 && (found[0].1 - 1.0).abs() < 0.05, "{found:?}");
         assert_eq!(between(&found, 40, false), [0..22, 22..40]);
+        // A wrong height beside it is one of the others.
+        heights[25] += 0.8;
+        assert_eq!(steps(&heights, &lengths[1..], false)[0].0, 21);
+        // Heights rounded to centimeters, most of them the same.
+        let level: Vec<f64> =
+            (0..40).map(|i| if i < 20 { 100.0 } else { 101.0 + 0.01 * f64::from(i % 3 / 2) }).collect();
+        assert_eq!(steps(&level, &lengths[1..], false)[0].0, 19);
+        assert!((rounding(&level) - 0.01 / 12.0_f64.sqrt()).abs() < 1e-9);
         // Steep ground is none.
         let ramp: Vec<f64> = (0..40).map(|i: i32| f64::from((i - 18).clamp(0, 4)) * 0.5).collect();
         assert!(steps(&ramp, &lengths[1..], false).is_empty());
