@@ -1,4 +1,4 @@
-"""Fair fits against SciPy's splprep and a penalised spline on the same points within the same tolerance.
+"""Fair fits against SciPy's splprep and a penalized spline on the same points within the same tolerance.
 
     .venv/bin/python benches/compare_fits.py [FILE.csv TOLERANCE [closed|open]]      default: a noisy closed outline, 0.4
 

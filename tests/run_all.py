@@ -73,6 +73,8 @@ STEPS = [
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("text and bytes only", ["cargo", "clippy", "--package", "cyclide-io", "--no-default-features", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
+    ("public API", [PYTHON, "tests/public_api.py"], one),
+    ("spelling", [Path(PYTHON).parent / "typos", "--format", "brief"], one),
     ("program", ["cargo", "build", "--profile", "test", "--workspace", "--bins", "--locked"], one),
     ("layers", [XTASK, "layers"], one),
     ("packages", [PYTHON, "tests/packages.py"], one),

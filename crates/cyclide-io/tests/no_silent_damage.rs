@@ -120,7 +120,7 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     let message = net(&revolved(24, 6), true, false).unwrap_err();
     assert!(message.contains("have only about 7 digits") && message.contains("use 12 or more"), "{message}");
     assert!(message.contains("[not-concircular]") && message.contains("`make_circular`, which moves"), "{message}");
-    // The advices: more digits, with and without `make_circular`; `make_circular` alone; or cut open.
+    // The advice: more digits, with and without `make_circular`; `make_circular` alone; or cut open.
     for circular in [false, true] {
         assert_eq!(reasons(&net(&revolved(24, 12), true, circular).unwrap()), [""; 0]);
     }

@@ -83,7 +83,7 @@ mod tests {
                 Ramp::Diverging => {
                     let back: Vec<f64> = y[..=50].iter().rev().copied().collect();
                     assert!(falls(&y[50..]) && falls(&back));
-                    // Both ends are equally dark: neither sign is favoured.
+                    // Both ends are equally dark: neither sign is favored.
                     assert!((y[0] / y[100] - 1.0).abs() < 0.25, "{} {}", y[0], y[100]);
                 }
             }

@@ -8,7 +8,7 @@ const SWEEPS: usize = 30;
 /// Singular values that differ by no more than this part of the largest tell no rotation from another.
 pub(crate) const UNIQUE: f64 = 1e-12;
 
-/// The rotation matrix (as its columns) that maximises `tr(RᵀG)` for the matrix `G` with the given columns: with
+/// The rotation matrix (as its columns) that maximizes `tr(RᵀG)` for the matrix `G` with the given columns: with
 /// `G = U S Vᵀ`, `R = U diag(1, 1, det(U Vᵀ)) Vᵀ`.
 ///
 /// # Errors

@@ -101,7 +101,7 @@ fn closing_axis(grid: &QuadGrid, back: &[[Vec3; 3]], d: usize) -> Option<Vec3> {
     columns.into_iter().max_by(|x, y| x.length_squared().total_cmp(&y.length_squared())).and_then(Vec3::unit)
 }
 
-/// The frame that maximises the sum of `v_k · sum_k`, of those with the given lines of `v1` and `v2`; what fails to tell it from
+/// The frame that maximizes the sum of `v_k · sum_k`, of those with the given lines of `v1` and `v2`; what fails to tell it from
 /// others, as [`svd3::nearest_rotation`].
 fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Result<(Vec3, Vec3), f64> {
     let [g1, g2, g3] = sum;
