@@ -9,9 +9,8 @@ use crate::error::Result;
 /// a ten thousandth of what files promise of such a curve by default.
 const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
 
-/// Roundings that a curve without bends is across at least: below it the directions of its edges are off by a degree, and arcs have
-/// lost their bends.
-const SMALLEST_STRAIGHT: f64 = 128.0 * f64::EPSILON;
+/// Roundings that the image of a curve without bends is across at least: below it its vertices are one point.
+const SMALLEST_IMAGE: f64 = 16.0 * f64::EPSILON;
 
 impl Builder<'_> {
     /// Refuses a curve that has no shape where it is.
@@ -22,18 +21,17 @@ impl Builder<'_> {
         }
     }
 
-    /// How many roundings of its coordinates a curve must be across; `None` for a circle. Of bends that a map made too small straight
-    /// segments are left.
+    /// How many roundings of its coordinates a curve must be across; `None` for one that is its vertices. An image is not: of
+    /// bends that a map made too small straight segments are left.
     fn roundings_of_place(&self, curve: &CurveObject, contour: usize) -> Option<f64> {
         if !is_its_vertices(curve) {
             return Some(SMALLEST_IN_PLACE);
         }
-        if matches!(curve, CurveObject::Circle(_)) {
+        if !self.kind.is_image() || matches!(curve, CurveObject::Circle(_)) {
             return None;
         }
         let original = self.sources.first().and_then(|source| source.item.curves().get(contour));
-        let is_straight = !self.kind.is_image() || original.is_none_or(is_its_vertices);
-        Some(if is_straight { SMALLEST_STRAIGHT } else { SMALLEST_IN_PLACE })
+        Some(if original.is_none_or(is_its_vertices) { SMALLEST_IMAGE } else { SMALLEST_IN_PLACE })
     }
 }
 

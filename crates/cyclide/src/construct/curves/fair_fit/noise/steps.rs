@@ -53,8 +53,14 @@ pub(super) fn steps(heights: &[f64], lengths: &[f64], closed: bool) -> Vec<(usiz
     let all: Vec<(usize, f64, f64)> = found.collect();
     // Beside a step one of the points is on the wrong side of an edge.
     let apart = |i: usize, j: usize| if closed { i.abs_diff(j).min(n - i.abs_diff(j)) } else { i.abs_diff(j) };
-    let is_least = |a: &&(usize, f64, f64)| all.iter().all(|b| apart(a.0, b.0) >= SIDE || a.2 <= b.2);
-    all.iter().filter(is_least).map(|(i, apart, _)| (*i, *apart)).collect()
+    // They rise: those beside one are next to it in the list.
+    let count = all.len();
+    let is_least = |(k, a): &(usize, &(usize, f64, f64))| {
+        let beside = (1..=SIDE).flat_map(|step| [k + step, k + SIDE * count - step]).map(|other| &all[other % count]);
+        let mut beside = beside.filter(|b| b.0 != a.0 && apart(a.0, b.0) < SIDE);
+        beside.all(|b| (a.2, a.0) < (b.2, b.0))
+    };
+    all.iter().enumerate().filter(is_least).map(|(_, step)| (step.0, step.1)).collect()
 }
 
 /// The deviation that rounding to some decimals leaves: nearly that of a number anywhere between two values.
