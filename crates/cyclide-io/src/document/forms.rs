@@ -1,6 +1,6 @@
 //! Values that documents write in one of several forms, as sums of these.
 
-/// Reads an enum whose variants are told apart by the kind of JSON value: a `switch`, a `number`, a `word`, a `list` or an `object`, each with the
+/// Reads an enum whose variants differ in the kind of JSON value: a `switch`, a `number`, a `word`, a `list` or an `object`, each with the
 /// type that reads it and what becomes of that. What is wrong within a form is said of its own parts, where serde's `untagged` says that none fits.
 macro_rules! forms {
     ($sum:ident: $expected:literal; $($form:ident $from:ty => $become:expr;)+) => {

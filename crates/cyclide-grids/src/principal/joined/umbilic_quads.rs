@@ -59,7 +59,7 @@ impl QuadMesh {
         Point3::ORIGIN + sum / vertices.len() as f64
     }
 
-    /// The new vertices, but for the umbilic, lie between their neighbors and on the surface.
+    /// The new vertices, except the umbilic, lie between their neighbors and on the surface.
     fn add(&mut self, filling: Filling, centre: Point3, surface: &Surface<'_>, edge: f64) {
         let first = self.points.len();
         self.points.extend((0..filling.new).map(|_| centre));

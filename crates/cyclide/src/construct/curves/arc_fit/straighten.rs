@@ -148,7 +148,7 @@ struct Triple {
 }
 
 impl Triple {
-    /// The neighbors keep their sweeps and radii but for a little: the other circle tangent to the line is a rogue, and
+    /// The neighbors nearly keep their sweeps and radii: the other circle tangent to the line is a rogue, and
     /// what the line takes from a neighbor must not leave a corner.
     fn resembles(&self, new: &Self) -> bool {
         let near = |a: &Option<Piece>, b: &Option<Piece>| {
