@@ -2,7 +2,10 @@
 //! both ways, smoothed or as arcs (`docs/math/fair-fits.md#nodes`, `docs/math/arc-fitting.md#outlines`).
 
 use crate::data::*;
-use cyclide::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, ParamCurve, Point3, Vec3, closest_point};
+use cyclide::{
+    ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, NoiseWarning, ParamCurve, Point3, Vec3, Warning,
+    closest_point,
+};
 use std::f64::consts::PI;
 
 /// Sagitta of the sampled arcs, of at least eight chords.
@@ -193,5 +196,45 @@ fn corners_between_points_are_found() {
         assert!(off < 4.0 * sigma, "{seed}: {off} for noise of {sigma}; {:?}", fit.warnings());
         let read = fit.certificate().noise.unwrap();
         assert!((0.85..1.15).contains(&(read / sigma)), "{seed}: noise {read} of {sigma}");
+    }
+}
+
+/// Teeth of a saw, 6 high and long, measured every 3 with a noise of 0.18, on a plate.
+fn saw(seed: u64) -> Vec<Point3> {
+    let teeth = (0..15).flat_map(|k| [0.0, 6.0].map(|y| [6.0 * f64::from(k), y]));
+    let outline: Vec<[f64; 2]> = teeth.chain([[90.0, 0.0], [90.0, -26.0], [0.0, -26.0]]).collect();
+    let mut noise = deviates(seed, 400).into_iter().map(|x| 0.18 * x);
+    let mut at = 1.0;
+    let mut points = Vec::new();
+    for (k, from) in outline.iter().enumerate() {
+        let to = outline[(k + 1) % outline.len()];
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        while at < length {
+            let [x, y] = [0, 1].map(|c| from[c] + (to[c] - from[c]) * at / length + noise.next().unwrap());
+            points.push(Point3::new(x, y, 0.0));
+            at += 3.0;
+        }
+        at -= length;
+    }
+    points
+}
+
+#[test]
+fn teeth_of_a_few_points_are_no_noise() {
+    for seed in 0..8 {
+        let points = saw(seed);
+        let fit = fitted(&points, &FairFitOptions { closed: true, ..FairFitOptions::by_noise(Noise::Estimated) });
+        let noise = fit.certificate().noise.unwrap();
+        // Smoothed away they would be noise of 1.6.
+        assert!((0.05..0.6).contains(&noise), "seed {seed}: {noise}");
+        // A tip that is taken for a wrong point is named.
+        let named = |i: usize| {
+            let is = |w: &Warning| matches!(w, Warning::Noise(NoiseWarning::Outlier { point, .. }) if *point == i);
+            fit.warnings().iter().any(is)
+        };
+        for (i, p) in points.iter().enumerate() {
+            let off = closest_point(fit.spline(), *p).distance;
+            assert!(off < 1.5 || named(i), "seed {seed}, point {i}: {off}");
+        }
     }
 }

@@ -35,6 +35,8 @@ const TOO_MUCH: f64 = 1.5;
 const UNSURE: f64 = 10.0;
 /// if that is less than this part of an edge, or the points are few: else lengths along noisy points say nothing.
 const OF_EDGE: f64 = 0.1;
+/// or this many times as large: noise above the length of the edges has been 2.75 times what the neighbors allow at most.
+const FAR_TOO_MUCH: f64 = 3.2;
 /// Fewer points than this may all be shape.
 pub(super) const FEW_POINTS: usize = 60;
 /// Noise that is given and this many times as large or as small as what the points say is another.
@@ -174,7 +176,8 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         let edge = mean_edge(&level);
         let too_much = TOO_MUCH * (1.0 + UNSURE / points.len() as f64);
         let is_sure = |most: f64| most < OF_EDGE * edge || points.len() < FEW_POINTS;
-        let is_less = |most: &f64| is_sure(*most) && found.smoothed.deviation > too_much * most;
+        let is_less =
+            |most: &f64| found.smoothed.deviation > if is_sure(*most) { too_much } else { FAR_TOO_MUCH } * most;
         if let Some(most) = most.filter(is_less) {
             series.noise = Some(most.max(NO_NOISE * edge));
             found = cleaned(&series, &protected).unwrap_or(found);
