@@ -1,7 +1,10 @@
 //! `cargo xtask faces FOLDER`: bodies of rational faces that are no cyclides, through every format that holds surfaces, for the tests of
 //! foreign readers. No document makes these.
 
-use cyclide::{Body, Model, Units};
+use cyclide::{
+    model::{Model, Units},
+    topology::Body,
+};
 use cyclide_io::{ExportOptions, Exporter, Format};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 use std::path::Path;

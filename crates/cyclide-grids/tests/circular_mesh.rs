@@ -2,7 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "what must not move or must be reported as it is, is compared exactly")]
 
-use cyclide::{Circle, Error, GridError, Point3, PointError, QuadGrid, Quat, Vec3};
+use cyclide::{
+    Error, Point3, Quat, Vec3,
+    curve::Circle,
+    error::{GridError, PointError},
+    surface::QuadGrid,
+};
 use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular};
 use std::f64::consts::TAU;
 
@@ -298,7 +303,7 @@ fn border_vertices_slide_on_their_curves() {
 #[test]
 fn corners_between_two_curves_stay() {
     let before = grid(|u, v| [u, v, 0.3 * (1.0 - u * u) * (1.0 - v * v)], 10, 0.0);
-    let line = |a: [f64; 3], b: [f64; 3]| cyclide::Arc::segment(Point3::from(a), Point3::from(b)).unwrap();
+    let line = |a: [f64; 3], b: [f64; 3]| cyclide::curve::Arc::segment(Point3::from(a), Point3::from(b)).unwrap();
     let (a, b, c, d) = ([-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [-1.0, 1.0, 0.0], [1.0, 1.0, 0.0]);
     let sides = [line(a, b), line(c, d), line(a, c), line(b, d)];
     let [s0, s1, s2, s3] = &sides;
@@ -317,7 +322,7 @@ fn torus(u: f64, v: f64) -> Point3 {
 }
 
 /// A noisy grid on the torus over `[0, 2] × [-1, 1]`, and its four border circles, each longer by `beyond` at both ends.
-fn noisy_torus(noisy: f64, beyond: f64) -> (QuadGrid, [cyclide::Arc; 4]) {
+fn noisy_torus(noisy: f64, beyond: f64) -> (QuadGrid, [cyclide::curve::Arc; 4]) {
     let place = |k: usize| ((k % 13) as f64 / 6.0, (k / 13) as f64 / 5.0 - 1.0);
     let shaken = |k: usize| {
         let (u, v) = place(k);
@@ -325,7 +330,7 @@ fn noisy_torus(noisy: f64, beyond: f64) -> (QuadGrid, [cyclide::Arc; 4]) {
     };
     let before = QuadGrid::new((0..13 * 11).map(shaken).collect(), [13, 11], [false; 2]).unwrap();
     let through = |at: &dyn Fn(f64) -> Point3, [a, b]: [f64; 2]| {
-        cyclide::Arc::from_three_points(at(a - beyond), at(0.5 * (a + b)), at(b + beyond)).unwrap()
+        cyclide::curve::Arc::from_three_points(at(a - beyond), at(0.5 * (a + b)), at(b + beyond)).unwrap()
     };
     let rows = [-1.0, 1.0].map(|v| through(&|u| torus(u, v), [0.0, 2.0]));
     let columns = [0.0, 2.0].map(|u| through(&|v| torus(u, v), [-1.0, 1.0]));
@@ -339,8 +344,8 @@ fn sides_slide_on_curves_that_end_at_the_corners() {
     // As quickly as on curves that run past the corners: vertices at the ends are held there.
     for used in [[true, false, false, false], [true, true, false, false], [true, false, true, false], [true; 4]] {
         let (before, curves) = noisy_torus(1e-3, 0.0);
-        let sides: [Option<&dyn cyclide::ParamCurve>; 4] =
-            std::array::from_fn(|k| used[k].then_some(&curves[k] as &dyn cyclide::ParamCurve));
+        let sides: [Option<&dyn cyclide::curve::ParamCurve>; 4] =
+            std::array::from_fn(|k| used[k].then_some(&curves[k] as &dyn cyclide::curve::ParamCurve));
         let mesh = circular(&before, Border::OnCurves(sides)).unwrap();
         assert!(mesh.report.steps <= 15, "{used:?}: {} steps", mesh.report.steps);
         // The exact grid is within the noise.
@@ -364,7 +369,7 @@ fn a_corner_between_two_curves_is_where_they_meet() {
     let corner = mesh.grid.point(0, 0);
     // A billionth of the edges, which are about 1 long.
     assert!(corner.distance(torus(0.0, -1.0)) < 1e-9 && corner.distance(before.point(0, 0)) > 1e-3);
-    let away = cyclide::Arc::segment(Point3::new(9.0, -1.0, 3.0), Point3::new(9.0, 6.0, 3.0)).unwrap();
+    let away = cyclide::curve::Arc::segment(Point3::new(9.0, -1.0, 3.0), Point3::new(9.0, 6.0, 3.0)).unwrap();
     let apart = circular(&before, Border::OnCurves([Some(a), None, Some(&away), None])).unwrap_err();
     assert_eq!(apart.reason(), "border-curves-apart");
 }
@@ -436,7 +441,7 @@ fn wrong_input_is_refused_by_name() {
         Point3::new(a.cos(), a.sin(), (k / 4) as f64)
     });
     let ring = QuadGrid::new(ring.collect(), [4, 2], [true, false]).unwrap();
-    let curve = cyclide::Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).unwrap();
+    let curve = cyclide::curve::Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).unwrap();
     let closed = circular(&ring, Border::OnCurves([None, None, Some(&curve), None])).unwrap_err();
     assert_eq!(closed.reason(), "parameter-out-of-range");
 }

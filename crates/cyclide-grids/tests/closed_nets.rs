@@ -3,7 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(clippy::print_stdout, reason = "the long runs print their tables")]
 
-use cyclide::{Circle, CyclidicNet, Error, NetFrame, ParamCurve, PatchError, Point3, QuadGrid, Vec3, surface_joints};
+use cyclide::{
+    Error, Point3, Vec3,
+    curve::{Circle, ParamCurve},
+    error::PatchError,
+    surface::{CyclidicNet, NetFrame, QuadGrid},
+    topology::surface_joints,
+};
 use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular};
 use std::f64::consts::{PI, TAU};
 
@@ -103,7 +109,7 @@ fn measured(mesh: &CircularMesh) -> Measured {
     let net = CyclidicNet::new(mesh.grid.clone(), NetFrame::Auto).unwrap();
     let shell = net.to_shell().unwrap();
     let joints = surface_joints(&shell);
-    let largest = |of: fn(&cyclide::SurfaceJoint) -> f64| joints.iter().map(of).fold(0.0, f64::max);
+    let largest = |of: fn(&cyclide::topology::SurfaceJoint) -> f64| joints.iter().map(of).fold(0.0, f64::max);
     Measured {
         gap: largest(|joint| joint.gap),
         crease: largest(|joint| joint.angle),
@@ -200,7 +206,10 @@ fn borders_in_full() {
             let before = grid(surface, false, [m, 9]);
             let curve = |v: f64| {
                 let points: Vec<Point3> = (0..96).map(|k| Point3::from(surface(f64::from(k) / 96.0, v))).collect();
-                cyclide::CircleSpline::fair(&points, &cyclide::FairSplineOptions { closed: true, ..Default::default() })
+                cyclide::curve::CircleSpline::fair(
+                    &points,
+                    &cyclide::construct::FairSplineOptions { closed: true, ..Default::default() },
+                )
             };
             let [first, last] = [curve(0.0).unwrap(), curve(1.0).unwrap()];
             for (border, held) in [

@@ -4,8 +4,12 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use cyclide::{
-    Conformal, CyclideGrid, CyclideVolume, CyclidicNet, Error, FineEnd, Grading, GridError, Mobius, NetLayout,
-    ParamSurface, Point3, QuadLayout, StructuredGrid, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    conformal::{Conformal, Mobius},
+    error::GridError,
+    surface::{CyclidicNet, NetLayout, ParamSurface, QuadLayout},
+    topology::surface_joints,
+    volume::{CyclideGrid, CyclideVolume, FineEnd, Grading, StructuredGrid},
 };
 use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 use cyclide_testkit::layouts::{ball, cap, pair};

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::float_cmp, reason = "a grid that stays has ratios of equal numbers")]
 
-use cyclide::{Error, GridError, Point3, QuadGrid, Quat, ShapeChange, Vec3, Warning};
+use cyclide::{Error, Point3, Quat, ShapeChange, Vec3, Warning, error::GridError, surface::QuadGrid};
 use cyclide_grids::{CircularMesh, CircularMeshOptions, make_circular};
 use std::f64::consts::{PI, TAU};
 

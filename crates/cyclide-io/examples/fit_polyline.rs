@@ -3,7 +3,12 @@
 //! `cargo run --release --example fit_polyline`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{ArcFit, ArcFitOptions, Model, Point3, Units, length};
+use cyclide::{
+    Point3,
+    construct::{ArcFit, ArcFitOptions},
+    curve::length,
+    model::{Model, Units},
+};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;
 

@@ -3,7 +3,12 @@
 //! `cargo run --release --example invert_torus`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{Conformal, DupinCyclide, Mobius, Model, Point3, Units};
+use cyclide::{
+    Point3,
+    conformal::{Conformal, Mobius},
+    model::{Model, Units},
+    surface::DupinCyclide,
+};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;
 

@@ -3,7 +3,11 @@
 //! `cargo run --release --example measure_curve`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{ArcPath, ParamCurve, Pipe, Point3, bounds, closest_point, extreme_curvature, joints, length};
+use cyclide::{
+    Point3,
+    construct::Pipe,
+    curve::{ArcPath, ParamCurve, bounds, closest_point, extreme_curvature, joints, length},
+};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

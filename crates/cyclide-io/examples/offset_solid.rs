@@ -3,7 +3,11 @@
 //! `cargo run --release --example offset_solid`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{CyclidePatch, CyclidicNet, Model, Point3, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    model::{Model, Units},
+    surface::{CyclidePatch, CyclidicNet},
+};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;
 

@@ -4,7 +4,11 @@
 //! `cargo run --release --example skin_of_mesh`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{CyclidicNet, Model, NetFrame, Point3, QuadGrid, Units};
+use cyclide::{
+    Point3,
+    model::{Model, Units},
+    surface::{CyclidicNet, NetFrame, QuadGrid},
+};
 use cyclide_grids::{CircularMeshOptions, make_circular};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;

@@ -3,7 +3,12 @@
 //! `cargo run --release --example spline_to_step`
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{CircleSpline, FairSplineOptions, Model, Point3, Units, joints};
+use cyclide::{
+    Point3,
+    construct::FairSplineOptions,
+    curve::{CircleSpline, joints},
+    model::{Model, Units},
+};
 use cyclide_io::{ExportOptions, Format, export};
 use std::error::Error;
 

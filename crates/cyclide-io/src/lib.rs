@@ -1,7 +1,7 @@
 //! Readers and writers of cyclide: model documents and point lists in, exchange files and reports out.
 //!
 //! Everything works on text and bytes; only the few functions documented to do so access the file system. Writers are pure functions from a
-//! [`Model`](cyclide::Model) to bytes ([`export()`]). Each format has a reader for the files of this crate ([`read_back`]), so every export
+//! [`Model`](cyclide::model::Model) to bytes ([`export()`]). Each format has a reader for the files of this crate ([`read_back`]), so every export
 //! is checked from the bytes written ([`file_deviation`]).
 //!
 //! # By topic

@@ -1,7 +1,11 @@
 //! Documents of every type are built, and what the kernel refuses is shown at its place.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use cyclide::{CurveObject, ParamCurve, Point3, Units, joints, length};
+use cyclide::{
+    Point3,
+    curve::{ParamCurve, joints, length},
+    model::{CurveObject, Units},
+};
 use cyclide_io::{BuiltObject, Document, Error, Fitted, ModelBuilder};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
@@ -166,7 +170,7 @@ fn arcs_are_fitted_to_curves() {
             for k in 0..=400 {
                 let t = f64::from(k) / 400.0;
                 for (from, to) in [(arcs, given), (given, arcs)] {
-                    let off = cyclide::closest_point(to, from.point(t)).distance;
+                    let off = cyclide::curve::closest_point(to, from.point(t)).distance;
                     assert!(off <= tolerance * (1.0 + 1e-9), "{tolerance}: {off}");
                 }
             }
@@ -389,7 +393,7 @@ fn the_words_of_a_fair_spline_reach_the_kernel() {
     assert!(start("{\"start\": \"free\", \"end\": [1, 0]}").curvature().unwrap() < 1e-12);
     let tense = fair(", \"tension\": 1");
     let CurveObject::CircleSpline(spline) = &tense.item.curves()[0] else { panic!("a circle spline") };
-    assert!(spline.segments().iter().all(|s| s.law() == cyclide::BlendLaw::Fair { blend: 0.0 }));
+    assert!(spline.segments().iter().all(|s| s.law() == cyclide::curve::BlendLaw::Fair { blend: 0.0 }));
     for (fields, reason) in
         [("\"tension\": 2", "tension"), ("\"tight\": 0.5", "tight"), ("\"ends\": {\"end\": [0,0]}", "ends")]
     {
@@ -403,7 +407,7 @@ fn a_circle_spline_is_one() {
     let built = build("\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]]").unwrap();
     let CurveObject::CircleSpline(spline) = &built.item.curves()[0] else { panic!("a circle spline") };
     assert_eq!(spline.order(), 2);
-    assert!(spline.segments().iter().all(|s| s.law() == cyclide::BlendLaw::Rational { order: 2 }));
+    assert!(spline.segments().iter().all(|s| s.law() == cyclide::curve::BlendLaw::Rational { order: 2 }));
 }
 
 /// Objects made from one another in a row, far more than a stack would hold.
@@ -655,7 +659,7 @@ fn arcs_of_a_curve_say_what_they_reached() {
     let built = Document::parse("m.json", text.as_bytes()).unwrap().build().unwrap();
     let Some(Fitted::Arcs(certificate)) = built[1].contours[0].fit else { unreachable!("by its type") };
     let (curve, arcs) = (built[0].item.curves()[0].as_curve(), built[1].item.curves()[0].as_curve());
-    let off = |k: u32| cyclide::closest_point(arcs, curve.point(f64::from(k) / 4000.0)).distance;
+    let off = |k: u32| cyclide::curve::closest_point(arcs, curve.point(f64::from(k) / 4000.0)).distance;
     let reached = (0..=4000).map(off).fold(0.0, f64::max);
     // Measured at four points of each edge, on which the distance is nearly a parabola.
     assert!((certificate.deviation / reached - 1.0).abs() < 0.01, "{} {reached}", certificate.deviation);

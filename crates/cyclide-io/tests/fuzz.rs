@@ -245,7 +245,7 @@ fn right_files(target: &Target) -> Vec<Vec<u8>> {
         let mut builder = ModelBuilder::new(&document, "".as_ref(), &read).expect("a right document");
         let built = (0..document.objects.len()).map(|i| builder.build(i, &mut |_| {}).expect("a right object"));
         let items = built.filter(|built| !built.construction).map(|built| built.item);
-        let model = cyclide::Model { units: document.units, items: items.collect() };
+        let model = cyclide::model::Model { units: document.units, items: items.collect() };
         for file in all.iter().filter_map(|options| export(&model, format, options).ok()) {
             // Small ones: those that hold meshes at the default tolerance are large.
             if file.bytes.len() < 200_000 && !files.contains(&file.bytes) {

@@ -5,7 +5,11 @@
 use std::collections::{HashMap, HashSet};
 
 use cyclide::{
-    Arc, CyclideGrid, CyclideVolume, Grading, Item, Model, NetLayout, QuadLayout, Shell, SurfaceObject, Units,
+    curve::Arc,
+    model::{Item, Model, SurfaceObject, Units},
+    surface::{NetLayout, QuadLayout},
+    topology::Shell,
+    volume::{CyclideGrid, CyclideVolume, Grading},
 };
 use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 use cyclide_io::{

@@ -1,7 +1,7 @@
 //! What a document is told about a net that is not what was given: refusals, warnings and figures of the report.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::NetWarning;
+use cyclide::warning::NetWarning;
 use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport, Report, SurfaceReport};
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
@@ -62,7 +62,7 @@ fn a_flattened_relief_is_refused_at_the_field_that_would_allow_it() {
     assert_eq!(reasons(&built)[..2], ["across-curvature-lines", "shape-changed"]);
     let shape = surface(&built).circular.unwrap().shape.unwrap();
     assert!(shape.bending.unwrap() < 0.1 && shape.lost_relief > 0.9, "{shape:?}");
-    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    let text = Report::new(cyclide::model::Units::Metre, &[built], None).to_string();
     let line = text.lines().find(|line| line.starts_with("  shape ")).unwrap();
     assert!(line.contains("% of the bending, ") && line.ends_with("% of the surface"), "{line}");
 }
@@ -90,7 +90,7 @@ fn a_tube_cut_open_says_how_far_its_seam_gaps() {
             .contains("the distance between the first and the last column of the grid is at most an edge length")
     );
     assert!(remark.message.contains("`closed`") && remark.message.contains(" m and an angle of"), "{}", remark.message);
-    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    let text = Report::new(cyclide::model::Units::Metre, &[built], None).to_string();
     assert!(text.contains("\n  open seam  first and last column: gap "), "{text}");
 
     let roof = |u: f64, v: f64| [10.0 * u, 10.0 * v, 2.0 * u * (1.0 - u)];
@@ -130,7 +130,7 @@ fn few_digits_are_named_and_each_advice_leads_out() {
     assert!(circular.move_max < 1e-5 && report.joints.creases == 0, "{}", circular.move_max);
     let [closing] = circular.closing[..] else { panic!("{:?}", circular.closing) };
     assert!(closing.direction == "s" && closing.angle_before > 1e-8 && closing.angle_after < 1e-12, "{closing:?}");
-    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    let text = Report::new(cyclide::model::Units::Metre, &[built], None).to_string();
     assert!(text.contains("\n  closing    along s: after one turn the frame is rotated by "), "{text}");
     let message = net(&revolved(25, 6), false, false).unwrap_err();
     assert!(

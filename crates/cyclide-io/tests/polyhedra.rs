@@ -75,7 +75,7 @@ fn every_source_gives_the_same_body() {
         .chain([r#""mesh": {"stl": "text.stl"}"#, r#""mesh": {"stl": "cube.stl"}, "hull": true"#]);
     for source in sources {
         let built = build_with(&format!("{source}, \"radius\": 0.5"), &files()).unwrap();
-        let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(&built), None);
+        let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(&built), None);
         let GeometryReport::Surface(surface) = &report.objects["p"].geometry else { panic!("a surface") };
         assert!(surface.closed && surface.bodies == 1 && surface.joints.creases == 0, "{source}");
         let polyhedron = surface.polyhedron.as_deref().unwrap();
@@ -99,7 +99,7 @@ fn the_polyhedron_itself_is_a_solid_of_planes() {
         (pyramid.to_owned(), 6, 7),
     ] {
         let built = build_with(&format!("{source}, \"radius\": 0"), &files()).unwrap();
-        let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(&built), None);
+        let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(&built), None);
         let GeometryReport::Surface(surface) = &report.objects["p"].geometry else { panic!("a surface") };
         let polyhedron = surface.polyhedron.as_deref().unwrap();
         assert!(surface.closed && surface.bodies == 1 && polyhedron.faces == faces && surface.patches == patches);
@@ -112,15 +112,15 @@ fn the_polyhedron_itself_is_a_solid_of_planes() {
 /// OpenCASCADE takes an edge below 1e-7 mm for a point, whatever the units of the file; other formats hold it.
 #[test]
 fn edges_that_readers_take_for_points_are_refused_in_step() {
-    let made = |radius: f64, units: cyclide::Units| {
+    let made = |radius: f64, units: cyclide::model::Units| {
         let built = build(&format!("\"points\": {CUBE:?}, \"radius\": {radius:e}")).unwrap();
-        let model = cyclide::Model { units, items: vec![built.item.clone()] };
+        let model = cyclide::model::Model { units, items: vec![built.item.clone()] };
         let exporter = Exporter::new(&model).unwrap();
         let step = exporter.export(Format::Step, &ExportOptions::default());
         assert!(exporter.export(Format::Json, &ExportOptions::default()).is_ok());
         step
     };
-    let (mm, inch) = (cyclide::Units::Millimetre, cyclide::Units::Inch);
+    let (mm, inch) = (cyclide::model::Units::Millimetre, cyclide::model::Units::Inch);
     let error = made(5e-8, mm).unwrap_err();
     assert_eq!(error.reason(), "edge-too-short");
     assert!(error.to_string().contains("closer than 1e-7 mm"), "{error}");
@@ -135,7 +135,7 @@ fn edges_that_readers_take_for_points_are_refused_in_step() {
 fn planes_are_planes_in_step_and_cylinders_cylinders() {
     let fields = format!("\"points\": {CUBE:?}, \"radius\": 0.5");
     let built = build(&fields).unwrap();
-    let model = cyclide::Model { units: cyclide::Units::Millimetre, items: vec![built.item.clone()] };
+    let model = cyclide::model::Model { units: cyclide::model::Units::Millimetre, items: vec![built.item.clone()] };
     let exporter = Exporter::new(&model).unwrap();
     let exported = exporter.export(Format::Step, &ExportOptions::default()).unwrap();
     let text = String::from_utf8(exported.bytes.clone()).unwrap();

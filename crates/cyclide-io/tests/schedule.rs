@@ -4,7 +4,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use cyclide::{CyclidicNet, SurfaceObject};
+use cyclide::{model::SurfaceObject, surface::CyclidicNet};
 use cyclide_io::{BuiltObject, Document, GeometryReport, ObjectReport, ScheduleOptions, WorkshopSchedule};
 
 /// A row by the names of its columns.
@@ -66,7 +66,7 @@ fn totals_are_those_of_the_report() {
     assert_eq!(json["totals"]["panels"].as_u64(), Some(report.patches as u64));
     assert_eq!(json["totals"]["border"]["count"].as_u64(), Some(report.free_edges as u64));
     let arcs = made.net(0).support_arcs().unwrap();
-    let length: f64 = arcs.iter().map(cyclide::Arc::length).sum();
+    let length: f64 = arcs.iter().map(cyclide::curve::Arc::length).sum();
     assert!((json["totals"]["edge_length"].as_f64().unwrap() / length - 1.0).abs() < 1e-14);
     // Of the solid the upper skin is a part by itself.
     let GeometryReport::Surface(solid) = ObjectReport::new(&made.built[1], None).geometry else {

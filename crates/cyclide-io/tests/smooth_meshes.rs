@@ -6,7 +6,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cyclide::{Model, Point3, SurfaceObject, TriangleSurface, Units};
+use cyclide::{
+    Point3,
+    model::{Model, SurfaceObject, Units},
+    surface::TriangleSurface,
+};
 use cyclide_io::{
     BuiltObject, Document, ExportOptions, Exporter, FileReport, Format, GeometryReport, ModelBuilder, Report,
     SmoothReport, read_back,
@@ -168,7 +172,7 @@ fn options(tolerance: f64) -> ExportOptions {
 
 /// The volume of the meshes of a file.
 fn volume(format: Format, bytes: &[u8]) -> f64 {
-    read_back(format, bytes).unwrap().meshes.iter().map(cyclide::SurfaceMesh::volume).sum()
+    read_back(format, bytes).unwrap().meshes.iter().map(cyclide::mesh::SurfaceMesh::volume).sum()
 }
 
 #[test]
@@ -535,7 +539,8 @@ fn sphere_blends_of_documents() {
 fn a_scan_of_five_thousand_triangles_becomes_smooth() {
     let (points, triangles) = scan(2502);
     assert_eq!(triangles.len(), 5000);
-    let mesh = cyclide::SmoothMesh::new(&points, &triangles, cyclide::VertexNormals::SphereWeighted).unwrap();
+    let mesh = cyclide::surface::SmoothMesh::new(&points, &triangles, cyclide::surface::VertexNormals::SphereWeighted)
+        .unwrap();
     let flat = mesh.tessellate(1).unwrap();
     let (measure, comparison) = (mesh.measure().unwrap(), mesh.comparison().unwrap());
     let volume = measure.volume.unwrap();
@@ -549,7 +554,7 @@ fn a_scan_of_five_thousand_triangles_becomes_smooth() {
         let report = exporter.check(Path::new("a"), format, &file).unwrap();
         assert!(report.deviation.unwrap() <= file.bound);
         let content = read_back(format, &file.bytes).unwrap();
-        let read: f64 = content.meshes.iter().map(cyclide::SurfaceMesh::volume).sum();
+        let read: f64 = content.meshes.iter().map(cyclide::mesh::SurfaceMesh::volume).sum();
         assert!((read - volume).abs() < 1.1 * file.bound * measure.area, "{format:?}");
     };
     std::thread::scope(|scope| {

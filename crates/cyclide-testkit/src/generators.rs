@@ -2,7 +2,7 @@
 //! a few units in the last place, nearly collinear points, nearly straight and nearly full arcs, coordinates far from
 //! the origin, tiny and huge scales.
 
-use cyclide::{Arc, Point3, Quat, Vec3};
+use cyclide::{Point3, Quat, Vec3, curve::Arc};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,6 +1,6 @@
 //! Meshes of quads with extraordinary vertices.
 
-use cyclide::{Point3, QuadLayout, Vec3};
+use cyclide::{Point3, Vec3, surface::QuadLayout};
 use std::f64::consts::TAU;
 
 /// Points that are equal but for rounding are one.

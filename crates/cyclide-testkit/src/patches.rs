@@ -1,7 +1,7 @@
 //! Random patches of Dupin cyclides: concircular quads in every order of size and place, with random frames.
 
 use crate::generators::{direction, point};
-use cyclide::{CyclidePatch, Point3, Vec3};
+use cyclide::{Point3, Vec3, surface::CyclidePatch};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -1,7 +1,9 @@
 //! Bodies of rational faces that are no cyclides.
 
 use cyclide::{
-    Body, EdgeCurve, FaceEdge, Point3, RationalBezier, RationalBezierSurface, Shell, ShellEdge, ShellFace, Side, Vec3,
+    Point3, Vec3,
+    rational::{RationalBezier, RationalBezierSurface},
+    topology::{Body, EdgeCurve, FaceEdge, Shell, ShellEdge, ShellFace, Side},
 };
 
 /// Homogeneous rows of the control points of a Bézier curve or surface.
@@ -96,7 +98,7 @@ pub fn egg() -> Body {
 #[must_use]
 pub fn egg_profile(x: f64) -> [f64; 4] {
     let outer = egg().outer;
-    let jet = cyclide::ParamCurve::piece_jet(&outer.edges()[0].curve, 0, x);
+    let jet = cyclide::curve::ParamCurve::piece_jet(&outer.edges()[0].curve, 0, x);
     let Vec3 { x: dr, z: dz, .. } = jet.d1;
     [jet.point.x, jet.point.z, dr, dz]
 }

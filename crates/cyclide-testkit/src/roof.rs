@@ -1,6 +1,6 @@
 //! The free-form roof of the examples: a hall over a curved plan.
 
-use cyclide::{Point3, QuadGrid};
+use cyclide::{Point3, surface::QuadGrid};
 use std::f64::consts::PI;
 use std::fmt::Write;
 

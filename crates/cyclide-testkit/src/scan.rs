@@ -1,6 +1,6 @@
 //! The scan of the examples: a stone with a hollow for the thumb as a scanner sees it, triangles without order and a little noise.
 
-use cyclide::{ConvexPolyhedron, Point3, Vec3};
+use cyclide::{Point3, Vec3, construct::ConvexPolyhedron};
 use std::f64::consts::PI;
 use std::fmt::Write;
 

@@ -2,7 +2,10 @@
 
 use crate::attack::Random;
 use cyclide::{
-    Frame, ParamCurve, Point2, Point3, Torus, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding, Vec2, Vec3,
+    Frame, Point2, Point3, Vec2, Vec3,
+    construct::{TorusSplineOptions, TorusTangent, TorusWinding},
+    curve::ParamCurve,
+    surface::{Torus, TorusSpline},
 };
 use std::f64::consts::PI;
 

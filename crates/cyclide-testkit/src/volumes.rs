@@ -1,6 +1,6 @@
 //! Random spherical cubes, near boxes and far from them, of any size and place.
 
-use cyclide::{Point3, SphericalCube, Vec3};
+use cyclide::{Point3, Vec3, volume::SphericalCube};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

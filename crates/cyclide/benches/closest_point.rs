@@ -5,7 +5,11 @@
 mod data;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{BlendVariant, CurveIndex, Lower, ParamCurve, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{BlendVariant, CurveIndex, ParamCurve},
+    model::Lower,
+};
 use std::hint::black_box;
 
 /// Queries per call.

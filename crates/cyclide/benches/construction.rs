@@ -5,7 +5,11 @@
 mod data;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{ArcPath, ArcSplineOptions, BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, Lower};
+use cyclide::{
+    construct::{ArcSplineOptions, FairSplineOptions},
+    curve::{ArcPath, BlendVariant, CircleSpline, CircleSplineOptions},
+    model::Lower,
+};
 use std::hint::black_box;
 
 /// Points.

@@ -5,7 +5,11 @@
 mod data;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{BlendVariant, CurveJet, Lower, ParamCurve, Point3};
+use cyclide::{
+    CurveJet, Point3,
+    curve::{BlendVariant, ParamCurve},
+    model::Lower,
+};
 use std::hint::black_box;
 
 /// Parameters per call.

@@ -5,7 +5,7 @@
 mod data;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{ArcFit, ArcFitOptions, Effort, FairFit, FairFitOptions};
+use cyclide::construct::{ArcFit, ArcFitOptions, Effort, FairFit, FairFitOptions};
 use std::hint::black_box;
 
 fn fitting(c: &mut Criterion) {

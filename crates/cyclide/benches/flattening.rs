@@ -5,7 +5,11 @@
 mod data;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{BlendVariant, Lower, ParamCurve, flatten, flatten_into};
+use cyclide::{
+    curve::{BlendVariant, ParamCurve},
+    mesh::{flatten, flatten_into},
+    model::Lower,
+};
 use std::hint::black_box;
 
 fn flattening(c: &mut Criterion) {

@@ -6,7 +6,7 @@
 mod torus_grid;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::ParamSurface;
+use cyclide::surface::ParamSurface;
 use std::hint::black_box;
 
 /// Parameters in each direction.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "the data are ours")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{Body, DupinCyclide, tessellate};
+use cyclide::{mesh::tessellate, surface::DupinCyclide, topology::Body};
 use std::hint::black_box;
 
 fn tessellation(c: &mut Criterion) {

@@ -6,7 +6,10 @@
 mod volume_rows;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, Grading, StructuredGrid};
+use cyclide::{
+    surface::DupinCyclide,
+    volume::{CyclideGrid, CyclideVolume, Grading, StructuredGrid},
+};
 use std::hint::black_box;
 
 /// Parameters in each direction.

@@ -6,7 +6,11 @@
 //! where 64 samples per segment are taken; variation is that of curvature squared over arc length, times the cube of the length.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{CircleSpline, CircleSplineOptions, FairEnd, FairSplineOptions, ParamCurve, Point3, joints};
+use cyclide::{
+    Point3,
+    construct::{FairEnd, FairSplineOptions},
+    curve::{CircleSpline, CircleSplineOptions, ParamCurve, joints},
+};
 use std::error::Error;
 
 /// Samples per segment.

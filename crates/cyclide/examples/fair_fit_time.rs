@@ -4,7 +4,11 @@
 //! half of `benches/compare_fits.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{FairFit, FairFitOptions, Point3, fairness};
+use cyclide::{
+    Point3,
+    construct::{FairFit, FairFitOptions},
+    curve::fairness,
+};
 use std::error::Error;
 use std::time::Instant;
 

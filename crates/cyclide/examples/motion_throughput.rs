@@ -5,7 +5,11 @@
 //! `benches/compare_motions.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{Motion, NodeParameters, Point3, Pose, QbInterpolation, RationalMotion, ScrewMotion, TimedPose, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    construct::{NodeParameters, QbInterpolation},
+    motion::{Motion, Pose, RationalMotion, ScrewMotion, TimedPose},
+};
 use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;

@@ -5,8 +5,9 @@
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
 use cyclide::{
-    BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, MoebiusSplineOptions, ParamCurve, Point3,
-    QbSpline,
+    Point3,
+    construct::{FairSplineOptions, MoebiusSplineOptions},
+    curve::{BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, QbSpline},
 };
 use std::error::Error;
 use std::time::Instant;

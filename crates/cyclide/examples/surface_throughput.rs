@@ -6,7 +6,7 @@
 mod timing;
 mod torus_grid;
 
-use cyclide::{ParamSurface, Result};
+use cyclide::{Result, surface::ParamSurface};
 use timing::smallest;
 
 /// Parameters in each direction.

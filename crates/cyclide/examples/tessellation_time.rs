@@ -5,7 +5,12 @@
 //! our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{Body, CyclidePatch, DupinCyclide, Point3, Shell, Vec3, tessellate};
+use cyclide::{
+    Point3, Vec3,
+    mesh::tessellate,
+    surface::{CyclidePatch, DupinCyclide},
+    topology::{Body, Shell},
+};
 use std::error::Error;
 use std::time::Instant;
 

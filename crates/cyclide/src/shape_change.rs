@@ -15,7 +15,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// flat.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let tube = (0..17 * 9).map(|k| (0.1 * f64::from(k % 17), 0.1 * f64::from(k / 17)));
 /// let tube = tube.map(|(angle, z)| Point3::new(angle.cos(), angle.sin(), z)).collect();

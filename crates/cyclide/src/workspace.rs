@@ -3,4 +3,6 @@
 pub use crate::base::range::{check_distance, check_point};
 pub use crate::base::svd3::singular_values;
 pub use crate::base::triangle::on_triangle;
-pub use crate::surface::{RoundClosing, beside, closing_limit, flooded};
+pub use crate::surface::grid_cells::{beside, flooded};
+pub use crate::surface::layout::RoundClosing;
+pub use crate::surface::net::closing_limit;

@@ -2,8 +2,10 @@
 //! panic.
 
 use cyclide::{
-    Arc, Arc4, ArcPath, ArcSplineOptions, Biarc, BiarcRule, Circle, CurveJet, ParamCurve, Point3, Quat, Sphere, Vec3,
-    estimate_tangents,
+    CurveJet, Point3, Quat, Vec3,
+    conformal::Sphere,
+    construct::{ArcSplineOptions, Biarc, BiarcRule, estimate_tangents},
+    curve::{Arc, Arc4, ArcPath, Circle, ParamCurve},
 };
 use cyclide_testkit::generators::{three_points, wild, wild_point, wild_vector};
 use proptest::prelude::*;

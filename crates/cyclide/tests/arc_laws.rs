@@ -3,7 +3,11 @@
 //! Bounds are in units of the last place of the arc's size, times the amplification near a full circle (see
 //! `ArcCase::rounding`); the factors are some tens of operations, each rounded once.
 
-use cyclide::{Arc, Conformal, Mobius, ParamCurve, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::{Arc, ParamCurve},
+};
 use cyclide_testkit::generators::{ArcCase, arc, direction, point, scale, tame_arc, with_rounding};
 use proptest::prelude::*;
 
@@ -77,7 +81,7 @@ proptest! {
 
     #[test]
     fn exact_splines_are_the_arc(case in arc()) {
-        let nurbs = case.arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE).unwrap();
+        let nurbs = case.arc.to_nurbs(cyclide::curve::DEFAULT_PIECE_ANGLE).unwrap();
         prop_assert!(nurbs.weights().iter().all(|w| *w > 0.7));
         for i in 0..=24 {
             let p = nurbs.point_at_knot(f64::from(i) / 24.0);

@@ -3,8 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
 use cyclide::{
-    Arc, ArcError, ArcPath, ArcSplineOptions, Biarc, BiarcRule, Error, NumberError, ParamCurve, Point3, PointError,
-    Vec3,
+    Error, Point3, Vec3,
+    construct::{ArcSplineOptions, Biarc, BiarcRule},
+    curve::{Arc, ArcPath, ParamCurve},
+    error::{ArcError, NumberError, PointError},
 };
 use cyclide_testkit::generators::{direction, neighbor, point, scale, three_points};
 use proptest::prelude::*;

@@ -4,9 +4,14 @@
 #![allow(clippy::float_cmp, reason = "places at the ends are these numbers")]
 
 use cyclide::{
-    Arc, ArcPath, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceSurface, Mobius, NeckBlend, NeckBody,
-    NeckSide, NeckVariant, NumberError, ParamSurface as _, PatchKind, Pipe, PipeEnds, PipeError, PlateShape, Point3,
-    PointError, Quat, RationalBezier, RationalBezierSurface, Revolution, Vec3,
+    Error, Point3, Quat, Vec3,
+    conformal::{Conformal as _, Mobius},
+    construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape, Revolution},
+    curve::{Arc, ArcPath},
+    error::{NumberError, PipeError, PointError},
+    rational::{RationalBezier, RationalBezierSurface},
+    surface::{ParamSurface as _, PatchKind},
+    topology::{Body, EdgeCurve, FaceSurface},
 };
 use cyclide_testkit::generators::{direction, point};
 use proptest::prelude::*;

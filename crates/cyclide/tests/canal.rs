@@ -1,8 +1,12 @@
 //! Rolling balls and canal surfaces: every ball touches what it should, every patch is the envelope of its balls.
 
 use cyclide::{
-    CanalPatch, CircleFamily, Frame, NaturalQuadric, Point2, Point3, QuadricPair, QuarticType, RollingBall,
-    SkewCylinders, Torus, TorusSpline, TorusSplineOptions, Vec3,
+    Frame, Point2, Point3, Vec3,
+    construct::TorusSplineOptions,
+    surface::{
+        CanalPatch, CircleFamily, NaturalQuadric, QuadricPair, QuarticType, RollingBall, SkewCylinders, Torus,
+        TorusSpline,
+    },
 };
 use cyclide_testkit::attack::Random;
 
@@ -96,7 +100,7 @@ fn patches_of_all_types_are_envelopes() {
             let families = kind.families().map(CircleFamily::index);
             let degree = patch.to_rational().unwrap().degrees();
             assert_eq!(degree, [if families == [0, 3] { 14 } else { 12 }, 2]);
-            for cyclide::CanalPart { surface, s, t } in patch.rational_parts().unwrap() {
+            for cyclide::surface::CanalPart { surface, s, t } in patch.rational_parts().unwrap() {
                 assert!(surface.has_positive_weights());
                 parts += 1;
                 let (x, y) = (0.37, 0.61);
@@ -163,7 +167,7 @@ fn balls_touch_cylinders_and_cones_in_any_position() {
                 }
             }
         }
-        timelike += usize::from(pair.kind() == cyclide::PairKind::Timelike);
+        timelike += usize::from(pair.kind() == cyclide::surface::PairKind::Timelike);
     }
     assert!(timelike > 40 && touched > 100, "{timelike} {touched}");
 }
@@ -213,7 +217,7 @@ fn strips_between_cylinders_and_cones_are_envelopes_of_balls_that_touch_both() {
         let least = match pair.smallest_radius() {
             Ok(least) => least,
             Err(error) => {
-                let timelike = pair.kind() == cyclide::PairKind::Timelike;
+                let timelike = pair.kind() == cyclide::surface::PairKind::Timelike;
                 assert_eq!(error.reason(), if timelike { "sphere-at-infinity" } else { "not-timelike-pair" });
                 continue;
             }
@@ -278,7 +282,7 @@ fn kinds_without_a_strip_have_their_names() {
     // A cone that enters the pipe.
     let branch = NaturalQuadric::cone(Point3::new(0.0, 0.0, 9.0), -Vec3::Z, 0.1).unwrap();
     let pair = QuadricPair::new([pipe, branch]).unwrap();
-    assert_eq!(pair.kind(), cyclide::PairKind::Spacelike);
+    assert_eq!(pair.kind(), cyclide::surface::PairKind::Spacelike);
     let reasons = [pair.smallest_radius().map(|_| ()), pair.place_of_radius(0.5, 0.0).map(|_| ())];
     assert!(reasons.iter().all(|result| result.as_ref().unwrap_err().reason() == "not-timelike-pair"));
     // Axes that meet, with a ball that is in both.

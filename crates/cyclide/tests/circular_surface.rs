@@ -2,9 +2,16 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, ArcError, Body, BodyWarning, BridgeError, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _,
-    FaceSurface, Mobius, ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier,
-    RationalBezierSurface, Vec3, Warning, surface_joints, tessellate,
+    Error, Point3, Quat, Vec3, Warning,
+    conformal::{Conformal as _, Mobius},
+    construct::{EllipseBridge, RailSurface},
+    curve::Arc,
+    error::{ArcError, BridgeError},
+    mesh::tessellate,
+    rational::{RationalBezier, RationalBezierSurface},
+    surface::{ParamSurface as _, PatchKind},
+    topology::{Body, EdgeCurve, FaceGeometry as _, FaceSurface, surface_joints},
+    warning::BodyWarning,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -116,7 +123,7 @@ fn the_bridge_of_circles_is_analytic() {
     let body = EllipseBridge::new([3.0, 3.0], [1.0, 1.0]).unwrap().body(Some(2.0)).unwrap();
     let mut kinds: Vec<&str> = Vec::new();
     for face in body.outer.faces() {
-        kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognize) {
+        kinds.push(match face.surface.patch().map(cyclide::surface::CyclidePatch::recognize) {
             Some(PatchKind::Torus { .. }) => "torus",
             Some(PatchKind::Cylinder { .. }) => "cylinder",
             Some(PatchKind::Plane { .. }) => "plane",

@@ -3,8 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactError, ContactPartner, Error, FaceSurface, NeckSide,
-    PipeError, PlateShape, Point3, RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    construct::{BlendBase, BlendTube, ContactBlend, NeckSide, PlateShape, TeeEnds},
+    error::{ContactError, PipeError},
+    rational::{RationalBezier, RationalBezierSurface},
+    surface::{CanalPatch, ContactPartner, RollingBall},
+    topology::{Body, FaceSurface, surface_joints},
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -3,7 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 #![allow(clippy::float_cmp, reason = "what is handed on is the same double")]
 
-use cyclide::{CyclidePatch, DupinCyclide, FaceGeometry, FaceSurface, ParamSurface as _, Point3, Shell, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    surface::{CyclidePatch, DupinCyclide, ParamSurface as _},
+    topology::{FaceGeometry, FaceSurface, Shell},
+};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 
 /// An eighth of a sphere, patches of a ring, of a ring offset to a horn (lines that are points inside), faces that are no
@@ -24,7 +28,7 @@ fn the_surface_of_a_face_hands_on_all_that_its_own_surface_gives() {
     let places: Vec<f64> = (0..=4).map(|k| f64::from(k) / 4.0).collect();
     let (mut flat, mut singular, mut plane) = (0, 0, 0);
     let square = [[0.0, 0.0, 0.0, 1.0], [0.0, 2.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 3.0, 0.0, 1.0]];
-    let square = cyclide::RationalBezierSurface::new([1, 1], square.to_vec()).unwrap();
+    let square = cyclide::rational::RationalBezierSurface::new([1, 1], square.to_vec()).unwrap();
     for face in surfaces().into_iter().chain([square.into()]) {
         let own: &dyn FaceGeometry = match &face {
             FaceSurface::Cyclide(patch) => patch,

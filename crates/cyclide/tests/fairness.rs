@@ -4,8 +4,9 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
 use cyclide::{
-    Arc, ArcPath, ArcSplineOptions, Circle, CircleSpline, CircleSplineOptions, CurveJet, FairSplineOptions, Fairness,
-    ParamCurve, Point3, Vec3, fairness, wavering,
+    CurveJet, Point3, Vec3,
+    construct::{ArcSplineOptions, FairSplineOptions},
+    curve::{Arc, ArcPath, Circle, CircleSpline, CircleSplineOptions, Fairness, ParamCurve, fairness, wavering},
 };
 use std::f64::consts::TAU;
 
@@ -20,8 +21,8 @@ struct Ellipse {
 
 impl ParamCurve for Ellipse {
     /// It is never flattened: nothing is claimed.
-    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::PieceHull> {
-        Ok(cyclide::PieceHull::closed_form())
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::curve::PieceHull> {
+        Ok(cyclide::curve::PieceHull::closed_form())
     }
     fn piece_count(&self) -> usize {
         self.pieces
@@ -52,8 +53,8 @@ struct Wave {
 
 impl ParamCurve for Wave {
     /// It is never flattened: nothing is claimed.
-    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::PieceHull> {
-        Ok(cyclide::PieceHull::closed_form())
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::curve::PieceHull> {
+        Ok(cyclide::curve::PieceHull::closed_form())
     }
     fn piece_count(&self) -> usize {
         1

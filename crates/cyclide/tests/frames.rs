@@ -3,10 +3,17 @@
 #![allow(clippy::float_cmp, reason = "values that must agree to the bit are compared as such")]
 
 use cyclide::{
-    Aabb, Arc, ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions, ClosedTwist, Conformal, CurveError,
-    CurveFrames, CurveJet, CurveObject, Error, FairSplineOptions, Frame, FrameRule, Mobius, NurbsCurve, ParamCurve,
-    PieceHull, Point2, Point3, Quat, Result, Torus, TorusSpline, Vec3, bending_energy, length, plane_normal,
-    tight_places,
+    Aabb, CurveJet, Error, Frame, Point2, Point3, Quat, Result, Vec3,
+    conformal::{Conformal, Mobius},
+    construct::FairSplineOptions,
+    curve::{
+        Arc, ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions, ClosedTwist, CurveFrames, FrameRule,
+        ParamCurve, PieceHull, bending_energy, length, plane_normal, tight_places,
+    },
+    error::CurveError,
+    model::CurveObject,
+    rational::NurbsCurve,
+    surface::{Torus, TorusSpline},
 };
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};

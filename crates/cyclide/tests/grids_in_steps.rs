@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, DupinCyclide, Error, GridCell, GridCellFault,
-    GridError, Mobius, NetFrame, ParamSurface as _, Point3, QuadGrid, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    conformal::{Conformal as _, Mobius},
+    error::{GridCellFault, GridError},
+    surface::{CyclidicNet, DupinCyclide, GridCell, NetFrame, ParamSurface as _, QuadGrid},
+    topology::{Body, surface_joints},
+    volume::{CyclideGrid, CyclideVolume},
 };
 
 /// Quads along s and t.
@@ -191,7 +195,7 @@ fn layers_are_over_all_patches_and_share_faces() {
 
 mod circular {
     use super::*;
-    use cyclide::GridError;
+    use cyclide::error::GridError;
     use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 
     /// A saddle whose grid runs along its lines of curvature, not circular by far.
@@ -236,7 +240,7 @@ mod circular {
             // Held all round there may be no such grid.
             Err(error) => assert_eq!(error.reason(), "not-converged"),
         }
-        let curve = cyclide::Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).unwrap();
+        let curve = cyclide::curve::Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).unwrap();
         let border = Border::OnCurves([Some(&curve), None, None, None]);
         let options = CircularMeshOptions { border, ..CircularMeshOptions::default() };
         let refused = make_circular(&saddle(), &options, &mut |_| ()).unwrap_err();

@@ -1,7 +1,9 @@
 //! Polyhedra next to degenerate ones: what is flat, how far; edges that are one point; planes that are nearly one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, PolyhedronWarning, Vec3, Warning};
+use cyclide::{
+    Error, Point3, Vec3, Warning, construct::ConvexPolyhedron, error::PolyhedronError, warning::PolyhedronWarning,
+};
 
 /// A box, and its sides counter-clockwise from outside.
 fn boxed(sizes: [f64; 3]) -> (Vec<Point3>, Vec<Vec<usize>>) {

@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, Error, FaceGeometry as _, FaceSurface, Mobius, NeckBlend, NeckBody, NeckSide, NeckVariant,
-    ParamSurface as _, PatchKind, PipeError, PlateShape, Point3, Quat, Side, Vec3, surface_joints,
+    Error, Point3, Quat, Vec3,
+    conformal::{Conformal as _, Mobius},
+    construct::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape},
+    error::PipeError,
+    surface::{ParamSurface as _, PatchKind},
+    topology::{Body, FaceGeometry as _, FaceSurface, Side, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -347,7 +351,7 @@ fn upright_pipes_have_analytic_faces() {
     let kinds = |body: &Body| {
         let mut kinds: Vec<&str> = Vec::new();
         for face in body.outer.faces() {
-            kinds.push(match face.surface.patch().map(cyclide::CyclidePatch::recognize) {
+            kinds.push(match face.surface.patch().map(cyclide::surface::CyclidePatch::recognize) {
                 Some(PatchKind::Torus { .. }) => "torus",
                 Some(PatchKind::Cylinder { .. }) => "cylinder",
                 Some(PatchKind::Plane { .. }) => "plane",

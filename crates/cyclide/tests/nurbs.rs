@@ -3,8 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Conformal, CurveObject, Error, ErrorItem, Exactness, Lower, Mobius, NurbsCurve, NurbsError, ParamCurve, Point3,
-    PointError, Quat, Vec3, closest_point, length,
+    Error, Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::{ParamCurve, closest_point, length},
+    error::{ErrorItem, NurbsError, PointError},
+    model::{CurveObject, Exactness, Lower},
+    rational::NurbsCurve,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -212,7 +216,7 @@ fn files_get_the_curve_itself_cut_at_its_kinks() {
     let smooth = circle().transformed(&Mobius::translation(Vec3::X).unwrap()).unwrap();
     let (chain, _) = smooth.to_chain(1.0).unwrap();
     assert_eq!(chain.pieces()[0].as_curve().piece_count(), 4);
-    assert!(matches!(&chain.pieces()[0], cyclide::ChainPiece::Spline(c) if *c == smooth));
+    assert!(matches!(&chain.pieces()[0], cyclide::model::ChainPiece::Spline(c) if *c == smooth));
 }
 
 #[test]
@@ -222,7 +226,7 @@ fn arcs_are_within_the_tolerance_and_tangent() {
     // The spans are quarters of a circle: two arcs each, which are the circle.
     assert_eq!((arcs.arcs().len(), exactness), (8, Exactness::Sampled(1e-4)));
     assert!((length(&arcs) - std::f64::consts::TAU).abs() < 1e-12);
-    assert!(cyclide::joints(&arcs).iter().all(|joint| joint.angle < 1e-9));
+    assert!(cyclide::curve::joints(&arcs).iter().all(|joint| joint.angle < 1e-9));
 }
 
 #[test]
@@ -316,7 +320,7 @@ fn weights_of_any_size_give_the_same_curve_or_none() {
     let length = std::f64::consts::SQRT_2 + 1.0_f64.asinh();
     for c in [1e-18, 1e-9, 1e-4, 1.0, 1e4, 1e9, 1e18] {
         let curve = even([c, 1.0, 1.0 / c]).unwrap();
-        assert!((cyclide::length(&curve) - length).abs() < 1e-12 * length, "{c}");
+        assert!((cyclide::curve::length(&curve) - length).abs() < 1e-12 * length, "{c}");
         assert_eq!(curve.control_points(), points);
     }
     // Spans of a spline are evened each for itself, and its ends stay to the bit.
@@ -338,7 +342,7 @@ fn weights_of_any_size_give_the_same_curve_or_none() {
         assert_eq!((found, most), (first, limit), "{weights:?}");
     }
     // A small weight takes its control point out of the curve, and nothing else.
-    assert!((cyclide::length(&made([1.0, 1e-60, 1.0]).unwrap()) - 2.0).abs() < 1e-12);
+    assert!((cyclide::curve::length(&made([1.0, 1e-60, 1.0]).unwrap()) - 2.0).abs() < 1e-12);
     assert_eq!(even([1.0, 1e100, 1.0]).unwrap_err().reason(), "weights-uneven");
     let far = points.iter().map(|p| Point3::new(1e300 * p.x, p.y, p.z)).collect();
     assert_eq!(NurbsCurve::new(2, knots, far, vec![1.0; 3]).unwrap_err().reason(), "parameter-out-of-range");

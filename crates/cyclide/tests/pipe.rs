@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, ArcPath, ArcSplineOptions, Body, FaceSurface, ParamSurface as _, PatchKind, Pipe, PipeEnds, Point3, Shell,
-    Vec3, surface_joints, tessellate,
+    Point3, Vec3,
+    construct::{ArcSplineOptions, Pipe, PipeEnds},
+    curve::{Arc, ArcPath},
+    mesh::tessellate,
+    surface::{ParamSurface as _, PatchKind},
+    topology::{Body, FaceSurface, Shell, surface_joints},
 };
 use std::f64::consts::PI;
 
@@ -72,7 +76,7 @@ fn a_run_has_the_measures_of_pappus() {
 
 #[test]
 fn faces_are_tori_cylinders_planes_and_spheres() {
-    let kind = |face: &cyclide::ShellFace| match &face.surface {
+    let kind = |face: &cyclide::topology::ShellFace| match &face.surface {
         FaceSurface::Cyclide(patch) => match patch.recognize() {
             PatchKind::Torus { major_radius, minor_radius, .. } => {
                 assert!((major_radius - 15.0).abs() < 1e-9 && (minor_radius - 6.0).abs() < 1e-9);

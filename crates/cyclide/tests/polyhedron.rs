@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, ConvexPolyhedron, FaceGeometry as _, FaceSurface, Mobius, PatchKind, Point3, Quat,
-    SphericalPolygon, Vec3, surface_joints, tessellate,
+    Point3, Quat, Vec3,
+    conformal::{Conformal as _, Mobius},
+    construct::{ConvexPolyhedron, SphericalPolygon},
+    mesh::tessellate,
+    surface::PatchKind,
+    topology::{Body, FaceGeometry as _, FaceSurface, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

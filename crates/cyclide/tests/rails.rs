@@ -3,8 +3,14 @@
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
-    Arc, Body, BodyWarning, BridgeError, Circle, EdgeCurve, Ellipse, EllipseBridge, Error, FaceSurface,
-    ParamSurface as _, Point3, RailSurface, RationalBezier, Vec3, Warning, surface_joints,
+    Error, Point3, Vec3, Warning,
+    construct::{Ellipse, EllipseBridge, RailSurface},
+    curve::{Arc, Circle},
+    error::BridgeError,
+    rational::RationalBezier,
+    surface::ParamSurface as _,
+    topology::{Body, EdgeCurve, FaceSurface, surface_joints},
+    warning::BodyWarning,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -214,7 +220,7 @@ proptest! {
             }
             Err(Error::Bridge(BridgeError::ArcsCross { .. })) => {
                 let [one, other] = [first, second].map(|rail| rail.evened().to_rational());
-                let surface = cyclide::RationalBezierSurface::circular(&one, &other, tangents).unwrap();
+                let surface = cyclide::rational::RationalBezierSurface::circular(&one, &other, tangents).unwrap();
                 // Somewhere on a grid that is finer near the ends.
                 let grid = || (0..=200).map(|k| 0.5 - 0.5 * (PI * f64::from(k) / 200.0).cos());
                 let sides = grid().flat_map(|s| grid().map(move |t| (s, t))).map(|(s, t)| {

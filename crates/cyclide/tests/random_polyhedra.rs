@@ -2,7 +2,9 @@
 //! all faces, and closed shells.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use cyclide::{ConvexPolyhedron, Error, Point3, PolyhedronError, Quat, Vec3, surface_joints};
+use cyclide::{
+    Error, Point3, Quat, Vec3, construct::ConvexPolyhedron, error::PolyhedronError, topology::surface_joints,
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, CyclidePatch, EdgeCurve, FaceGeometry as _, FaceSurface, MeshFace, Mobius, ParamSurface,
-    Point3, RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
+    Point3, Vec3,
+    conformal::{Conformal as _, Mobius},
+    mesh::{MeshFace, SurfaceMesh, tessellate},
+    rational::RationalBezierSurface,
+    surface::{CyclidePatch, ParamSurface},
+    topology::{Body, EdgeCurve, FaceGeometry as _, FaceSurface, Shell, ShellEdge, surface_joints},
 };
 use cyclide_testkit::rational_faces::{egg, egg_profile, smooth_pair};
 use std::collections::HashMap;
@@ -166,7 +170,7 @@ fn what_is_no_shell_is_refused() {
     let (v, mut e, f) = parts();
     let EdgeCurve::Rational(curve) = &e[1].curve else { panic!("a rational edge") };
     let rows = curve.rows().iter().zip([1.0, 2.0, 4.0, 8.0]).map(|(row, k)| row.map(|x| x * k)).collect();
-    e[1].curve = cyclide::RationalBezier::new(rows).unwrap().into();
+    e[1].curve = cyclide::rational::RationalBezier::new(rows).unwrap().into();
     refused((v, e, f), "another parameter");
     let (v, e, mut f) = parts();
     let FaceSurface::Rational(surface) = &f[0].surface else { panic!("a rational face") };

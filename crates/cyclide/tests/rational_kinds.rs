@@ -2,8 +2,12 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    BlendBase, BlendTube, Conformal as _, ContactBlend, FaceSurface, Mobius, PatchKind, PipeTee, Point3, Quat,
-    RationalBezierSurface, Shell, TeeBranch, TeeMain, Vec3,
+    Point3, Quat, Vec3,
+    conformal::{Conformal as _, Mobius},
+    construct::{BlendBase, BlendTube, ContactBlend, PipeTee, TeeBranch, TeeMain},
+    rational::RationalBezierSurface,
+    surface::PatchKind,
+    topology::{FaceSurface, Shell},
 };
 
 /// The shell of a tee: canals of degree (12, 2), planes, and parts of both cylinders of all degrees.

@@ -3,7 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    BlendRing, Error, FaceSurface, MadeContactBlend, ParamSurface as _, PipeError, Result, RingBlend, surface_joints,
+    Error, Result,
+    construct::{BlendRing, MadeContactBlend, RingBlend},
+    error::PipeError,
+    surface::ParamSurface as _,
+    topology::{FaceSurface, surface_joints},
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,7 +1,10 @@
 //! Borders of open grids that nearly coincide: which are named, and what is measured along them.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use cyclide::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, Point3, QuadGrid, Seam};
+use cyclide::{
+    Point3,
+    surface::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, QuadGrid, Seam},
+};
 use cyclide_grids::{CircularMeshOptions, make_circular};
 use std::f64::consts::{PI, TAU};
 

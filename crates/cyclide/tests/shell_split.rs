@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
 use cyclide::{
-    CutShell, CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, NetFrame, ParamSurface as _,
-    Point3, QuadGrid, Shell, Vec3,
+    Point3, Vec3,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, QuadGrid},
+    topology::{CutShell, FaceGeometry as _, FacePart, Shell},
 };
 use cyclide_testkit::rational_faces::egg;
 use proptest::prelude::*;
@@ -185,7 +186,7 @@ fn neighbors_are_cut_together() {
 fn strips_of_named_faces_are_halved_as_often_as_asked() {
     let ring = DupinCyclide::new(6.0, 2.0, 3.5).unwrap().to_shell().unwrap();
     let first = ring.faces()[0].surface.patch().unwrap().corners()[0];
-    let at_first = |face: &cyclide::ShellFace| face.surface.patch().unwrap().corners()[0] == first;
+    let at_first = |face: &cyclide::topology::ShellFace| face.surface.patch().unwrap().corners()[0] == first;
     // The strips round the ring along t through the first face, and then through the part of it that keeps its corner.
     for (most, faces) in [(0, 16), (1, 20), (2, 24)] {
         let shell = ring.halved(|_, face| [at_first(face), false], most).unwrap();

@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Circle, MeshWarning, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleError, TriangleSurface, Vec3,
-    Warning,
+    Point3, Quat, Vec3, Warning,
+    conformal::{Mobius, Sphere},
+    curve::Circle,
+    error::TriangleError,
+    surface::{SideLine, SphereBlend, TriangleSurface},
+    warning::MeshWarning,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;

@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, FineEnd, Grading, ParamVolume, Point3,
-    SphericalCube, StructuredGrid, Vec3, VolumeFrame,
+    Point3, Vec3,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide},
+    volume::{CyclideGrid, CyclideVolume, FineEnd, Grading, ParamVolume, SphericalCube, StructuredGrid, VolumeFrame},
 };
 use cyclide_testkit::volumes::{cube, deterministic};
 use proptest::prelude::*;
@@ -199,7 +200,7 @@ fn sides_of_one_point_are_one_node() {
     assert!(bodies.len() == 1 && bodies[0].is_solid());
     let exact: f64 = blocks.iter().map(|block| block.measure().volume).sum();
     // A hollow that touches the skin in its two nodes.
-    let volume = bodies[0].shells().map(cyclide::Shell::volume).sum::<f64>();
+    let volume = bodies[0].shells().map(cyclide::topology::Shell::volume).sum::<f64>();
     assert!((volume - exact).abs() < 1e-9 * exact, "{volume} {exact}"); // quadratures of both
 }
 
@@ -255,7 +256,7 @@ fn sides_that_shrink_to_the_middle_of_a_horn_torus_are_no_edges() {
     let volume: f64 = blocks.iter().map(|block| block.to_body().unwrap().outer.volume()).sum();
     assert!((volume - exact).abs() < 1e-9 * exact, "{volume} {exact}");
     let skin = CyclideVolume::outer_bodies(&blocks).unwrap();
-    let volume: f64 = skin.iter().flat_map(|body| body.shells()).map(cyclide::Shell::volume).sum();
+    let volume: f64 = skin.iter().flat_map(|body| body.shells()).map(cyclide::topology::Shell::volume).sum();
     assert!(skin.len() == 1 && skin[0].voids.len() == 1 && (volume - exact).abs() < 1e-9 * exact, "{volume}");
     // A spindle: of the blocks at its nodes one side is a point.
     let spindle = DupinCyclide::new(4.0, 1.0, 4.5).unwrap();
@@ -287,7 +288,7 @@ fn the_outer_boundary_of_a_wall_is_two_skins() {
     let bodies = CyclideVolume::outer_bodies(&blocks).unwrap();
     let [body] = bodies.as_slice() else { panic!("{} bodies", bodies.len()) };
     assert!(body.is_solid() && body.voids.len() == 1);
-    let volume = body.shells().map(cyclide::Shell::volume).sum::<f64>();
+    let volume = body.shells().map(cyclide::topology::Shell::volume).sum::<f64>();
     assert!((volume - exact).abs() < 1e-9 * exact, "{volume} {exact}");
     // Two boxes apart are two solids, a box of eight blocks is one with 24 faces.
     let block = |x: f64, y: f64, z: f64| {

@@ -3,8 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, ArcPath, Body, Circle, CurveObject, EdgeCurve, Ellipse, Helix, Lower as _, ParamCurve as _, Point3, Sweep,
-    SweepFrame, SweepOptions, Vec3, length, surface_joints,
+    Point3, Vec3,
+    construct::{Ellipse, Helix, Sweep, SweepFrame, SweepOptions},
+    curve::{Arc, ArcPath, Circle, ParamCurve as _, length},
+    model::{CurveObject, Lower as _},
+    topology::{Body, EdgeCurve, surface_joints},
 };
 use cyclide_testkit::attack::Random;
 use std::f64::consts::{PI, TAU};

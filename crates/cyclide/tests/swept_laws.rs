@@ -4,8 +4,12 @@
 #![allow(clippy::float_cmp, reason = "places at the ends are these numbers")]
 
 use cyclide::{
-    Arc, ArcPath, Body, Conformal as _, EdgeCurve, EllipseBridge, Mobius, NeckBlend, NeckSide, NeckVariant,
-    ParamSurface as _, Pipe, Point3, Quat, Revolution, Vec3,
+    Point3, Quat, Vec3,
+    conformal::{Conformal as _, Mobius},
+    construct::{EllipseBridge, NeckBlend, NeckSide, NeckVariant, Pipe, Revolution},
+    curve::{Arc, ArcPath},
+    surface::ParamSurface as _,
+    topology::{Body, EdgeCurve},
 };
 use cyclide_testkit::generators::{direction, point};
 use proptest::prelude::*;

@@ -3,7 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    ArcPath, Body, Error, ParamCurve as _, ParamSurface as _, PipeEnds, Point3, RadiusLaw, TaperedTube, surface_joints,
+    Error, Point3,
+    construct::{PipeEnds, RadiusLaw, TaperedTube},
+    curve::{ArcPath, ParamCurve as _},
+    surface::ParamSurface as _,
+    topology::{Body, surface_joints},
 };
 use cyclide_testkit::attack::Random;
 use std::f64::consts::PI;

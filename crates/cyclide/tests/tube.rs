@@ -3,9 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    ArcLength, ArcPath, Ball, Body, Circle, CircleSpline, CircleSplineOptions, CurveObject, Error, FairSplineOptions,
-    Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, PipeError, Point2, Point3, PointError, RadiusLaw, Torus,
-    TorusSpline, Tube, Vec3, surface_joints,
+    Error, Frame, Point2, Point3, Vec3,
+    construct::{Ball, FairSplineOptions, Pipe, PipeEnds, RadiusLaw, Tube},
+    curve::{ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions},
+    error::{PipeError, PointError},
+    model::{CurveObject, Lower as _},
+    surface::{ParamSurface as _, Torus, TorusSpline},
+    topology::{Body, surface_joints},
 };
 use cyclide_testkit::attack::Random;
 use std::f64::consts::{PI, TAU};
@@ -287,7 +291,7 @@ fn flat_ends_reach_as_far_as_their_disks() {
         let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 20.0).unwrap();
         let angles = [0.0, 0.5, 1.0].map(|k| gap / 40.0 + k * (TAU - gap / 20.0));
         let [a, b, c] = angles.map(|angle| circle.center() + Vec3::new(angle.cos(), angle.sin(), 0.0) * 20.0);
-        let spine = ArcPath::new(vec![cyclide::Arc::from_three_points(a, b, c).unwrap()], false).unwrap();
+        let spine = ArcPath::new(vec![cyclide::curve::Arc::from_three_points(a, b, c).unwrap()], false).unwrap();
         Tube::along(&spine, &RadiusLaw::constant(4.0).unwrap(), 1e-3).unwrap().body()
     };
     assert!(ring(0.5).unwrap().is_solid());
@@ -439,9 +443,9 @@ fn tubes_along_curves_of_uneven_parameter_are_made() {
     let tube = Tube::along_curve(knot.as_curve(), (&arcs.form, &arcs.correspondence), &law, tolerance).unwrap();
     assert!(tube.bound() > 0.0 && tube.bound() <= 0.5 * tolerance, "{}", tube.bound());
     let body = tube.body().unwrap();
-    let off = |face: &cyclide::ShellFace| {
+    let off = |face: &cyclide::topology::ShellFace| {
         let p = face.surface.point(0.4, 0.6);
-        (cyclide::closest_point(knot.as_curve(), p).distance - 0.01).abs()
+        (cyclide::curve::closest_point(knot.as_curve(), p).distance - 0.01).abs()
     };
     let worst = body.outer.faces().iter().step_by(23).map(off).fold(0.0, f64::max);
     assert!(worst <= tube.bound() + 1e-9, "{worst:e} {:e}", tube.bound());

@@ -1,8 +1,11 @@
 //! Laws of volumes: three orthogonal families of cyclides, Möbius maps, parts, folds, measures (`docs/math/volumes.md`).
 
 use cyclide::{
-    Conformal, CyclideGrid, CyclideVolume, DupinCyclide, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume,
-    PartError, PatchError, Point3, Quat, SphericalCube, Vec3, VolumeError, VolumeFrame, VolumeJet,
+    Error, Point3, Quat, Vec3, VolumeJet,
+    conformal::{Conformal, Mobius},
+    error::{PartError, PatchError, VolumeError},
+    surface::{DupinCyclide, ParamSurface},
+    volume::{CyclideGrid, CyclideVolume, FoldVerdict, ParamVolume, SphericalCube, VolumeFrame},
 };
 use cyclide_testkit::volumes::{cube, deterministic, vector};
 use proptest::prelude::*;

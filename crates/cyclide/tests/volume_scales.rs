@@ -5,8 +5,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Conformal, CyclideGrid, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat,
-    SphericalCube, Vec3, VolumeError, VolumeFrame, miquel_point,
+    Error, Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    error::VolumeError,
+    surface::ParamSurface,
+    volume::{CyclideGrid, CyclideVolume, FoldVerdict, ParamVolume, SphericalCube, VolumeFrame, miquel_point},
 };
 use cyclide_testkit::volumes::{awkward_cube, cube, deterministic, vector};
 use proptest::prelude::*;

@@ -7,8 +7,10 @@
 use std::collections::HashMap;
 
 use cyclide::{
-    Conformal, CyclideVolume, FoldVerdict, Grading, Mobius, ParamVolume, Point3, Quat, SphericalCube, StructuredGrid,
-    Vec3, VolumeFrame, tessellate,
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    mesh::tessellate,
+    volume::{CyclideVolume, FoldVerdict, Grading, ParamVolume, SphericalCube, StructuredGrid, VolumeFrame},
 };
 use cyclide_testkit::volumes::{deterministic, vector};
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{ArgAction, Args as ClapArgs, ValueEnum as _};
-use cyclide::Units;
+use cyclide::model::Units;
 use cyclide_io::{
     Document, ObjectSpec, PointColumns, PointFile, PointSource, WriteOptions,
     kinds::{Comment, PolylineSpec, RadiiSpec, TypeWord},

@@ -3,7 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, ValueEnum};
-use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Outliers, Units};
+use cyclide::{
+    construct::{BiarcRule, Effort, FitTarget, Outliers},
+    curve::BlendVariant,
+    model::Units,
+};
 use cyclide_io::{
     Angle, ObjectSpec, PointSource,
     kinds::{

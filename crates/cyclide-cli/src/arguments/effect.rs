@@ -6,7 +6,7 @@
 
 use std::path::PathBuf;
 
-use cyclide::{CurveObject, Model, SurfaceObject};
+use cyclide::model::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
     Format, GeometryReport, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces, StepProducts,
     kinds::MoebiusContinuity,

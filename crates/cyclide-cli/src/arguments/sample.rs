@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, ValueEnum};
-use cyclide::{ClosedTwist, FrameRule, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{ClosedTwist, FrameRule},
+};
 use cyclide_io::{SamplePlaces, Spacing, WriteOptions};
 
 use super::files::{Input, ReadArgs, WriteArgs, refuse_folder_name, refuse_other_suffix, refuse_overwriting};

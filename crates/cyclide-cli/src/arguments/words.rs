@@ -24,7 +24,11 @@ fn possible_value(variant: &Value) -> Option<PossibleValue> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
+    use cyclide::{
+        construct::{BiarcRule, Effort, FitTarget},
+        curve::BlendVariant,
+        model::Units,
+    };
     use cyclide_io::{
         DxfVersion, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding,
         kinds::{FairEndWord, MoebiusContinuity, StraightWord},

@@ -1,6 +1,6 @@
 //! `compare`: curves of all kinds from the same points, measured side by side.
 
-use cyclide::{Aabb, CurveObject, bounds};
+use cyclide::{Aabb, curve::bounds, model::CurveObject};
 use cyclide_io::{Comparison, Document};
 
 use crate::arguments::compare::{ComparePlan, ComparisonFile};

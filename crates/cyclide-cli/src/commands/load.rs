@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 use cyclide_io::{
     BuiltObject, Document, ModelBuilder, PointColumns, Provenance, ReadFolder, read_head, read_input,
     read_standard_input, unit_of_columns,

@@ -1,6 +1,6 @@
 //! `curve` without a kind draws a smooth curve through the points: the warning where they are corners of an outline.
 
-use cyclide::{Model, ParamCurve, Point3, ShortNumber, outline_corners};
+use cyclide::{Point3, ShortNumber, construct::outline_corners, curve::ParamCurve, model::Model};
 
 /// Places on a piece at which it is compared with its edge.
 const PLACES: u32 = 8;

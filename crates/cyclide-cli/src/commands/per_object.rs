@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 use cyclide_io::{Format, Provenance, vtk_multi_block};
 
 use crate::output::failure::Failure;

@@ -1,6 +1,11 @@
 //! `sample`: places of one object as a table, without writing exchange files.
 
-use cyclide::{Body, CurveObject, Geometry, MovingBody, length};
+use cyclide::{
+    curve::length,
+    model::{CurveObject, Geometry},
+    motion::MovingBody,
+    topology::Body,
+};
 use cyclide_io::{
     BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean,
 };

@@ -2,9 +2,9 @@
 
 use super::block::Block;
 use super::options::Border;
-use cyclide::QuadGrid;
-use cyclide::{CurveIndex, ParamCurve};
-use cyclide::{Error, GridError, Result};
+use cyclide::curve::{CurveIndex, ParamCurve};
+use cyclide::surface::QuadGrid;
+use cyclide::{Error, Result, error::GridError};
 use cyclide::{Point3, Vec3};
 
 /// Two curves meet where they come as close as this part of the median edge.

@@ -7,9 +7,12 @@
 use super::dense_rows::SparseRow;
 use super::options::Border;
 use cyclide::Point3;
+use cyclide::surface::{GridClosing, QuadGrid, QuadLayout, RingClosing, StripClosing};
 use cyclide::workspace::{RoundClosing, closing_limit};
-use cyclide::{GridClosing, QuadGrid, QuadLayout, RingClosing, StripClosing};
-use cyclide::{GridError, PatchError, Result};
+use cyclide::{
+    Result,
+    error::{GridError, PatchError},
+};
 
 /// Weight of the equations of strips, against those of quads and lines: with 1 the vertices of a tower move a quarter
 /// farther, with 0.01 rings take twice the steps.

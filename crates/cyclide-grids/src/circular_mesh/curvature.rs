@@ -1,7 +1,7 @@
 //! Curvatures of a grid at a vertex, by least squares over it and the eight vertices around it, at any stride.
 
 use super::neighbors::around;
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 use cyclide::{Point3, Vec3};
 
 /// Curvatures that differ by less than this part of their sizes have no clear directions.

@@ -6,7 +6,7 @@
 //! the diagonals part as well as grid lines do, and a part with four of each has less border than a rectangle as large:
 //! half the products that grid lines alone, or an approximate minimum degree, come to.
 
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 
 /// Neighboring lines that no equation reaches across: second differences reach two vertices far, and so do, along the
 /// diagonals, the diagonals of quads.

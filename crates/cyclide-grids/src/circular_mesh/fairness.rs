@@ -10,8 +10,8 @@
 use super::block::Block;
 use super::neighbors::place;
 use super::normal_equations::{BlockMatrix, Pattern};
-use cyclide::QuadGrid;
 use cyclide::Vec3;
+use cyclide::surface::QuadGrid;
 
 /// Weight of a move along the surface.
 const SLIDE: f64 = 1e-3;

@@ -3,7 +3,7 @@
 use super::border::Holds;
 use super::closing::Closing;
 use super::search::Residuals;
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 use cyclide::{Point3, Vec3};
 
 /// Replaces the last corner of each quad by its projection onto the circle of the others

@@ -3,7 +3,7 @@
 
 use super::curvature::{Curvature, angle_to};
 use super::neighbors::{pair, place, vertices};
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 use cyclide::workspace::on_triangle;
 use cyclide::{Point3, Vec3};
 

@@ -11,16 +11,19 @@ use super::{check_distinct, fairness, input_surface, median, residual};
 use cyclide::Aabb;
 use cyclide::ShapeChange;
 use cyclide::Warning;
+use cyclide::surface::{LayoutPiece, QuadGrid, QuadLayout};
 use cyclide::workspace::RoundClosing;
-use cyclide::{GridCellFault, GridError, Result};
-use cyclide::{LayoutPiece, QuadGrid, QuadLayout};
 use cyclide::{Point3, Vec3};
+use cyclide::{
+    Result,
+    error::{GridCellFault, GridError},
+};
 use std::cmp::Ordering;
 
 /// Grids round extraordinary vertices with circular quads, and what it took.
 ///
 /// ```
-/// use cyclide::{Point3, QuadLayout};
+/// use cyclide::{Point3, surface::QuadLayout};
 /// use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
@@ -55,7 +58,7 @@ impl CircularLayout {
 /// two families would change places round it; the surface then changes, or is refused (`shape-lost`).
 ///
 /// ```
-/// use cyclide::{NetLayout, Point3, QuadLayout};
+/// use cyclide::{Point3, surface::{NetLayout, QuadLayout}};
 /// use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 /// // Five sectors of 4 x 4 quads on a dome: a sector is a quarter of the plane, bent to a fifth.
 /// let (n, k) = (5, 4);

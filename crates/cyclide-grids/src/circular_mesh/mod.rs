@@ -28,12 +28,15 @@ use border::Holds;
 use closing::Closing;
 use cyclide::Aabb;
 use cyclide::Point3;
-use cyclide::QuadGrid;
 #[cfg(doc)]
 use cyclide::ShapeChange;
 use cyclide::Warning;
+use cyclide::surface::QuadGrid;
 use cyclide::workspace::check_distance;
-use cyclide::{GridError, PointError, Result};
+use cyclide::{
+    Result,
+    error::{GridError, PointError},
+};
 use guard::Guard;
 use normal_equations::Pattern;
 use report::Comparison;
@@ -45,7 +48,7 @@ const COINCIDENT_LIMIT: f64 = 1e-12;
 /// A grid with circular quads and what it took.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
@@ -93,7 +96,7 @@ impl CircularMesh {
 /// hundredths of a second. `progress` is called after each step.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = |k: usize| {
 ///     let (u, v) = ((k % 9) as f64 / 4.0 - 1.0, (k / 9) as f64 / 4.0 - 1.0);

@@ -1,6 +1,6 @@
 //! Vertices next to each other in a grid, at any stride; counted round in closed directions.
 
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 
 /// Indices of all vertices, s fastest.
 pub(super) fn vertices(grid: &QuadGrid) -> impl Iterator<Item = [usize; 2]> + use<> {

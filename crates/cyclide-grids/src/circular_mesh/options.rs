@@ -1,13 +1,16 @@
 //! What the user can ask of [`make_circular`](super::make_circular).
 
-use cyclide::ParamCurve;
-use cyclide::QuadGrid;
-use cyclide::{ErrorItem, GridCellFault, GridError, NumberError, Result};
+use cyclide::curve::ParamCurve;
+use cyclide::surface::QuadGrid;
+use cyclide::{
+    Result,
+    error::{ErrorItem, GridCellFault, GridError, NumberError},
+};
 
 /// What the border vertices of an open direction may do.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// use cyclide_grids::Border;
 /// let line = Arc::segment(Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0))?;
 /// // The first row slides on a line, the other sides are free.

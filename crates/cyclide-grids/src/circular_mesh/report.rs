@@ -4,9 +4,9 @@ use super::input_surface;
 use super::residual::side_product;
 use cyclide::Result;
 use cyclide::ShapeChange;
-use cyclide::{CircularWarning, Warning};
-use cyclide::{GridClosing, QuadGrid};
+use cyclide::surface::{GridClosing, QuadGrid};
 use cyclide::{Point3, Vec3};
+use cyclide::{Warning, warning::CircularWarning};
 
 /// A move above this many median edges is warned of.
 const FAR_MOVE: f64 = 2.0;
@@ -20,7 +20,7 @@ const ZIGZAG: f64 = 0.0;
 /// Lengths and angles of what was done; lengths in the unit of the points.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
@@ -60,7 +60,7 @@ pub struct CircularMeshReport {
 /// How far a closed direction was from closing as a net, and is ([`GridClosing`]).
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let at = |k: usize| {
 ///     let (a, z) = (std::f64::consts::TAU * (k % 8) as f64 / 8.0, (k / 8) as f64);
@@ -89,7 +89,7 @@ pub struct ClosingChange {
 /// How far a mesh was from closing round its extraordinary vertices, and is.
 ///
 /// ```
-/// use cyclide::{Point3, QuadLayout};
+/// use cyclide::{Point3, surface::QuadLayout};
 /// use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
@@ -130,7 +130,7 @@ pub(super) fn closing(before: [Option<GridClosing>; 2], made: &QuadGrid) -> Resu
 /// How far the vertices moved.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let plane = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let grid = QuadGrid::new(plane, [3, 3], [false; 2])?;
@@ -162,7 +162,7 @@ pub struct VertexMoves {
 /// quadrics; border vertices and those where the surface is nearly flat or spherical do not count.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = (0..81).map(|k| (0.1 * f64::from(k % 9), 0.1 * f64::from(k / 9)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v, u * u - v * v)).collect();

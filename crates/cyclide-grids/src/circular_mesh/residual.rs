@@ -6,8 +6,8 @@
 //! (`docs/math/circular-meshes.md#residual`).
 
 use super::block::Block;
-use cyclide::QuadGrid;
 use cyclide::Quat;
+use cyclide::surface::QuadGrid;
 use cyclide::{Point3, Vec3};
 
 /// The sides of a quad as pairs of its corners, in cyclic order.

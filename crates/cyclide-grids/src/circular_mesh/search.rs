@@ -6,7 +6,7 @@ use super::closing::Closing;
 use super::dense_rows::{SparseRow, solve};
 use super::normal_equations::{BlockMatrix, Pattern, Workspace};
 use super::residual::{derivatives, largest, residuals};
-use cyclide::{Error, GridError, Result};
+use cyclide::{Error, Result, error::GridError};
 use cyclide::{Point3, Vec3};
 
 /// The search ends when no residual is longer: far below the 1e-9 that a patch accepts, far above rounding.
@@ -42,7 +42,7 @@ const TAIL: usize = 30;
 /// One step of the search, for a progress display.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();

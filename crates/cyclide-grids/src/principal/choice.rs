@@ -4,7 +4,7 @@ use super::{PrincipalGridOptions, PrincipalGrids, PrincipalStage, principal_grid
 use crate::principal_rules::{GridBorder, UmbilicRule};
 use cyclide::Point3;
 use cyclide::Result;
-use cyclide::{PrincipalGridWarning, Warning};
+use cyclide::{Warning, warning::PrincipalGridWarning};
 
 /// The part of a surface below which a grid is said to miss some of it, and other layouts are tried.
 const MOST: f64 = 0.9;

@@ -2,7 +2,7 @@
 
 use super::continuation::continued;
 use super::lattice::Lattice;
-use cyclide::{Point3, QuadGrid, Result};
+use cyclide::{Point3, Result, surface::QuadGrid};
 
 /// Rings of points beyond the outermost points of the surface: it reaches less than one step beyond them.
 const RINGS: i64 = 1;

@@ -5,7 +5,7 @@ use std::collections::{HashMap, VecDeque};
 use super::rectangles::{Rectangle, largest, longest_band};
 use super::staircase;
 use super::walker::{Place, Walker};
-use cyclide::GridCell;
+use cyclide::surface::GridCell;
 
 /// Cells along each side of a piece at least.
 pub(super) const LEAST_CELLS: usize = 3;

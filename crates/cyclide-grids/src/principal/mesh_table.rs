@@ -2,8 +2,11 @@
 
 use std::collections::HashMap;
 
-use cyclide::{MeshError, PrincipalGridError, Result, SurfaceFault};
 use cyclide::{Point3, Vec3};
+use cyclide::{
+    Result,
+    error::{MeshError, PrincipalGridError, SurfaceFault},
+};
 
 /// No half edge: the border.
 pub(super) const NONE: usize = usize::MAX;

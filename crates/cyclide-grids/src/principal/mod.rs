@@ -39,10 +39,13 @@ use coordinates::coordinates;
 use cross_field::CrossField;
 use cyclide::Aabb;
 use cyclide::Point3;
+use cyclide::surface::{QuadGrid, QuadLayout};
 use cyclide::workspace::check_point;
-use cyclide::{Error, GridError, PrincipalGridError, Result, SurfaceFault};
-use cyclide::{PrincipalGridWarning, Warning};
-use cyclide::{QuadGrid, QuadLayout};
+use cyclide::{
+    Error, Result,
+    error::{GridError, PrincipalGridError, SurfaceFault},
+};
+use cyclide::{Warning, warning::PrincipalGridWarning};
 use jets::{CUBIC, jets};
 use joined::{NotJoined, Surface};
 use layout::Layout;

@@ -1,7 +1,10 @@
 //! What the user can ask of [`principal_grids`](super::principal_grids).
 
 use crate::principal_rules::{GridBorder, UmbilicRule};
-use cyclide::{ErrorItem, NumberError, Result};
+use cyclide::{
+    Result,
+    error::{ErrorItem, NumberError},
+};
 
 /// Options of [`principal_grids`](super::principal_grids).
 ///

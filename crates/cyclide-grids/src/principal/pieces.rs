@@ -12,7 +12,7 @@ use super::walker::Walker;
 use crate::principal_rules::GridBorder;
 use cyclide::Point3;
 use cyclide::Result;
-use cyclide::{GridCell, QuadGrid};
+use cyclide::surface::{GridCell, QuadGrid};
 
 /// Places of the lattice that are tried along each direction.
 const PHASES: usize = 3;

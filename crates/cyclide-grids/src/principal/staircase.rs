@@ -4,8 +4,8 @@ use super::continuation::continued;
 use super::rectangles::largest;
 use cyclide::Point3;
 use cyclide::Result;
+use cyclide::surface::{GridCell, QuadGrid};
 use cyclide::workspace::{beside, flooded};
-use cyclide::{GridCell, QuadGrid};
 
 /// The cells of the piece round the largest rectangle of valid ones, without those that meet the rest in a corner alone; `None` if there
 /// is no rectangle of `least` cells along each side.

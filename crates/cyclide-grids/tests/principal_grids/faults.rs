@@ -2,7 +2,10 @@
 
 use super::surfaces::{self, Mesh};
 use super::{edge, laid};
-use cyclide::{Error, Point3, PrincipalGridError, SurfaceFault};
+use cyclide::{
+    Error, Point3,
+    error::{PrincipalGridError, SurfaceFault},
+};
 use cyclide_grids::{GridBorder, PrincipalGridOptions, UmbilicRule};
 use std::f64::consts::TAU;
 

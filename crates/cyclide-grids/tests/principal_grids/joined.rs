@@ -1,7 +1,12 @@
 //! One mesh of quads round umbilics.
 
 use super::{edge, laid, reasons, surfaces};
-use cyclide::{Error, JoinFault, NetLayout, Point3, PrincipalGridError, QuadLayout, surface_joints};
+use cyclide::{
+    Error, Point3,
+    error::{JoinFault, PrincipalGridError},
+    surface::{NetLayout, QuadLayout},
+    topology::surface_joints,
+};
 use cyclide_grids::{CircularMeshOptions, GridBorder, PrincipalGridOptions, UmbilicRule, make_layout_circular};
 use surfaces::Mesh;
 

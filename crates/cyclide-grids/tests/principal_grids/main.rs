@@ -6,7 +6,11 @@ mod joined;
 mod oracle;
 mod surfaces;
 
-use cyclide::{CyclidicNet, GridCell, NetFrame, Point3, Vec3, surface_joints};
+use cyclide::{
+    Point3, Vec3,
+    surface::{CyclidicNet, GridCell, NetFrame},
+    topology::surface_joints,
+};
 use cyclide_grids::{
     CircularMesh, CircularMeshOptions, GridBorder, PrincipalGridOptions, PrincipalGrids, UmbilicRule, make_circular,
     principal_grids,

@@ -1,7 +1,7 @@
 //! Lines of curvature of graphs, from their derivatives: grids run along them.
 
 use super::{laid, surfaces};
-use cyclide::{Point3, QuadGrid, Vec3};
+use cyclide::{Point3, Vec3, surface::QuadGrid};
 use cyclide_grids::PrincipalGridOptions;
 use surfaces::Mesh;
 

@@ -1,11 +1,17 @@
 //! Bodies as a file holds them.
 
-use cyclide::{ChainPiece, Circle, NurbsCurve, PatchKind, Point3, RationalBezierSurface, RationalBezierVolume};
+use cyclide::{
+    Point3,
+    curve::Circle,
+    model::ChainPiece,
+    rational::{NurbsCurve, RationalBezierSurface, RationalBezierVolume},
+    surface::PatchKind,
+};
 
 /// A rational patch of a file of surfaces.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -29,7 +35,7 @@ pub struct FilePatch {
 /// A rational volume of a file.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Model, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, model::Model, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
@@ -48,7 +54,7 @@ pub struct FileVolume {
 /// A body of a file: a solid, or one or more shells.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -68,7 +74,7 @@ pub struct FileBody {
 /// A shell of a file.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -90,7 +96,7 @@ pub struct FileShell {
 /// A face of a file.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -123,7 +129,7 @@ impl FileFace {
 /// The surface of a face of a file.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -145,7 +151,7 @@ pub enum FileSurface {
 /// An edge as a loop uses it.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -176,7 +182,7 @@ pub struct FileEdge {
 /// The curve of an edge of a file.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, FileCurve, Format, export, read_back};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);

@@ -3,12 +3,12 @@
 use crate::check::bodies::{FileBody, FilePatch, FileVolume};
 use crate::check::file_sample::FileSample;
 use crate::check::labels::FileLabels;
-use cyclide::{CurveChain, SurfaceMesh};
+use cyclide::{mesh::SurfaceMesh, model::CurveChain};
 
 /// The contents of a file written by this crate.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

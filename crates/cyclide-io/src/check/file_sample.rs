@@ -1,11 +1,14 @@
 //! What a table says beside a point of a curve, as read from a file and as the model has it.
 
-use cyclide::{CurveJet, CurvePlace, ParamCurve};
+use cyclide::{
+    CurveJet,
+    curve::{CurvePlace, ParamCurve},
+};
 
 /// The further columns of a point of a curve in a table.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

@@ -3,7 +3,7 @@
 //! A file that is off by 25.4 or has the names of two objects exchanged has the right coordinates: it is found out here.
 
 use crate::check::read_error::ReadError;
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 
 /// Units that differ by less than this part of their length are one: their factors are written as decimals, and some
 /// are quotients of two of them.
@@ -12,7 +12,7 @@ const SAME_UNIT: f64 = 1e-9;
 /// The unit and the names in a file.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -32,7 +32,7 @@ pub struct FileLabels {
 /// A name in a file.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

@@ -1,7 +1,11 @@
 //! Polylines as formats of vertices hold them: closed where they end with their first vertex.
 
 use crate::check::read_error::ReadError;
-use cyclide::{Arc, ChainPiece, CurveChain, Point3};
+use cyclide::{
+    Point3,
+    curve::Arc,
+    model::{ChainPiece, CurveChain},
+};
 
 /// A polyline that was read, closed if it ends with its first vertex.
 pub(crate) fn chain(points: &[Point3], place: impl Fn() -> String) -> Result<CurveChain, ReadError> {

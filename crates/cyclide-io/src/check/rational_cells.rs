@@ -8,7 +8,10 @@ use crate::check::rational_volumes::volume_deviation;
 use crate::check::read_error::ReadError;
 use crate::export::rational_cells::{RationalCell, Tags, block_of};
 use crate::export::ready::ReadyModel;
-use cyclide::{ChainPiece, CurveChain, NurbsCurve, RationalBezierSurface, RationalBezierVolume};
+use cyclide::{
+    model::{ChainPiece, CurveChain},
+    rational::{NurbsCurve, RationalBezierSurface, RationalBezierVolume},
+};
 
 /// Gap allowed between the pieces of a contour, relative to its largest coordinate: they share their end points.
 const GAP: f64 = 1e-12;

@@ -6,7 +6,10 @@ use crate::check::read_error::ReadError;
 use crate::check::tiles::tile_faces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
-use cyclide::{FacePart, ParamSurface as _, Shell};
+use cyclide::{
+    surface::ParamSurface as _,
+    topology::{FacePart, Shell},
+};
 
 /// Places per parameter at which surfaces are compared.
 const PLACES: u32 = 9;

@@ -3,7 +3,7 @@
 use crate::check::bodies::FileVolume;
 use crate::check::deviation::larger;
 use crate::check::read_error::ReadError;
-use cyclide::{CyclideVolume, ParamVolume as _};
+use cyclide::volume::{CyclideVolume, ParamVolume as _};
 use std::collections::HashMap;
 
 /// Places per parameter at which volumes are compared.

@@ -4,7 +4,7 @@ use crate::check::file_content::FileContent;
 use crate::check::rational_cells::{add_bodies, add_curves};
 use crate::check::read_error::ReadError;
 use crate::export::spline_patches::{Knots, SplinePatch};
-use cyclide::{NurbsCurve, Point3};
+use cyclide::{Point3, rational::NurbsCurve};
 
 /// Adds what the patches are.
 ///

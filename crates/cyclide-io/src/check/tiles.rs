@@ -1,6 +1,6 @@
 //! Whether parts of faces make up these faces: each place is in one part, none is missing.
 
-use cyclide::{FacePart, Shell};
+use cyclide::topology::{FacePart, Shell};
 
 /// Parameters that differ by less are one: a cut has a parameter in each of two faces, rounded in either with each of the cuts
 /// before it, of which there are some forty at most.
@@ -51,7 +51,7 @@ fn cancel(steps: &[Step]) -> bool {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use cyclide::{CyclidePatch, Point3, Vec3};
+    use cyclide::{Point3, Vec3, surface::CyclidePatch};
 
     /// Whether these rectangles tile the face of a shell of one.
     fn tiled(parts: &[[f64; 4]]) -> bool {

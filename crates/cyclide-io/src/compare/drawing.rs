@@ -2,7 +2,12 @@
 
 use std::fmt::Write as _;
 
-use cyclide::{Aabb, ArcLength, CurveObject, ParamCurve, Point3, bounds, flatten, resample};
+use cyclide::{
+    Aabb, Point3,
+    curve::{ArcLength, ParamCurve, bounds, resample},
+    mesh::flatten,
+    model::CurveObject,
+};
 
 use super::Comparison;
 

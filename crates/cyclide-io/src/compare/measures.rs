@@ -1,8 +1,8 @@
 //! What curves are compared by.
 
 use cyclide::{
-    ArcPath, CurveIndex, CurveObject, Exactness, Lower as _, ParamCurve, bending_energy, extreme_curvature, fairness,
-    farthest_point, length,
+    curve::{ArcPath, CurveIndex, ParamCurve, bending_energy, extreme_curvature, fairness, farthest_point, length},
+    model::{CurveObject, Exactness, Lower as _},
 };
 use serde::Serialize;
 

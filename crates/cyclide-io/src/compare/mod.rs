@@ -6,7 +6,7 @@ mod page;
 mod plot;
 mod table;
 
-use cyclide::{CurveObject, Units};
+use cyclide::model::{CurveObject, Units};
 use serde::Serialize;
 
 use crate::document::BuiltObject;
@@ -105,7 +105,7 @@ impl Comparison {
             closed: sides.iter().all(|side| side.as_curve().is_closed()),
             tolerance,
             points: polygon.contours.iter().map(|contour| contour.points).sum(),
-            polygon_length: sides.iter().map(|side| cyclide::length(side.as_curve())).sum(),
+            polygon_length: sides.iter().map(|side| cyclide::curve::length(side.as_curve())).sum(),
             kinds: kinds.into_iter().map(compare).collect(),
             polygon: sides.to_vec(),
         }

@@ -2,7 +2,11 @@
 
 use std::fmt::Write as _;
 
-use cyclide::{ArcLength, CurveObject, ParamCurve, ShortNumber, Vec3, plane_normal};
+use cyclide::{
+    ShortNumber, Vec3,
+    curve::{ArcLength, ParamCurve, plane_normal},
+    model::CurveObject,
+};
 
 use super::drawing::push_path;
 

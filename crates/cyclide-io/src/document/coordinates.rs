@@ -69,7 +69,7 @@ pub struct Directions(pub Vec<Coordinates>);
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "polyline", "points": [[0, 0], [3, 4]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -90,7 +90,7 @@ pub enum PointSource {
 /// let document: Document = text.parse()?;
 /// let read = |_: &Path| Ok(b"x,y\n0,0\n3,4\n".to_vec());
 /// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
-/// assert!((cyclide::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]

@@ -20,7 +20,7 @@ mod schema;
 
 use std::borrow::Cow;
 
-use cyclide::Units;
+use cyclide::model::Units;
 use kinds::fields::comment::Comment;
 use locate::{Entries, Step, offset_in, path_text, value_at};
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
@@ -58,9 +58,9 @@ pub const DOCUMENT_VERSION: u64 = 1;
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "units": "m", "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
-/// assert_eq!((document.units, document.objects[0].0.as_str()), (cyclide::Units::Metre, "c"));
+/// assert_eq!((document.units, document.objects[0].0.as_str()), (cyclide::model::Units::Metre, "c"));
 /// let circle = &document.build()?[0];
-/// assert!((cyclide::length(circle.item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(circle.item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

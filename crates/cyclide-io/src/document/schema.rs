@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cyclide::Units;
+use cyclide::model::Units;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};

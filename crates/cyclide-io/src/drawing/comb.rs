@@ -14,7 +14,10 @@ use super::room::{Room, Taken};
 use super::{Comb, CombStrip, Combs, Tip, even_parameters};
 use crate::export::job::Job;
 use crate::export::parts::Contour;
-use cyclide::{ParamCurve, Point3, Vec3, extreme_curvature, length};
+use cyclide::{
+    Point3, Vec3,
+    curve::{ParamCurve, extreme_curvature, length},
+};
 
 /// Distance of the teeth relative to the drawing, and the largest turn between two of them in radians.
 const SPACING: f64 = 0.008;

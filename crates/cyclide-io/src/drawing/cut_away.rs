@@ -5,7 +5,12 @@
 
 use super::block_directions::others;
 use super::lattice::Lattice;
-use cyclide::{Arc, BlockShell, CyclideVolume, ParamVolume as _, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::Arc,
+    topology::BlockShell,
+    volume::{CyclideVolume, ParamVolume as _},
+};
 
 /// Places at which the notch of a closed direction is tried.
 const TRIES: usize = 24;
@@ -206,12 +211,15 @@ fn place(blocks: &[CyclideVolume], lattice: &Lattice, at: [f64; 3]) -> Option<(P
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{CyclideGrid, DupinCyclide, SphericalCube, VolumeFrame};
+    use cyclide::{
+        surface::DupinCyclide,
+        volume::{CyclideGrid, SphericalCube, VolumeFrame},
+    };
 
-    fn areas(cut: &CutAway, inner: impl Fn(&cyclide::BlockFace) -> bool) -> f64 {
+    fn areas(cut: &CutAway, inner: impl Fn(&cyclide::topology::BlockFace) -> bool) -> f64 {
         let shells = cut.shells.iter().flat_map(|shell| shell.shell.faces().iter().zip(&shell.faces));
         let patches = shells.filter(|(_, face)| inner(face)).filter_map(|(face, _)| face.surface.patch().copied());
-        patches.map(|patch| cyclide::Shell::from_surface(patch).unwrap().area()).sum()
+        patches.map(|patch| cyclide::topology::Shell::from_surface(patch).unwrap().area()).sum()
     }
 
     /// An uneven box from the front right and above loses its upper right front eighth.
@@ -224,7 +232,7 @@ mod tests {
         let cut = CutAway::new(&[block], None, toward).unwrap();
         let [shell] = &cut.shells[..] else { panic!("{} shells", cut.shells.len()) };
         assert!(shell.shell.is_closed() && (shell.shell.volume() - 6.0 * 7.0 / 8.0).abs() < 1e-12);
-        let inner = |face: &cyclide::BlockFace| (0.1..0.9).contains(&face.place);
+        let inner = |face: &cyclide::topology::BlockFace| (0.1..0.9).contains(&face.place);
         assert!((areas(&cut, inner) - (6.0 + 3.0 + 2.0) / 4.0).abs() < 1e-12);
         assert!(!shell.shell.vertices().contains(&Point3::new(1.0, 0.0, 3.0)));
         assert_eq!(cut.taken.len(), 3);

@@ -1,6 +1,6 @@
 //! How blocks of an object lie beside each other: in rows along s, t and u, open or closed.
 
-use cyclide::{CyclideVolume, StructuredGrid};
+use cyclide::volume::{CyclideVolume, StructuredGrid};
 use std::collections::{BTreeMap, HashMap};
 
 /// Blocks that hang together through faces, each with its place among them.
@@ -113,7 +113,7 @@ fn neighbors(blocks: &[CyclideVolume]) -> cyclide::Result<Vec<Neighbors>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{CyclideGrid, DupinCyclide};
+    use cyclide::{surface::DupinCyclide, volume::CyclideGrid};
 
     #[test]
     fn rings_close_and_walls_do_not() {

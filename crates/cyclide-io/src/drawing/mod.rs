@@ -20,7 +20,7 @@ pub(crate) mod surface_distance;
 pub(crate) mod value_scale;
 
 use crate::export::job::Job;
-use cyclide::{ParamCurve, Point3};
+use cyclide::{Point3, curve::ParamCurve};
 
 pub(crate) use comb::combs;
 

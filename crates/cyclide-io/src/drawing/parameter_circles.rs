@@ -1,6 +1,6 @@
 //! How many inner parameter circles a drawing of a shell shows.
 
-use cyclide::{FaceGeometry as _, Shell};
+use cyclide::topology::{FaceGeometry as _, Shell};
 
 /// A patch is divided no finer than in two to this power.
 const MOST_LEVELS: u32 = 5;

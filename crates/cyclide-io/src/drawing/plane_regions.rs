@@ -1,6 +1,9 @@
 //! Faces that are parts of one surface side by side: what lies between them is no line of a drawing.
 
-use cyclide::{FaceGeometry as _, FaceSurface, PatchKind, Shell, ShellFace, Side};
+use cyclide::{
+    surface::PatchKind,
+    topology::{FaceGeometry as _, FaceSurface, Shell, ShellFace, Side},
+};
 
 /// Normals of the same plane differ by less than this.
 const SAME_NORMAL: f64 = 1e-6;
@@ -73,7 +76,7 @@ fn root(first: &mut [usize], mut face: usize) -> usize {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use cyclide::{PipeTee, TeeBranch, TeeMain};
+    use cyclide::construct::{PipeTee, TeeBranch, TeeMain};
 
     /// Of a rounded tee the blend is drawn with its arcs and both borders, and round each end; nothing on the pipes themselves.
     #[test]

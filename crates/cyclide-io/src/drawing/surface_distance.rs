@@ -171,7 +171,7 @@ fn nearest(p: Point3, [a, b, c]: [Point3; 3]) -> [f64; 3] {
 #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
-    use cyclide::QuadGrid;
+    use cyclide::surface::QuadGrid;
 
     /// A part of a sphere over a coarse grid of angles.
     fn sphere(radius: f64) -> GivenSurface {

@@ -1,6 +1,10 @@
 //! What documents and the command write to follow the advice of the kernel, which knows neither.
 
-use cyclide::{Error, FitError, NoiseWarning, NumberError, PatchError, PoseFitWarning, PrincipalGridError, Warning};
+use cyclide::{
+    Error, Warning,
+    error::{FitError, NumberError, PatchError, PrincipalGridError},
+    warning::{NoiseWarning, PoseFitWarning},
+};
 
 const PIECES: &str = "; write `\"umbilics\": \"pieces\"`";
 

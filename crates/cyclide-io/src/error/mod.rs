@@ -105,7 +105,7 @@ pub(crate) fn of_contour(contour: Option<usize>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use cyclide::PatchError;
+    use cyclide::error::PatchError;
     /// What `fn main() -> Result<(), Box<dyn std::error::Error>>` prints.
     fn shown_by_main(error: impl std::error::Error + 'static) -> String {
         format!("{:?}", Box::<dyn std::error::Error>::from(error))

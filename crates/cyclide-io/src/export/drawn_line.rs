@@ -1,7 +1,7 @@
 //! What the lines of surfaces in a drawing stand for: told by who draws them, held against the file by the check.
 
 use crate::export::parts::BodyOf;
-use cyclide::{EdgeCurve, FaceGeometry as _};
+use cyclide::topology::{EdgeCurve, FaceGeometry as _};
 
 /// Which line of a shell.
 #[derive(Debug, Clone, Copy, PartialEq)]

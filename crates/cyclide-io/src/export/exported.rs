@@ -4,13 +4,15 @@ use crate::export::drawn_line::LinePlace;
 use crate::export::face_plan::ShellPlan;
 use crate::export::mesh_plan::MeshPlan;
 use cyclide::{
-    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve, PieceForm,
+    curve::{Arc, ArcPath, Correspondence, ParamCurve, PieceForm},
+    model::{ChainPiece, CurveChain, Exactness, Lowered},
+    rational::NurbsCurve,
 };
 
 /// The content of a file with its error bounds.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

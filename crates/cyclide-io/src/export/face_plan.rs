@@ -1,6 +1,6 @@
 //! What the faces of a file stand for: told by who writes them, held against the file and the uncut model by the check.
 
-use cyclide::{FacePart, Side};
+use cyclide::topology::{FacePart, Side};
 
 /// The faces of one shell of a file: parts of the faces of one shell of the model, which may have been cut for the format.
 /// Places and counts, never geometry.

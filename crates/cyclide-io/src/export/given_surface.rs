@@ -1,11 +1,14 @@
 //! The surface that an object was made to follow, and the lines of curvature that were found on it: what pictures show.
 
-use cyclide::{GridCell, Point3, QuadGrid, QuadLayout, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    surface::{GridCell, QuadGrid, QuadLayout},
+};
 
 /// A surface as given, by its vertices, with which a skin is compared.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// use cyclide_io::GivenSurface;
 /// let points = (0..9).map(|k| Point3::new((k % 3) as f64, (k / 3) as f64, 0.0)).collect();
 /// let given = GivenSurface::from_grid(&QuadGrid::new(points, [3, 3], [false, false])?);

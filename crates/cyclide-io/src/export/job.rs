@@ -8,7 +8,11 @@ use crate::export::parts::{BodyOf, Contour, contours};
 use crate::export::pieces::Pieces;
 use crate::export::provenance::Provenances;
 use crate::export::ready::ReadyModel;
-use cyclide::{Aabb, ArcPath, CurveChain, Lowered, Model, Units};
+use cyclide::{
+    Aabb,
+    curve::ArcPath,
+    model::{CurveChain, Lowered, Model, Units},
+};
 
 /// Tolerance of curves when none is asked for: this part of the model's diagonal.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-5;

@@ -5,7 +5,10 @@
 
 use crate::export::error::ExportError;
 use crate::export::parts::Contour;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Lower as _, Lowered, ParamCurve as _};
+use cyclide::{
+    curve::{Arc, ArcPath, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Lower as _, Lowered},
+};
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -6,7 +6,11 @@ use crate::export::job::Job;
 use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::side_use::side_use;
-use cyclide::{Correspondence, CurvePlace, MeshCorner, MeshFace, MeshSource, Point3, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Correspondence, CurvePlace},
+    mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh},
+};
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 

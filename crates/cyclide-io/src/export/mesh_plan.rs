@@ -1,7 +1,7 @@
 //! What the polygons of a file stand for: told by who writes them, held against the file by the check.
 
 use crate::export::side_use::SideUse;
-use cyclide::MeshSource;
+use cyclide::mesh::MeshSource;
 
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,6 +1,6 @@
 //! Bodies in motion: the room that they take, and the axes that stand for those without a shape.
 
-use cyclide::{Aabb, MovingBody, Point3};
+use cyclide::{Aabb, Point3, motion::MovingBody};
 
 /// The axes of a body without a shape are this part of the box of its way; of one that turns in place 1.
 const AXES: f64 = 0.1;

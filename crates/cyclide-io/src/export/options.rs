@@ -8,7 +8,7 @@ use crate::export::camera::Camera;
 /// The DXF version.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, DxfVersion, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -31,7 +31,7 @@ pub enum DxfVersion {
 /// booleans and fillets require.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, StepEdges, export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -58,7 +58,7 @@ pub enum StepEdges {
 /// How bodies are divided into faces in STEP.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, StepFaces, export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -87,7 +87,7 @@ pub enum StepFaces {
 /// How several objects become products in STEP.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, StepProducts, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -113,7 +113,7 @@ pub enum StepProducts {
 /// The cells of VTU.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Grading, Model, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, model::Model, volume::{CyclideVolume, Grading, SphericalCube, VolumeFrame}};
 /// use cyclide_io::{ExportOptions, Exporter, Format, Provenance, VtuCells};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
@@ -137,7 +137,7 @@ pub enum VtuCells {
 /// How numbers are written in VTU.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, VtuEncoding, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -161,7 +161,7 @@ pub enum VtuEncoding {
 /// The sign of curvatures refers to the outer normal: on a sphere seen from outside they are negative.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Model};
+/// use cyclide::{model::Model, surface::DupinCyclide};
 /// use cyclide_io::{ExportOptions, Format, PictureColour, export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
@@ -202,7 +202,7 @@ pub(crate) const PIECES_OF_EACH: usize = 16;
 /// Options of a file.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

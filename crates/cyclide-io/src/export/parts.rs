@@ -4,7 +4,11 @@
 use crate::export::error::ExportError;
 use crate::export::provenance::Provenances;
 use crate::export::shape::Shape;
-use cyclide::{Aabb, CurveObject, Item, Model, bounds};
+use cyclide::{
+    Aabb,
+    curve::bounds,
+    model::{CurveObject, Item, Model},
+};
 
 /// A body of a surface with the object it belongs to.
 pub(crate) struct BodyOf<'a> {

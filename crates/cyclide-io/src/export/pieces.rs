@@ -2,7 +2,10 @@
 
 use crate::export::shape::Shape;
 use cyclide::{
-    CurvePlace, Error, NumberError, ParamCurve, PartError, Point3, SurfaceMesh, flatten_within, tessellate_within,
+    Error, Point3,
+    curve::{CurvePlace, ParamCurve},
+    error::{NumberError, PartError},
+    mesh::{SurfaceMesh, flatten_within, tessellate_within},
 };
 use std::cell::Cell;
 
@@ -17,7 +20,7 @@ impl Pieces {
         Self { most, used: Cell::new(0) }
     }
 
-    /// As [`flatten_places`](cyclide::flatten_places), with the vertices that are left.
+    /// As [`flatten_places`](cyclide::mesh::flatten_places), with the vertices that are left.
     pub(crate) fn flatten(&self, curve: &dyn ParamCurve, tolerance: f64) -> cyclide::Result<Vec<(CurvePlace, Point3)>> {
         let left = self.left();
         let vertices = flatten_within(curve, tolerance, left).map_err(|e| self.of_file(e, left))?;
@@ -25,7 +28,7 @@ impl Pieces {
         Ok(vertices)
     }
 
-    /// As [`tessellate`](cyclide::tessellate), with the cells that are left.
+    /// As [`tessellate`](cyclide::mesh::tessellate), with the cells that are left.
     pub(crate) fn tessellate(&self, shape: &Shape<'_>, tolerance: f64) -> cyclide::Result<SurfaceMesh> {
         let left = self.left();
         let mesh = match shape {

@@ -1,12 +1,17 @@
 //! How objects came about, as far as files say it or pictures show it.
 
 use crate::export::given_surface::{GivenSurface, LaidField};
-use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObject, TriangleSurface};
+use cyclide::{
+    Point3,
+    curve::BlendLaw,
+    model::{CurveObject, Geometry, Item, Model, SurfaceObject},
+    surface::TriangleSurface,
+};
 
 /// The origin of an object: its construction, as named in documents, and the points that it approximates.
 ///
 /// ```
-/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
 /// use cyclide_io::{ExportOptions, Exporter, Format, Provenance};
 /// let rim = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("rim", rim);
@@ -27,7 +32,7 @@ pub struct Provenance {
     /// Points with names in its table, and the names, with which pictures label them.
     pub point_names: Vec<(Point3, String)>,
     /// The parameters along s, t and u of the cell boundaries, if blocks are divided into cells: those of a
-    /// [`StructuredGrid`](cyclide::StructuredGrid).
+    /// [`StructuredGrid`](cyclide::volume::StructuredGrid).
     pub places: Option<[Vec<f64>; 3]>,
     /// Suffixes that distinguish its surfaces in files after the name of the object, if not numbers: one for each,
     /// all different.
@@ -132,7 +137,7 @@ fn kind_of_curve(curve: &CurveObject) -> &'static str {
         CurveObject::Arc(_) => "arc",
         CurveObject::Circle(_) => "circle",
         CurveObject::ArcPath(_) => "arc-spline",
-        CurveObject::CircleSpline(spline) => match spline.segments().first().map(cyclide::BlendSegment::law) {
+        CurveObject::CircleSpline(spline) => match spline.segments().first().map(cyclide::curve::BlendSegment::law) {
             Some(BlendLaw::Fair { .. }) => "fair-spline",
             _ => "circle-spline",
         },
@@ -156,7 +161,11 @@ fn kind_of_surface(surface: &SurfaceObject) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::{Provenance, Provenances};
-    use cyclide::{Circle, Geometry, Item, Model, Point3, Units, Vec3};
+    use cyclide::{
+        Point3, Vec3,
+        curve::Circle,
+        model::{Geometry, Item, Model, Units},
+    };
 
     #[test]
     fn what_is_not_given_is_called_by_its_geometry() {

@@ -7,8 +7,11 @@ use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::export::scaled_weights::scaled_weights;
 use cyclide::{
-    CutShell, CyclideVolume, FaceGeometry as _, Item, Model, NumberError, RationalBezier, RationalBezierSurface,
-    RationalBezierVolume, Shell, VolumeError,
+    error::{NumberError, VolumeError},
+    model::{Item, Model},
+    rational::{RationalBezier, RationalBezierSurface, RationalBezierVolume},
+    topology::{CutShell, FaceGeometry as _, Shell},
+    volume::CyclideVolume,
 };
 
 /// A cell's degrees along its parameters; the third is 0 of a face, the last two of a curve.

@@ -6,7 +6,7 @@ use crate::export::lowered::LoweredCurves;
 use crate::export::moving::MovingRoom;
 use crate::export::parts::{BodyOf, bodies, boxes, contours};
 use crate::export::provenance::{Provenance, Provenances};
-use cyclide::{Aabb, Model, Vec3};
+use cyclide::{Aabb, Vec3, model::Model};
 
 /// Largest coordinate that is written: products of two of them must not overflow.
 const LARGEST_COORDINATE: f64 = 1e120;

@@ -1,6 +1,10 @@
 //! What the surfaces of a model are to writers: faces that share edges, or triangles of a surface without exact form.
 
-use cyclide::{Aabb, Body, Shell, TriangleSurface};
+use cyclide::{
+    Aabb,
+    surface::TriangleSurface,
+    topology::{Body, Shell},
+};
 
 /// A surface as writers take it.
 pub(crate) enum Shape<'a> {

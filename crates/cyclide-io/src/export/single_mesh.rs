@@ -6,7 +6,7 @@ use crate::export::job::Job;
 use crate::export::mesh::{BodyMesh, Single, triangles};
 use crate::export::mesh_plan::MeshPlan;
 use crate::export::parts::BodyOf;
-use cyclide::{MeshFace, Point3};
+use cyclide::{Point3, mesh::MeshFace};
 
 /// Why a body is refused that is thinner than the steps of single precision at its place.
 const NOTHING_LEFT: &str = "a body vanishes in single precision: write OBJ, or GLB, whose coordinates are relative to the center of each object";

@@ -7,7 +7,10 @@ use crate::export::job::Job;
 use crate::export::parts::Contour;
 use crate::export::rational_cells::{Degrees, Halving, Node, RationalCell, Tags, boxes_between, cells_of, push_bodies};
 use cyclide::{
-    ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Lowered, NurbsCurve, ParamCurve as _, Point3, RationalBezier,
+    Point3,
+    curve::{DEFAULT_PIECE_ANGLE, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Lowered},
+    rational::{NurbsCurve, RationalBezier},
 };
 
 /// The knots along a parameter.

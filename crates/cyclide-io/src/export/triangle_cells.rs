@@ -1,6 +1,6 @@
 //! The parts of a triangle that the cells of a mesh of it stand for: two triangles, or one at the side.
 
-use cyclide::MeshSource;
+use cyclide::mesh::MeshSource;
 
 /// Barycentric coordinates of the corners of a part, whole numbers.
 pub(crate) type Part = [[f64; 3]; 3];
@@ -51,7 +51,10 @@ pub(crate) fn are_whole(cells: &[&MeshSource]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{Point3, SphereBlend, TriangleSurface};
+    use cyclide::{
+        Point3,
+        surface::{SphereBlend, TriangleSurface},
+    };
 
     /// Against the kernel's meshes: every vertex is the point at the coordinates of its part.
     #[test]

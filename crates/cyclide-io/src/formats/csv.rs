@@ -19,7 +19,10 @@ use crate::export::mesh::between;
 use crate::export::parts::{Contour, contours};
 use crate::formats::entry::{Entry, Kind, Reading};
 use crate::text::number::push_plain;
-use cyclide::{CurveChain, Model, Point3};
+use cyclide::{
+    Point3,
+    model::{CurveChain, Model},
+};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;

@@ -9,7 +9,7 @@ use crate::export::exported::Exported;
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
 use crate::export::options::ExportOptions;
-use cyclide::Geometry;
+use cyclide::model::Geometry;
 
 /// What a model consists of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,13 +12,13 @@ use crate::export::ready::ReadyModel;
 use crate::formats::Format;
 use crate::formats::entry::Entry;
 use crate::formats::read_back::deviations_of;
-use cyclide::{Geometry, Item, Model};
+use cyclide::model::{Geometry, Item, Model};
 
 /// Generates the content of a file. The same model and options give the same bytes. For several files of one model,
 /// [`Exporter`] does shared work only once.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -38,7 +38,7 @@ pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<
 /// written.
 ///
 /// ```
-/// use cyclide::{Arc, ArcPath, Model, Point3, Units};
+/// use cyclide::{Point3, curve::{Arc, ArcPath}, model::{Model, Units}};
 /// use cyclide_io::{ExportOptions, Exporter, Format};
 /// let path = ArcPath::new(vec![Arc::segment(Point3::ORIGIN, Point3::new(2.0, 1.0, 0.0))?], false)?;
 /// let model = Model::new(Units::Metre).with_curve("path", path);
@@ -159,7 +159,12 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use cyclide::{Arc, ArcPath, CircleSpline, CurveObject, FairSplineOptions, Point3};
+    use cyclide::{
+        Point3,
+        construct::FairSplineOptions,
+        curve::{Arc, ArcPath, CircleSpline},
+        model::CurveObject,
+    };
 
     /// A fair spline and a polygon.
     fn model() -> Model {

@@ -30,7 +30,7 @@ impl Format {
     }
 
     /// True if files of the format hold a geometry, which has an exact form or not.
-    pub(crate) fn holds(self, geometry: &cyclide::Geometry, exact: bool) -> bool {
+    pub(crate) fn holds(self, geometry: &cyclide::model::Geometry, exact: bool) -> bool {
         self.entry().loses(geometry).is_none() && (exact || !self.entry().holds_exact_only)
     }
 

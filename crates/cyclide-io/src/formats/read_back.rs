@@ -9,12 +9,12 @@ use crate::export::exported::Exported;
 use crate::export::ready::ReadyModel;
 use crate::formats::Format;
 use crate::formats::entry::Reading;
-use cyclide::Model;
+use cyclide::model::Model;
 
 /// Reads a file that [`export`](crate::export()) wrote.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, read_back};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
@@ -36,7 +36,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// [`Exporter::deviation`](crate::Exporter::deviation), which knows how the objects are named.
 ///
 /// ```
-/// use cyclide::{Arc, Model, Point3};
+/// use cyclide::{Point3, curve::Arc, model::Model};
 /// use cyclide_io::{ExportOptions, Format, export, file_deviation};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);

@@ -1,6 +1,9 @@
 //! How the patches of a surface meet.
 
-use cyclide::{CORNER_ANGLE, Shell, surface_joints};
+use cyclide::{
+    curve::CORNER_ANGLE,
+    topology::{Shell, surface_joints},
+};
 use serde::Serialize;
 
 /// How patches meet, measured along every edge that two share.

@@ -1,6 +1,6 @@
 //! Borders of open nets that nearly coincide.
 
-use cyclide::{CyclidicNet, Seam, SeamMeasure};
+use cyclide::surface::{CyclidicNet, Seam, SeamMeasure};
 
 /// The seams of a net, those of the grid it was made from among them, measured on the net.
 pub(crate) fn measured_seams(net: &CyclidicNet, given: &[Seam]) -> Vec<(Seam, SeamMeasure)> {

@@ -1,7 +1,7 @@
 //! What is reported of the laws by which blocks are divided into cells.
 
 use super::figures::short;
-use cyclide::{FineEnd, Grading};
+use cyclide::volume::{FineEnd, Grading};
 use serde::Serialize;
 
 /// How a direction of blocks is divided into cells, with the parameter found for the length of the first cell.

@@ -1,8 +1,10 @@
 //! Samples along curves: points, stations, curvatures and frames, as CSV or JSON.
 
 use cyclide::{
-    ArcLength, CurveFrame, CurveFrames, CurveObject, FrameRule, ParamCurve, ShortNumber, Torus, TorusSpline, Vec3,
-    plane_normal,
+    ShortNumber, Vec3,
+    curve::{ArcLength, CurveFrame, CurveFrames, FrameRule, ParamCurve, plane_normal},
+    model::CurveObject,
+    surface::{Torus, TorusSpline},
 };
 use serde::Serialize;
 
@@ -40,7 +42,7 @@ impl SamplePlaces {
 /// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
-/// let options = SampleOptions { places: SamplePlaces::Step(1.0), frames: Some(cyclide::FrameRule::Frenet) };
+/// let options = SampleOptions { places: SamplePlaces::Step(1.0), frames: Some(cyclide::curve::FrameRule::Frenet) };
 /// let samples = CurveSamples::new(&built[0], &options)?;
 /// assert_eq!((samples.contours[0].samples.len(), samples.contours[0].samples[3].station), (14, 3.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -85,7 +87,7 @@ pub struct CurveSamples {
 /// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
-/// let frames = Some(cyclide::FrameRule::rotation_minimizing());
+/// let frames = Some(cyclide::curve::FrameRule::rotation_minimizing());
 /// let samples = CurveSamples::new(&built[0], &SampleOptions { places: SamplePlaces::Step(1.0), frames })?;
 /// assert!(samples.contours[0].holonomy.expect("it is closed").abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -176,8 +178,10 @@ impl CurveSamples {
             Some(FrameRule::RotationMinimizing { .. }) => Some("rotation-minimizing"),
         };
         let contours = curves.iter().enumerate().map(contour).collect::<cyclide::Result<_>>()?;
-        let spread =
-            matches!(options.frames, Some(FrameRule::RotationMinimizing { closed: cyclide::ClosedTwist::Spread, .. }));
+        let spread = matches!(
+            options.frames,
+            Some(FrameRule::RotationMinimizing { closed: cyclide::curve::ClosedTwist::Spread, .. })
+        );
         Ok(Self { object: built.item.name.clone(), frames, contours, spread })
     }
 

@@ -1,6 +1,10 @@
 //! The report on curves.
 
-use cyclide::{Aabb, ArcLength, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
+use cyclide::{
+    Aabb,
+    curve::{ArcLength, CORNER_ANGLE, bounds, extreme_curvature, joints, length},
+    model::{CurveObject, Lower},
+};
 use serde::Serialize;
 
 use super::qb::QbReport;
@@ -229,8 +233,8 @@ impl CurvesReport {
         let fit = fit(built);
         Self {
             length: curves().map(length).sum(),
-            pieces: curves().map(cyclide::ParamCurve::piece_count).sum(),
-            closed: curves().all(cyclide::ParamCurve::is_closed),
+            pieces: curves().map(cyclide::curve::ParamCurve::piece_count).sum(),
+            closed: curves().all(cyclide::curve::ParamCurve::is_closed),
             joints: joint,
             curvature,
             fairness: FairnessReport::new(built),

@@ -1,6 +1,6 @@
 //! How evenly the curves of an object bend.
 
-use cyclide::{Fairness, fairness};
+use cyclide::curve::{Fairness, fairness};
 use serde::Serialize;
 
 use crate::document::BuiltObject;

@@ -1,6 +1,9 @@
 //! Places of motions that are faster than asked for.
 
-use cyclide::{MovingBody, ShortNumber, SpeedKind};
+use cyclide::{
+    ShortNumber,
+    motion::{MovingBody, SpeedKind},
+};
 use serde::Serialize;
 
 use super::warning::WarningReport;

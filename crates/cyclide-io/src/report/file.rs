@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cyclide::{Model, ShortNumber};
+use cyclide::{ShortNumber, model::Model};
 use serde::Serialize;
 
 use crate::check::deviation::{Beyond, READ_BACK_ROUNDING};
@@ -21,7 +21,7 @@ const ABOVE_ASKED: f64 = 0.05;
 /// The report on one file.
 ///
 /// ```
-/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
 /// use cyclide_io::{ExportOptions, Exporter, Format};
 /// let ring = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("ring", ring);
@@ -57,7 +57,7 @@ pub struct FileReport {
 /// A file that violates its bound: a bug in this program, not a fault of the input.
 ///
 /// ```
-/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
 /// use cyclide_io::{CheckError, ExportOptions, Exporter, Format};
 /// let ring = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("ring", ring);

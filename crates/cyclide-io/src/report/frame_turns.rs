@@ -1,6 +1,6 @@
 //! Turns of frames between neighboring samples that are too large to be followed.
 
-use cyclide::{ArcLength, ShortNumber, Vec3};
+use cyclide::{ShortNumber, Vec3, curve::ArcLength};
 use serde::Serialize;
 
 /// Turns between neighboring samples above this are reported: between such frames there is no nearest way.
@@ -19,7 +19,7 @@ pub(super) type Axes = [Vec3; 3];
 /// let built = text.parse::<Document>()?.build()?;
 /// let places = SamplePlaces::Count { count: 4, spacing: Spacing::Parameter };
 /// // Straight below, a camera that keeps its upper side up turns over.
-/// let frames = Some(cyclide::FrameRule::LookAt { target: cyclide::Point3::ORIGIN, up: cyclide::Vec3::Z });
+/// let frames = Some(cyclide::curve::FrameRule::LookAt { target: cyclide::Point3::ORIGIN, up: cyclide::Vec3::Z });
 /// let samples = CurveSamples::new(&built[0], &SampleOptions { places, frames })?;
 /// let turn = samples.contours[0].frame_turns[0];
 /// assert!((turn.t - 0.5).abs() < 1e-9 && turn.jump && (turn.angle - std::f64::consts::PI).abs() < 1e-6);

@@ -30,7 +30,7 @@ mod tube;
 mod volume;
 mod warning;
 
-use cyclide::{Geometry, SurfaceObject, Units};
+use cyclide::model::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -150,7 +150,7 @@ impl Report {
     /// Adds the parts of all curves that are tighter than a radius, in the reports of these objects and as warnings.
     ///
     /// # Errors
-    /// As [`cyclide::tight_places`].
+    /// As [`cyclide::curve::tight_places`].
     pub fn with_min_radius(mut self, objects: &[BuiltObject], radius: f64) -> cyclide::Result<Self> {
         for built in objects {
             let found = TightReport::new(built, radius)?;

@@ -1,8 +1,11 @@
 //! What is reported of motions.
 
 use cyclide::{
-    Motion, MotionDeviation, MotionJet, MotionPlace, MotionReversal, MovingBody, OffChords, PoseTimes, Schedule,
-    SpeedPeak, TimeLaw, Vec3,
+    Vec3,
+    motion::{
+        Motion, MotionDeviation, MotionJet, MotionPlace, MotionReversal, MovingBody, OffChords, PoseTimes, Schedule,
+        SpeedPeak, TimeLaw,
+    },
 };
 use serde::Serialize;
 

@@ -1,6 +1,9 @@
 //! How a motion keeps to its poses: how far it leaves the lines between them, how it closes, and how far a smoothed one is from them.
 
-use cyclide::{MotionJet, MovingBody, Schedule, Vec3};
+use cyclide::{
+    Vec3,
+    motion::{MotionJet, MovingBody, Schedule},
+};
 use serde::Serialize;
 
 /// The distance of the origin of a body from the straight lines between its poses.

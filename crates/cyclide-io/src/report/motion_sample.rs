@@ -1,6 +1,9 @@
 //! Samples of motions: poses at times, and how fast the body is then.
 
-use cyclide::{MovingBody, Pose, Quat, Schedule};
+use cyclide::{
+    Quat,
+    motion::{MovingBody, Pose, Schedule},
+};
 use serde_json::json;
 
 use super::sampling::{SamplePlaces, fractions, push_field};

@@ -112,7 +112,7 @@ impl PrincipalReport {
     /// Of an object that lays grids.
     pub(super) fn new(built: &BuiltObject) -> Option<Box<Self>> {
         let (laid, found) = (built.item.grids()?, built.facts.principal_grid()?);
-        let piece = |(grid, piece): (&cyclide::QuadGrid, &cyclide_grids::GridPiece)| GridPieceReport {
+        let piece = |(grid, piece): (&cyclide::surface::QuadGrid, &cyclide_grids::GridPiece)| GridPieceReport {
             columns: grid.size()[0],
             rows: grid.size()[1],
             closed: grid.closed()[0],

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use cyclide::CurveObject;
+use cyclide::model::CurveObject;
 use serde::Serialize;
 
 use super::figures::{Line, plural, short};
@@ -52,7 +52,7 @@ impl QbReport {
                 _ => None,
             })
         };
-        let degree = splines().map(cyclide::QbSpline::degree).max()?;
+        let degree = splines().map(cyclide::curve::QbSpline::degree).max()?;
         let found = || built.contours.iter().filter_map(|facts| facts.interpolation.as_ref());
         Some(Self {
             degree,

@@ -2,8 +2,11 @@
 //! curvatures on surfaces.
 
 use cyclide::{
-    Body, CyclideVolume, FaceGeometry as _, Geometry, ParamSurface as _, Point3, ShellFace, StructuredGrid,
-    SurfaceObject, TriangleSurface,
+    Point3,
+    model::{Geometry, SurfaceObject},
+    surface::{ParamSurface as _, TriangleSurface},
+    topology::{Body, FaceGeometry as _, ShellFace},
+    volume::{CyclideVolume, StructuredGrid},
 };
 
 use super::curve_sample::{CurveSamples, SampleOptions};
@@ -157,7 +160,7 @@ fn surfaces(bodies: &[Body], count: usize) -> String {
     let columns = "patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t";
     let mut out = format!("{}{columns}\n", if several { "body," } else { "" });
     for (index, body) in bodies.iter().enumerate() {
-        for (patch, face) in body.shells().flat_map(cyclide::Shell::faces).enumerate() {
+        for (patch, face) in body.shells().flat_map(cyclide::topology::Shell::faces).enumerate() {
             let name = if several { format!("{index},{patch}") } else { patch.to_string() };
             for t in fractions(count) {
                 for s in fractions(count) {

@@ -1,7 +1,7 @@
 //! Borders of open nets that nearly coincide.
 
 use crate::measure::seams::measured_seams;
-use cyclide::{CyclidicNet, Seam, SeamMeasure};
+use cyclide::surface::{CyclidicNet, Seam, SeamMeasure};
 use serde::Serialize;
 
 /// Two opposite borders of an open net that nearly coincide, as in a tube that was cut open. They do if at every vertex of one, in the grid

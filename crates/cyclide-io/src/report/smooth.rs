@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use cyclide::{SmoothComparison, SmoothMeasure, TriangleSurface};
+use cyclide::surface::{SmoothComparison, SmoothMeasure, TriangleSurface};
 use serde::Serialize;
 
 use super::figures::{Line, measure, plural, short};

@@ -3,8 +3,12 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Body, CORNER_ANGLE, CyclidePatch, FaceSurface, ParamSurface as _, RationalBezierSurface, ShapeChange, Shell,
-    ShellFace, SurfaceObject, surface_joints,
+    ShapeChange,
+    curve::CORNER_ANGLE,
+    model::SurfaceObject,
+    rational::RationalBezierSurface,
+    surface::{CyclidePatch, ParamSurface as _},
+    topology::{Body, FaceSurface, Shell, ShellFace, surface_joints},
 };
 use serde::Serialize;
 

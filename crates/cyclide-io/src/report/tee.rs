@@ -1,6 +1,6 @@
 //! The report on the blends of a tee.
 
-use cyclide::{ShortNumber, TeeBlendFacts};
+use cyclide::{ShortNumber, construct::TeeBlendFacts};
 use serde::Serialize;
 
 use super::range::RangeReport;

@@ -1,6 +1,6 @@
 //! Places that are tighter than a radius asked for.
 
-use cyclide::{CurveObject, ShortNumber, tight_places};
+use cyclide::{ShortNumber, curve::tight_places, model::CurveObject};
 use serde::Serialize;
 
 use super::warning::WarningReport;

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use cyclide::{
-    CircleFamily, CurveObject, Exactness, Lower as _, ParamCurve as _, QuarticType, SegmentMethod, TorusMap,
-    TorusSpline,
+    construct::TorusMap,
+    curve::ParamCurve as _,
+    model::{CurveObject, Exactness, Lower as _},
+    surface::{CircleFamily, QuarticType, SegmentMethod, TorusSpline},
 };
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
 //! The report on a tube of changing radius.
 
-use cyclide::{Exactness, ShortNumber};
+use cyclide::{ShortNumber, model::Exactness};
 use serde::Serialize;
 
 use super::range::RangeReport;

@@ -1,6 +1,10 @@
 //! What is reported of volumes.
 
-use cyclide::{CyclideVolume, FoldVerdict, GridQuality, ParamVolume as _, Point3, Shell, StructuredGrid, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    topology::Shell,
+    volume::{CyclideVolume, FoldVerdict, GridQuality, ParamVolume as _, StructuredGrid},
+};
 use serde::Serialize;
 
 use super::CellLawReport;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use cyclide::{CyclidicNet, SurfaceObject};
+use cyclide::{model::SurfaceObject, surface::CyclidicNet};
 use serde::Serialize;
 
 use super::error::ScheduleError;

@@ -17,7 +17,7 @@ mod table;
 mod totals;
 mod view;
 
-use cyclide::Units;
+use cyclide::model::Units;
 use serde::Serialize;
 
 use crate::document::BuiltObject;

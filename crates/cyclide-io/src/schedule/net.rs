@@ -3,8 +3,11 @@
 use std::collections::HashMap;
 
 use cyclide::{
-    Arc, CORNER_ANGLE, CyclidePatch, FaceEdge, NormalStrip, PanelMeasures, PatchKind, Point3, Result, Shell, Side,
-    Vec3, surface_joints,
+    Point3, Result, Vec3,
+    curve::{Arc, CORNER_ANGLE},
+    panel::PanelMeasures,
+    surface::{CyclidePatch, NormalStrip, PatchKind},
+    topology::{FaceEdge, Shell, Side, surface_joints},
 };
 
 use super::skin::Skin;

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Congruences, CyclidePatch, FlatPattern, MouldShape, Moulds, NearSurface, PatchKind, Point3, Result, Vec3,
+    Point3, Result, Vec3,
+    panel::{Congruences, FlatPattern, MouldShape, Moulds, NearSurface},
+    surface::{CyclidePatch, PatchKind},
 };
 use serde::Serialize;
 

@@ -1,6 +1,11 @@
 //! The flat patterns of panels that are bent from flat sheets, as a sheet for the cutter.
 
-use cyclide::{Aabb, Arc, ArcPath, FlatPattern, Point3, Result, Side};
+use cyclide::{
+    Aabb, Point3, Result,
+    curve::{Arc, ArcPath},
+    panel::FlatPattern,
+    topology::Side,
+};
 
 use super::lettering::height_in_circle;
 use super::net::Net;

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use cyclide::{Aabb, Arc, ParamSurface as _, Point3, Result, Side, Units, Vec3};
+use cyclide::{Aabb, Point3, Result, Vec3, curve::Arc, model::Units, surface::ParamSurface as _, topology::Side};
 
 use super::lettering::{height_in_box, height_in_circle};
 use super::net::{Net, kind_word};

@@ -1,6 +1,6 @@
 //! The tables: what stands in each column of panels, edges, nodes and beams.
 
-use cyclide::{Arc, Side, StripForm, Units};
+use cyclide::{curve::Arc, model::Units, surface::StripForm, topology::Side};
 
 use super::net::{Net, kind_word};
 use super::panels::PanelGroups;

@@ -1,6 +1,11 @@
 //! What is measured as one: a net, or nets that join.
 
-use cyclide::{CyclidicNet, Error, NetLayout, PartError, PatchError, Result, Shell};
+use cyclide::{
+    Error, Result,
+    error::{PartError, PatchError},
+    surface::{CyclidicNet, NetLayout},
+    topology::Shell,
+};
 
 /// A surface of panels.
 #[derive(Debug, Clone)]

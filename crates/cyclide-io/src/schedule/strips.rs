@@ -1,6 +1,9 @@
 //! The beams laid flat, as a sheet for the cutter: strips in rows, each with its name.
 
-use cyclide::{Aabb, Arc, ArcPath, ParamCurve as _, Point3, Result, Vec3};
+use cyclide::{
+    Aabb, Point3, Result, Vec3,
+    curve::{Arc, ArcPath, ParamCurve as _},
+};
 
 use super::lettering::{height_in_box, shrunk};
 use super::net::Net;

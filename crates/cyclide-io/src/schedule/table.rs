@@ -2,7 +2,7 @@
 
 use std::fmt::{Arguments, Write as _};
 
-use cyclide::{Point3, Units, Vec3};
+use cyclide::{Point3, Vec3, model::Units};
 use serde_json::Value;
 
 use crate::text::csv::{field, fields};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cyclide::{Arc, ShortNumber, Units};
+use cyclide::{ShortNumber, curve::Arc, model::Units};
 use serde::Serialize;
 
 use super::net::{Net, kind_word};

@@ -1,6 +1,11 @@
 //! Directions from which drawings look, and arcs as they are seen: true to the projection within a tolerance.
 
-use cyclide::{Arc, ArcPath, DEFAULT_PIECE_ANGLE, Lower as _, NurbsCurve, Point3, Result, Vec3};
+use cyclide::{
+    Point3, Result, Vec3,
+    curve::{Arc, ArcPath, DEFAULT_PIECE_ANGLE},
+    model::Lower as _,
+    rational::NurbsCurve,
+};
 
 /// An arc whose plane is seen within this angle of face on is drawn as the arc it is, and one seen within it of edge on as a
 /// segment: both are below the rounding of the drawing.

@@ -3,8 +3,13 @@
 use crate::damage::Damage;
 use crate::models::{annulus, curve_and_surfaces, mixed, octant, space_chain, splines, surfaces, tilted, torus_part};
 use cyclide::{
-    Conformal as _, CurveObject, CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, Geometry,
-    Grading, Item, Mobius, Model, Point3, RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
+    Point3, Vec3,
+    conformal::{Conformal as _, Mobius},
+    model::{CurveObject, Geometry, Item, Model, Units},
+    rational::RationalBezierSurface,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide},
+    topology::Shell,
+    volume::{CyclideGrid, CyclideVolume, Grading, SphericalCube, VolumeFrame},
 };
 use cyclide_io::{
     ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,

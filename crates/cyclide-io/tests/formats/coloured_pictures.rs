@@ -1,8 +1,9 @@
 //! Pictures that show a quantity of surfaces as colors: the colors at known places, their scale, labels, and fields of directions.
 
 use cyclide::{
-    CyclidePatch, CyclidicNet, DupinCyclide, GridObject, Item, Model, NetFrame, Point3, QuadGrid, SurfaceObject, Units,
-    Vec3,
+    Point3, Vec3,
+    model::{GridObject, Item, Model, SurfaceObject, Units},
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, QuadGrid},
 };
 use cyclide_io::{ExportOptions, Exported, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
 use tiny_skia::Pixmap;
@@ -160,7 +161,7 @@ fn pictures_of_a_quantity_have_one_scale_and_name_what_lacks_it() {
 #[test]
 fn pictures_are_as_high_as_asked_for() {
     let ring = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
-    let circle = cyclide::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0).unwrap();
+    let circle = cyclide::curve::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0).unwrap();
     let surface = Model::new(Units::Metre).with_surface("ring", ring);
     let curve = Model::new(Units::Metre).with_curve("round", circle);
     for model in [&surface, &curve] {

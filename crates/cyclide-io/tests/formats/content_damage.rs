@@ -4,7 +4,10 @@
 use crate::damage::Damage;
 use crate::label_damage::{bodies, twins};
 use crate::models::{circle_spline, coil, curve_and_surfaces, flat, model, slot, space_chain, wave};
-use cyclide::{BlendVariant, CurveObject, Model};
+use cyclide::{
+    curve::BlendVariant,
+    model::{CurveObject, Model},
+};
 use cyclide_io::{DxfVersion, ExportOptions, Format, StepEdges};
 use serde_json::{Value, json};
 

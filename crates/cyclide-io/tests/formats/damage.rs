@@ -1,6 +1,6 @@
 //! Damaged copies of right files.
 
-use cyclide::Model;
+use cyclide::model::Model;
 use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation};
 
 /// A right file of a model, of which damaged copies are checked.

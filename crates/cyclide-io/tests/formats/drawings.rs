@@ -1,7 +1,12 @@
 //! SVG: what is drawn, and how large.
 
 use crate::models::{bulges, circle_spline, flat, mixed, model, slot, space_chain};
-use cyclide::{BlendVariant, Conformal as _, CurveObject, Model, Point3, Units};
+use cyclide::{
+    Point3,
+    conformal::Conformal as _,
+    curve::BlendVariant,
+    model::{CurveObject, Model, Units},
+};
 use cyclide_io::{ExportOptions, Format, export, file_deviation};
 
 fn svg(m: &Model, options: &ExportOptions) -> String {
@@ -62,7 +67,7 @@ fn space_is_seen_from_above_and_points_are_refused() {
     let m = model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]);
     let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
     assert!(!file.exact && file.notes[0].contains("view along the z axis"));
-    let up = cyclide::Arc::segment([1.0, 2.0, 0.0].into(), [1.0, 2.0, 5.0].into()).unwrap();
+    let up = cyclide::curve::Arc::segment([1.0, 2.0, 0.0].into(), [1.0, 2.0, 5.0].into()).unwrap();
     let m = model(vec![("up", vec![CurveObject::Arc(up)])]);
     let error = export(&m, Format::Svg, &ExportOptions::default()).unwrap_err();
     assert_eq!(error.reason(), "not-in-format");
@@ -74,7 +79,7 @@ fn space_is_seen_from_above_and_points_are_refused() {
 fn the_plan_of_a_level_patch_is_made_of_arcs() {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
     let (v1, v2) = (cyclide::Vec3::new(0.6, 0.8, 0.0), cyclide::Vec3::new(-0.8, 0.6, 0.0));
-    let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap();
+    let patch = cyclide::surface::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap();
     let m = Model::new(Units::Metre).with_surface("", patch);
     let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
     assert!(file.exact && file.notes.len() <= 1, "{:?}", file.notes);
@@ -109,9 +114,9 @@ fn the_plan_of_a_riser_keeps_its_promise() {
 
 #[test]
 fn plans_of_surfaces_are_measured_line_by_line() {
-    let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap();
-    let surfaces: Vec<_> = ring.nets([8, 8]).unwrap().into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item::new("ring", surfaces);
+    let ring = cyclide::surface::DupinCyclide::new(6.0, 2.0, 3.5).unwrap();
+    let surfaces: Vec<_> = ring.nets([8, 8]).unwrap().into_iter().map(cyclide::model::SurfaceObject::Net).collect();
+    let item = cyclide::model::Item::new("ring", surfaces);
     let m = Model { items: vec![item], ..Model::default() };
     for tolerance in [0.1, 1e-3] {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
@@ -137,9 +142,9 @@ fn plans_of_surfaces_are_measured_line_by_line() {
 /// tiny part of its parameters.
 #[test]
 fn plans_of_images_near_infinity_keep_their_promise() {
-    let ring = cyclide::DupinCyclide::new(50.0, 20.0, 32.0).unwrap();
+    let ring = cyclide::surface::DupinCyclide::new(50.0, 20.0, 32.0).unwrap();
     for beside in [1.0, 1e-2, 1e-4] {
-        let map = cyclide::Mobius::inversion(Point3::new(38.0 + beside, 0.0, 0.0), 10.0).unwrap();
+        let map = cyclide::conformal::Mobius::inversion(Point3::new(38.0 + beside, 0.0, 0.0), 10.0).unwrap();
         let net = ring.nets([4, 4]).unwrap().remove(0).transformed(&map).unwrap();
         let m = Model::default().with_surface("", net);
         let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();

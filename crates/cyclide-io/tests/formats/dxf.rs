@@ -1,7 +1,10 @@
 //! What only DXF has: polylines in any plane, versions, layers, flags.
 
 use crate::models::{circle_spline, coil, flat, mixed, model, slot, space_chain, splines, tilted, wave};
-use cyclide::{BlendVariant, CurveObject, Model, Units};
+use cyclide::{
+    curve::BlendVariant,
+    model::{CurveObject, Model, Units},
+};
 use cyclide_io::{DxfVersion, ExportOptions, Format, export, file_deviation, read_back};
 
 fn with(m: &Model, options: &ExportOptions) -> Vec<(u16, String)> {
@@ -65,7 +68,7 @@ fn polylines_have_no_arc_above_half_a_turn_and_no_repeated_vertex() {
 fn curves_in_space_are_grouped_arcs_and_lines() {
     let space = CurveObject::ArcPath(space_chain());
     // The second contour starts where the first one ends: only the groups tell them apart.
-    let next = cyclide::Arc::segment(space.as_curve().point(1.0), cyclide::Point3::new(0.0, 0.0, 50.0)).unwrap();
+    let next = cyclide::curve::Arc::segment(space.as_curve().point(1.0), cyclide::Point3::new(0.0, 0.0, 50.0)).unwrap();
     let m = model(vec![("s", vec![space, CurveObject::Arc(next)])]);
     let tags = tags(&m);
     assert_eq!((count(&tags, "ARC"), count(&tags, "LINE"), count(&tags, "GROUP")), (3, 2, 1));
@@ -78,9 +81,9 @@ fn a_short_line_before_a_large_arc_is_one_curve_with_it() {
     // The arc begins where its center and radius say: to the rounding of 2000, not of the line of 1e-6.
     let (from, bend) = (cyclide::Point3::new(0.0, 0.0, -1e-6), cyclide::Point3::new(0.0, 0.0, 0.0));
     let (through, end) = (cyclide::Point3::new(700.0, 500.0, 100.0), cyclide::Point3::new(1700.0, 700.0, 300.0));
-    let line = cyclide::Arc::segment(from, bend).unwrap();
-    let arc = cyclide::Arc::from_three_points(bend, through, end).unwrap();
-    let path = cyclide::ArcPath::new(vec![line, arc], false).unwrap();
+    let line = cyclide::curve::Arc::segment(from, bend).unwrap();
+    let arc = cyclide::curve::Arc::from_three_points(bend, through, end).unwrap();
+    let path = cyclide::curve::ArcPath::new(vec![line, arc], false).unwrap();
     let m = model(vec![("s", vec![CurveObject::ArcPath(path)])]);
     let bytes = export(&m, Format::Dxf, &ExportOptions::default()).unwrap().bytes;
     assert_eq!(read_back(Format::Dxf, &bytes).unwrap().curves.len(), 1);

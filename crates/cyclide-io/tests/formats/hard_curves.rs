@@ -1,6 +1,6 @@
 //! Curves at the edge of what doubles carry: every format keeps its promise, or the document is refused by name.
 
-use cyclide::Model;
+use cyclide::model::Model;
 use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, export};
 use serde_json::{Value, json};
 use std::path::Path;

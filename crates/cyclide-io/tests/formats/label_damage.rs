@@ -2,7 +2,10 @@
 
 use crate::damage::Damage;
 use crate::models::{bent_quad, curve_and_surfaces, flat, mixed, slot, surfaces, torus_part};
-use cyclide::{Model, Point3, Units};
+use cyclide::{
+    Point3,
+    model::{Model, Units},
+};
 use cyclide_io::{DxfVersion, ExportOptions, Format, StepProducts};
 
 /// Two objects with the same curve in other places, in inches.
@@ -200,14 +203,14 @@ fn names_of_any_letters_are_right() {
     ];
     let mut curves = mixed(flat);
     let item = curves.items[0].clone();
-    curves.items = names.iter().map(|name| cyclide::Item { name: (*name).to_owned(), ..item.clone() }).collect();
+    curves.items = names.iter().map(|name| cyclide::model::Item { name: (*name).to_owned(), ..item.clone() }).collect();
     let mut meshes = curve_and_surfaces();
     let copies = meshes.items.clone();
     meshes.items = names
         .iter()
-        .flat_map(|name| copies.iter().map(|item| cyclide::Item { name: (*name).to_owned(), ..item.clone() }))
+        .flat_map(|name| copies.iter().map(|item| cyclide::model::Item { name: (*name).to_owned(), ..item.clone() }))
         .collect();
-    let ring = cyclide::DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let ring = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
     let solids = names.iter().fold(Model::default(), |model, name| model.with_surface(*name, ring.clone()));
     for title in [None, Some("円, \"t\" ".to_owned()), Some(long.clone())] {
         let options = ExportOptions { tolerance: Some(0.3), title, ..ExportOptions::default() };

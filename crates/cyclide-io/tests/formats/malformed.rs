@@ -1,14 +1,14 @@
 //! Readers meet bytes that nobody wrote: an error or curves, never a panic.
 
 use crate::models::{coil, flat, mixed, model, space_chain};
-use cyclide::{CurveObject, Model};
+use cyclide::model::{CurveObject, Model};
 use cyclide_io::{DxfVersion, ExportOptions, Format, VtuEncoding, export, read_back};
 use proptest::prelude::*;
 use std::sync::OnceLock;
 
 /// Files of every kind of entity.
 fn files() -> Vec<(Format, Vec<u8>)> {
-    use cyclide::BlendVariant::Rational;
+    use cyclide::curve::BlendVariant::Rational;
     let spline = crate::models::circle_spline(&coil(4), false, Rational, vec![]);
     let spatial = model(vec![("s", vec![CurveObject::ArcPath(space_chain()), spline])]);
     let exact = ExportOptions { dxf_splines: true, ..ExportOptions::default() };
@@ -35,9 +35,11 @@ fn files() -> Vec<(Format, Vec<u8>)> {
         let coarse = ExportOptions { tolerance: Some(0.3), glb_edges: true, ..ExportOptions::default() };
         files.push(file(&meshes, format, &coarse));
     }
-    let cube =
-        cyclide::SphericalCube::cuboid(cyclide::Point3::ORIGIN, [cyclide::Vec3::X, cyclide::Vec3::Y, cyclide::Vec3::Z]);
-    let block = cyclide::CyclideVolume::new(&cube.unwrap(), cyclide::VolumeFrame::Auto).unwrap();
+    let cube = cyclide::volume::SphericalCube::cuboid(
+        cyclide::Point3::ORIGIN,
+        [cyclide::Vec3::X, cyclide::Vec3::Y, cyclide::Vec3::Z],
+    );
+    let block = cyclide::volume::CyclideVolume::new(&cube.unwrap(), cyclide::volume::VolumeFrame::Auto).unwrap();
     let blocks = Model::default().with_volume("block", block);
     for format in [Format::Vtu, Format::Mfem, Format::Gismo, Format::ThreeMf] {
         let appended = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };

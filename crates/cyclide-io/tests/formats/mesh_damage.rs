@@ -1,7 +1,7 @@
 //! Meshes damaged in their bytes: what happens to a file is found in its deviation, or said.
 
 use crate::models::{bent_quad, surfaces, torus_part};
-use cyclide::{Model, Point3};
+use cyclide::{Point3, model::Model};
 use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation};
 
 /// Head of an STL file, and its records.

@@ -1,7 +1,12 @@
 //! Meshes of surfaces: written, read back, compared, refused.
 
 use crate::models::{annulus, bent_quad, curve_and_surfaces, octant, surfaces, torus_part};
-use cyclide::{CurveObject, DupinCyclide, Item, MeshFace, Model, Point3, SurfaceMesh, SurfaceObject, tessellate};
+use cyclide::{
+    Point3,
+    mesh::{MeshFace, SurfaceMesh, tessellate},
+    model::{CurveObject, Item, Model, SurfaceObject},
+    surface::DupinCyclide,
+};
 use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
 use std::collections::HashMap;
 
@@ -202,7 +207,7 @@ fn sizes_beyond_single_precision_are_refused() {
     for scale in [1e-20, 1e20] {
         let corners = bent_quad().corners().map(|p| Point3::ORIGIN + p.to_vec() * scale);
         let [v1, v2, _] = bent_quad().frame();
-        let m = surfaces(&[cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
+        let m = surfaces(&[cyclide::surface::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
         for format in [Format::Glb, Format::Stl] {
             let error = export(&m, format, &ExportOptions::default()).unwrap_err();
             assert_eq!(error.reason(), "not-in-format", "{format:?}");
@@ -218,7 +223,7 @@ fn sizes_near_the_limits_of_doubles_are_measured() {
     let deviation = |scale: f64| {
         let corners = bent_quad().corners().map(|p| Point3::ORIGIN + p.to_vec() * scale);
         let [v1, v2, _] = bent_quad().frame();
-        let m = surfaces(&[cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
+        let m = surfaces(&[cyclide::surface::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
         let file = export(&m, Format::Obj, &ExportOptions::default()).unwrap();
         (file_deviation(&m, Format::Obj, &file).unwrap() / scale, file.bound / scale)
     };
@@ -263,7 +268,8 @@ fn stl_far_from_the_origin_is_refused() {
     assert!(d > 0.5e-3 && d <= file.bound && file.bound < 1.06e-3, "{d:e} {:e}", file.bound);
     // At the origin there is nothing to move: a flat square of one cell, whose coordinates are no binary numbers.
     let corners = [[0.1, 0.1, 0.0], [1.1, 0.1, 0.0], [0.1, 1.1, 0.0], [1.1, 1.1, 0.0]].map(Point3::from);
-    let square = cyclide::CyclidePatch::from_corners_and_frame(corners, cyclide::Vec3::X, cyclide::Vec3::Y).unwrap();
+    let square =
+        cyclide::surface::CyclidePatch::from_corners_and_frame(corners, cyclide::Vec3::X, cyclide::Vec3::Y).unwrap();
     let error = export(&surfaces(&[square]), Format::Stl, &with_tolerance(1e-9)).unwrap_err();
     let text = error.to_string();
     assert!(text.ends_with("more than the tolerance 1e-9: use a larger tolerance or write OBJ"), "{text}");
@@ -279,9 +285,10 @@ fn whole_cyclides_pass_every_check() {
         for net in DupinCyclide::new(a, c, mu).unwrap().nets([3, 3]).unwrap() {
             for map in ["as made", "mirrored"] {
                 let surface = SurfaceObject::Net(net.clone());
-                let mirror = cyclide::Mobius::reflection(Point3::ORIGIN, cyclide::Vec3::new(1.0, 2.0, 2.0)).unwrap();
+                let mirror =
+                    cyclide::conformal::Mobius::reflection(Point3::ORIGIN, cyclide::Vec3::new(1.0, 2.0, 2.0)).unwrap();
                 let surface = if map == "mirrored" {
-                    cyclide::Conformal::transformed(&surface, &mirror).unwrap()
+                    cyclide::conformal::Conformal::transformed(&surface, &mirror).unwrap()
                 } else {
                     surface
                 };
@@ -311,7 +318,7 @@ fn document(bytes: &[u8]) -> (serde_json::Value, &[u8]) {
 #[test]
 fn glb_says_its_bounds_exactly_and_stays_near_its_centre() {
     let far = Point3::new(2e4, -1e4, 3e4);
-    let m = Model { units: cyclide::Units::Metre, ..surfaces(&[torus_part(far)]) };
+    let m = Model { units: cyclide::model::Units::Metre, ..surfaces(&[torus_part(far)]) };
     let bytes = export(&m, Format::Glb, &with_tolerance(1e-2)).unwrap().bytes;
     let (json, binary) = document(&bytes);
     let accessor = &json["accessors"][0];
@@ -354,11 +361,11 @@ fn glb_lines_are_the_edges() {
     let mut length = 0.0;
     let points: Vec<Point3> = indices.map(|i| mesh.positions[i as usize]).collect();
     for segment in points.chunks_exact(2) {
-        let near = |p: Point3| sides.iter().map(|a| cyclide::closest_point(a, p).distance).fold(9.0, f64::min);
+        let near = |p: Point3| sides.iter().map(|a| cyclide::curve::closest_point(a, p).distance).fold(9.0, f64::min);
         assert!(near(segment[0]) < 1e-6 && near(segment[1]) < 1e-6, "single precision of lengths up to 3");
         length += segment[0].distance(segment[1]);
     }
-    let whole: f64 = sides.iter().map(cyclide::Arc::length).sum();
+    let whole: f64 = sides.iter().map(cyclide::curve::Arc::length).sum();
     // Chords are shorter than their arcs by a part of (angle)²/24, here of less than 0.5 radians.
     assert!(length < whole && length > 0.98 * whole, "{length} of {whole}");
 }
@@ -367,11 +374,11 @@ fn glb_lines_are_the_edges() {
 fn curves_of_meshes_are_lines() {
     let m = Model { items: curve_and_surfaces().items[..1].to_vec(), ..Model::default() };
     let CurveObject::ArcPath(slot) = &m.items[0].curves()[0] else { panic!("a path") };
-    assert!(cyclide::ParamCurve::is_closed(slot));
+    assert!(cyclide::curve::ParamCurve::is_closed(slot));
     for format in [Format::Glb, Format::Obj] {
         let content = read_back(format, &export(&m, format, &ExportOptions::default()).unwrap().bytes).unwrap();
         assert!(content.meshes.is_empty() && content.curves.len() == 1);
-        assert!(cyclide::ParamCurve::is_closed(&content.curves[0]), "{format:?}");
+        assert!(cyclide::curve::ParamCurve::is_closed(&content.curves[0]), "{format:?}");
     }
 }
 

@@ -1,8 +1,11 @@
 //! Models that the tests write and read back.
 
 use cyclide::{
-    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, CyclidePatch,
-    FairSplineOptions, Item, Model, Point3, SurfaceObject, Units, Vec3,
+    Point3, Vec3,
+    construct::FairSplineOptions,
+    curve::{Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions},
+    model::{CurveObject, Item, Model, SurfaceObject, Units},
+    surface::CyclidePatch,
 };
 
 /// A model of one object per contour list.

@@ -1,7 +1,11 @@
 //! Each part of a file is held to its own promise: what one part is allowed does not loosen the others.
 
 use crate::models::{bent_quad, model, surfaces};
-use cyclide::{Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveObject, Model, Point3};
+use cyclide::{
+    Point3,
+    curve::{Arc, ArcPath, CircleSpline, CircleSplineOptions},
+    model::{CurveObject, Model},
+};
 use cyclide_io::{CheckError, ExportOptions, Exporter, Format};
 use std::path::Path;
 

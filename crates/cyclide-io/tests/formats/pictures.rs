@@ -1,7 +1,12 @@
 //! PNG pictures: they show the model, whatever its size, and are the same every time.
 
 use crate::models::{self, flat, mixed, space_chain, splines, tilted};
-use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::Circle,
+    model::{CurveObject, Item, Model, Units},
+    surface::CyclidePatch,
+};
 use cyclide_io::{ExportOptions, Format, export};
 use tiny_skia::Pixmap;
 
@@ -84,8 +89,8 @@ fn awkward_surfaces_have_pictures() {
 fn blocks_show_their_inside() {
     let corners: [Point3; 7] =
         std::array::from_fn(|k| Point3::new((k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2) as f64));
-    let cube = cyclide::SphericalCube::new(corners).unwrap();
-    let block = cyclide::CyclideVolume::new(&cube, cyclide::VolumeFrame::Auto).unwrap();
+    let cube = cyclide::volume::SphericalCube::new(corners).unwrap();
+    let block = cyclide::volume::CyclideVolume::new(&cube, cyclide::volume::VolumeFrame::Auto).unwrap();
     let mut model = Model::new(Units::Millimetre);
     model.items.push(Item::new("box", vec![block]));
     let whole = picture(&model);
@@ -159,7 +164,7 @@ fn pictures_are_full_and_reproducible() {
 #[test]
 fn a_straight_line_has_a_picture() {
     for end in [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0], [1e-9, 0.0, 0.0], [1e9, 0.0, 0.0]] {
-        let line = cyclide::Arc::segment([0.0; 3].into(), end.into()).unwrap();
+        let line = cyclide::curve::Arc::segment([0.0; 3].into(), end.into()).unwrap();
         let m = models::model(vec![("line", vec![CurveObject::Arc(line)])]);
         let (_, _, ink) = measured(&export(&m, Format::Png, &ExportOptions::default()).unwrap().bytes);
         assert!(ink > 0.001, "{end:?}");

@@ -2,7 +2,11 @@
 
 use crate::damage::Damage;
 use crate::models::{curve_and_surfaces, surfaces, torus_part};
-use cyclide::{DupinCyclide, Model, Point3, Units};
+use cyclide::{
+    Point3,
+    model::{Model, Units},
+    surface::DupinCyclide,
+};
 use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
 
 fn with_tolerance(tolerance: f64) -> ExportOptions {

@@ -1,6 +1,10 @@
 //! Rational faces that are no cyclides, through every format that holds surfaces.
 
-use cyclide::{Body, Model, RationalBezierSurface, Shell, SurfaceObject, Units};
+use cyclide::{
+    model::{Model, SurfaceObject, Units},
+    rational::RationalBezierSurface,
+    topology::{Body, Shell},
+};
 use cyclide_io::{ExportOptions, Exporter, FileReport, Format, StepEdges, read_back};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 use std::path::Path;

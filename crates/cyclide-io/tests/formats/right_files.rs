@@ -1,6 +1,6 @@
 //! Documents whose files are right and were once refused, or whose bound was once exceeded without a word.
 
-use cyclide::Model;
+use cyclide::model::Model;
 use cyclide_io::{CheckError, Document, DxfVersion, ExportOptions, Exporter, FileReport, Format, ModelBuilder};
 use serde_json::{Value, json};
 use std::path::Path;

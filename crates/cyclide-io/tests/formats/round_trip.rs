@@ -2,8 +2,9 @@
 
 use crate::models::{Map, bulges, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 use cyclide::{
-    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, Model, ParamCurve, Point3,
-    Vec3, bounds,
+    Point3, Vec3,
+    curve::{Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve, bounds},
+    model::{CurveObject, Model},
 };
 use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation, read_back};
 

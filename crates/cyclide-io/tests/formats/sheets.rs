@@ -1,7 +1,11 @@
 //! What stands on a picture beside the model: scale bar, title, legend, names, axes; its width and view; its combs.
 
 use crate::models::{circle_spline, model};
-use cyclide::{Arc, BlendVariant, Circle, CurveObject, Model, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, BlendVariant, Circle},
+    model::{CurveObject, Model},
+};
 use cyclide_io::{Camera, ExportOptions, Exporter, Format, Provenance, export};
 use std::collections::HashMap;
 use tiny_skia::Pixmap;
@@ -107,9 +111,9 @@ fn scale_bars_have_the_length_they_say() {
 #[test]
 fn pictures_are_as_wide_as_asked_for() {
     let curves = model(vec![("tall", vec![segment([0.0; 3], [0.0, 9.0, 0.0])]), ("round", vec![circle(1.0)])]);
-    let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
-    let surfaces: Vec<_> = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item::new("ring", surfaces);
+    let ring = cyclide::surface::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
+    let surfaces: Vec<_> = ring.into_iter().map(cyclide::model::SurfaceObject::Net).collect();
+    let item = cyclide::model::Item::new("ring", surfaces);
     let surface = Model { items: vec![item], ..Model::default() };
     for (m, widths) in [(&curves, vec![200, 640, 1600, 3001]), (&surface, vec![200, 640])] {
         for width in widths {
@@ -214,9 +218,9 @@ fn axes_are_drawn_on_request() {
     let iso = Some("iso".parse().unwrap());
     assert!(count(true, iso) > count(false, iso) + 1000, "rulers along edges of the box");
     // The same of surfaces, in drawings and in perspective.
-    let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
-    let surfaces: Vec<_> = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item::new("ring", surfaces);
+    let ring = cyclide::surface::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
+    let surfaces: Vec<_> = ring.into_iter().map(cyclide::model::SurfaceObject::Net).collect();
+    let item = cyclide::model::Item::new("ring", surfaces);
     let m = Model { items: vec![item], ..Model::default() };
     for view in ["top", "iso", "-120,-40"] {
         let view = Some(view.parse().unwrap());
@@ -272,9 +276,9 @@ fn many_surfaces_leave_the_picture_its_room() {
     let patch = |i: usize| {
         let (x, y) = (3.0 * (i % 8) as f64, 3.0 * (i / 8) as f64);
         let corners = [[x, y], [x + 2.0, y], [x, y + 2.0], [x + 2.0, y + 2.0]].map(|[x, y]| Point3::new(x, y, 0.0));
-        let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap();
+        let patch = cyclide::surface::CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap();
         let name = format!("a panel with a rather long name, number {i}");
-        cyclide::Item::new(name, vec![cyclide::SurfaceObject::Patch(patch)])
+        cyclide::model::Item::new(name, vec![cyclide::model::SurfaceObject::Patch(patch)])
     };
     let m = Model { items: (0..40).map(patch).collect(), ..Model::default() };
     let picture = picture(&m, &options(|o| o.png_width = Some(1000)));

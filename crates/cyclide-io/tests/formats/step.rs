@@ -1,10 +1,10 @@
 //! What only STEP has: its text rules, units, names and the choice of entities.
 
 use crate::models::{Map, bulges, flat, mixed, model, splines, tilted};
-use cyclide::{CurveObject, Units};
+use cyclide::model::{CurveObject, Units};
 use cyclide_io::{ExportOptions, Format, export, file_deviation};
 
-fn text(m: &cyclide::Model) -> String {
+fn text(m: &cyclide::model::Model) -> String {
     let file = export(m, Format::Step, &ExportOptions::default()).unwrap();
     unfolded(&String::from_utf8(file.bytes).unwrap())
 }
@@ -138,7 +138,7 @@ fn units_are_said_and_coordinates_kept() {
         (Units::Foot, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(304.8)"),
         (Units::UsSurveyFoot, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(304.8006096012192)"),
     ] {
-        let m = cyclide::Model { units, ..mixed(flat) };
+        let m = cyclide::model::Model { units, ..mixed(flat) };
         let text = text(&m);
         assert!(text.contains(expected), "{units:?}");
         assert!(text.contains("CARTESIAN_POINT('',(40.,12.,0.))"));

@@ -1,6 +1,10 @@
 //! Bodies in STEP: the surfaces chosen, shared edges, positive weights, and what the comparison with the model finds.
 
-use cyclide::{CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    model::{CurveObject, Item, Model, SurfaceObject},
+    surface::CyclidePatch,
+};
 use cyclide_io::{
     ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepFaces, StepProducts, export,
     file_deviation, read_back,
@@ -88,7 +92,7 @@ fn spheres_with_other_circles_are_one_face_or_stay_rational() {
     let (v1, v2) = (e1 * 0.8 + e2 * 0.6, e2 * 0.8 - e1 * 0.6);
     let corners = [at(0.0), at(0.6), at(-0.7), at(2.5)];
     let surface = SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap());
-    assert!(matches!(patch(&surface).recognize(), cyclide::PatchKind::Sphere { .. }));
+    assert!(matches!(patch(&surface).recognize(), cyclide::surface::PatchKind::Sphere { .. }));
     let m = model(vec![("sphere", surface)]);
     // As one face its circles carry their curves in the parameters; patches for themselves are exact without.
     let (file, text) = step(&m, StepEdges::Circles);

@@ -1,7 +1,7 @@
 //! Keys of animations: within the tolerance, or refused.
 
 use crate::{build, model, motion};
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 use cyclide_io::{ExportOptions, Exporter, Format};
 
 /// A conic through poses on both sides of half a turn, of which the middle one is far from the way of the others.
@@ -75,7 +75,7 @@ fn several_bodies_move_in_one_animation() {
     let counts = ["samplers", "channels"].map(|list| animations[0][list].as_array().unwrap().len());
     assert!(animations.len() == 1 && animations[0]["name"] == "all motions" && counts == [4, 4], "{animations:?}");
     // Other names, another order, another motion.
-    let changes: [fn(&mut Vec<cyclide::Item>); 3] =
+    let changes: [fn(&mut Vec<cyclide::model::Item>); 3] =
         [|items| items[1].name = "c".to_owned(), |items| items.swap(0, 1), |items| drop(items.pop())];
     for change in changes {
         let mut other = model.clone();

@@ -14,7 +14,7 @@ fn extremes_are_refined() {
         let (found, _) = reported(&fields);
         let built = build(&motion(&fields)).unwrap();
         let schedule = built.item.motion().unwrap().schedule().unwrap();
-        let dense = |measure: &dyn Fn(&cyclide::MotionJet) -> f64| {
+        let dense = |measure: &dyn Fn(&cyclide::motion::MotionJet) -> f64| {
             let breaks = schedule.breaks();
             let places =
                 breaks.windows(2).flat_map(|w| (0..=2000).map(move |k| w[0] + (w[1] - w[0]) * f64::from(k) / 2000.0));

@@ -11,7 +11,11 @@ mod told;
 
 use std::path::Path;
 
-use cyclide::{Model, Pose, Units, Vec3};
+use cyclide::{
+    Vec3,
+    model::{Model, Units},
+    motion::Pose,
+};
 use cyclide_io::{
     BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, MotionReport, MotionSamples,
     Report, SamplePlaces, Spacing, sample,
@@ -187,7 +191,7 @@ fn a_curve_carries_a_body() {
     assert!((body.duration() - 4.0).abs() < 1e-15);
     for k in 0..=20 {
         let pose = schedule.pose(f64::from(k) / 20.0);
-        let on = cyclide::closest_point(cable, cyclide::Point3::ORIGIN + pose.translation());
+        let on = cyclide::curve::closest_point(cable, cyclide::Point3::ORIGIN + pose.translation());
         assert!(on.distance < 1e-12, "{}", on.distance);
     }
     // Arcs, segments and circles carry one as well; what is of another kind is refused.
@@ -199,7 +203,7 @@ fn a_curve_carries_a_body() {
         r#"{"type": "qb-interpolation", "points": [[0, 0], [40, 0], [40, 30], [20, 60], [0, 50]]}"#,
     ] {
         let built = build_all(&format!(r#""cable": {curve}, {}"#, motion(r#""along": "cable""#)), "").unwrap();
-        let length = cyclide::length(built[0].item.curves()[0].as_curve());
+        let length = cyclide::curve::length(built[0].item.curves()[0].as_curve());
         let way = built[1].item.motion().unwrap().schedule().unwrap().way();
         assert!((way - length).abs() < 1e-9 * length, "{curve}: {way} {length}");
         assert!((built[1].item.motion().unwrap().duration() - 1.0).abs() < 1e-15);

@@ -1,7 +1,7 @@
 //! What motions are made of, and what is made of them: tables of matrices, curves that carry, a body at rest.
 
 use crate::{build, build_all, end, motion};
-use cyclide::{Pose, Vec3};
+use cyclide::{Vec3, motion::Pose};
 use cyclide_io::BuiltObject;
 
 #[test]

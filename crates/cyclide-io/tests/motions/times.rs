@@ -23,7 +23,7 @@ fn motions_are_sampled_by_seconds() {
         let tool = built.item.motion().unwrap().tool();
         for k in [2_000, 7_000, 13_000] {
             let [before, at, after] = [k - 1, k, k + 1].map(|k| fine[k].pose);
-            let place = |pose: cyclide::Pose| pose.apply(tool).to_vec();
+            let place = |pose: cyclide::motion::Pose| pose.apply(tool).to_vec();
             // Differences of second order.
             let speed = (place(after) - place(before)).length() / 2e-4;
             let acceleration = ((place(after) - place(at)) - (place(at) - place(before))).length() / 1e-8;
@@ -104,7 +104,7 @@ fn places_faster_than_limits_are_named() {
     for law in ["as-given", "eased"] {
         let built = build(&motion(&format!(r#"{fields}, "law": "{law}", "arm": 5, "duration": 4"#))).unwrap();
         let schedule = built.item.motion().unwrap().schedule().unwrap();
-        for (kind, limit) in [(cyclide::SpeedKind::Tool, 5.0), (cyclide::SpeedKind::Turn, 0.8)] {
+        for (kind, limit) in [(cyclide::motion::SpeedKind::Tool, 5.0), (cyclide::motion::SpeedKind::Turn, 0.8)] {
             let found = schedule.faster_than(kind, limit);
             assert!(!found.is_empty(), "{law} {kind:?}");
             let inside =
@@ -112,8 +112,11 @@ fn places_faster_than_limits_are_named() {
             for k in 0..4000 {
                 let time = (f64::from(k) + 0.5) * 1e-3;
                 let jet = schedule.jet(time / 4.0);
-                let speed =
-                    if kind == cyclide::SpeedKind::Tool { jet.point.speed() } else { jet.angular_velocity.length() };
+                let speed = if kind == cyclide::motion::SpeedKind::Tool {
+                    jet.point.speed()
+                } else {
+                    jet.angular_velocity.length()
+                };
                 assert!(
                     if speed > limit { inside(time, 1e-9) } else { !inside(time, -1e-9) },
                     "{law} {kind:?} {time}: {speed} {found:?}"
@@ -125,7 +128,8 @@ fn places_faster_than_limits_are_named() {
     }
     let limits = cyclide_io::SpeedLimits { speed: Some(5.0), angular_speed: Some(100.0) };
     let built = [build(&motion(fields)).unwrap()];
-    let report = cyclide_io::Report::new(cyclide::Units::Millimetre, &built, None).with_speed_limits(&built, limits);
+    let report =
+        cyclide_io::Report::new(cyclide::model::Units::Millimetre, &built, None).with_speed_limits(&built, limits);
     let text = report.to_string();
     assert!(
         text.contains("2 intervals faster than 5 mm/s or 100 rad/s")

@@ -1,6 +1,6 @@
 //! Whole cyclides and their nodes.
 
-use cyclide::{ParamSurface as _, Point3};
+use cyclide::{Point3, surface::ParamSurface as _};
 use cyclide_io::Report;
 
 use super::{build, surface};
@@ -46,7 +46,7 @@ fn nodes_are_named_and_curvatures_have_no_bounds_there() {
     assert!(t.min == f64::NEG_INFINITY && (t.max + 0.25).abs() < 1e-13, "{t:?}");
     assert!((s.min + 0.25).abs() < 1e-13 && (s.max - 0.25).abs() < 1e-13, "{s:?}");
     assert_eq!([s.unbounded, t.unbounded], [None, Some("below: towards the points named in `singular`")]);
-    let text = Report::new(cyclide::Units::Millimetre, &[horn], None).to_string();
+    let text = Report::new(cyclide::model::Units::Millimetre, &[horn], None).to_string();
     assert!(
         text.contains("along s -0.25 to 0.25 1/mm; along t -0.25 1/mm and less, unbounded at singular points\n"),
         "{text}"

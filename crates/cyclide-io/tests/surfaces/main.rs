@@ -23,7 +23,7 @@ mod volumes;
 
 use std::path::Path;
 
-use cyclide::{ParamSurface as _, Point3};
+use cyclide::{Point3, surface::ParamSurface as _};
 use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, Report};
 
 /// Builds the last object of a document with these objects, written one per line from line 2.
@@ -45,7 +45,7 @@ const OCTANT: &str =
 const CIRCLE: &str = r#""c": {"type": "circle", "center": [5, 0], "radius": 1}"#;
 
 fn surface(built: &BuiltObject) -> cyclide_io::SurfaceReport {
-    let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(built), None);
+    let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(built), None);
     let Some(GeometryReport::Surface(surface)) = report.objects.into_values().next().map(|o| o.geometry) else {
         panic!("a surface")
     };

@@ -1,6 +1,6 @@
 //! Nets over grids: skins, edges, frames that fold them, quads that no patch fits into.
 
-use cyclide::PatchError;
+use cyclide::error::PatchError;
 use std::path::Path;
 
 use cyclide_io::{Document, Error, GeometryReport, ModelBuilder, Report};
@@ -70,7 +70,7 @@ fn nets_with_their_skins_and_edges() {
             assert!((part.area / skin - 1.0).abs() < 1e-12, "{part:?} {skin}");
         }
         assert_eq!(report.area, None);
-        let text = Report::new(cyclide::Units::Metre, std::slice::from_ref(&solid), None).to_string();
+        let text = Report::new(cyclide::model::Units::Metre, std::slice::from_ref(&solid), None).to_string();
         let areas = text.lines().find(|line| line.starts_with("  areas ")).unwrap();
         assert!(areas.contains("  6: ") && areas.contains("; 3 more; together "), "{text}");
         // Thick shells are mapped as wholes, and have no offset of their own.
@@ -89,7 +89,7 @@ fn nets_with_their_skins_and_edges() {
     }
     let edges = build(&format!(r#"{framed}, "e": {{"type": "support-structure", "of": "n"}}"#)).unwrap();
     assert_eq!(edges.item.curves().len(), 7);
-    let length: f64 = edges.item.curves().iter().map(|c| cyclide::length(c.as_curve())).sum();
+    let length: f64 = edges.item.curves().iter().map(|c| cyclide::curve::length(c.as_curve())).sum();
     assert!((length - (6.0 + 3.0 * quarter)).abs() < 1e-13);
 }
 
@@ -157,7 +157,7 @@ fn a_frame_that_folds_its_net_is_warned_of() {
 
     // The directions of s and t exchanged.
     let folded = build(&cylinder(r#", "frame": [[0, 0, 1], [1, 0, 0]]"#)).unwrap();
-    let report = Report::new(cyclide::Units::Metre, std::slice::from_ref(&folded), None);
+    let report = Report::new(cyclide::model::Units::Metre, std::slice::from_ref(&folded), None);
     let GeometryReport::Surface(surface) = &report.objects["n"].geometry else { panic!("a surface") };
     let [remark] = &folded.remarks[..] else { panic!("one remark: {:?}", folded.remarks) };
     assert_eq!((remark.reason, remark.index), ("folded-net", Some(surface.singular[0].place.patch)));

@@ -1,6 +1,6 @@
 //! Patches: what their report says, frames, samples, joints.
 
-use cyclide::{Point3, SurfaceObject, Vec3};
+use cyclide::{Point3, Vec3, model::SurfaceObject};
 use cyclide_io::{GeometryReport, Report, Spacing, sample};
 
 use super::{OCTANT, build, point, surface};
@@ -13,7 +13,7 @@ fn a_patch_and_its_report() {
     for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.3), (0.0, 1.0)] {
         assert!((point(&built, s, t).distance(center) - 2.0).abs() < 1e-14);
     }
-    let report = Report::new(cyclide::Units::Metre, &[built], None);
+    let report = Report::new(cyclide::model::Units::Metre, &[built], None);
     let GeometryReport::Surface(surface) = &report.objects["o"].geometry else { panic!("a surface") };
     assert_eq!((surface.patches, surface.bodies, surface.closed, surface.free_edges), (1, 1, false, 3));
     assert_eq!(surface.volume, None);
@@ -50,7 +50,7 @@ fn a_frame_at_any_corner_and_of_any_length() {
 fn construction_geometry_is_marked() {
     let built = build(&OCTANT.replace("\"corners\"", "\"construction\": true, \"corners\"")).unwrap();
     assert!(built.construction);
-    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    let text = Report::new(cyclide::model::Units::Metre, &[built], None).to_string();
     assert!(text.starts_with("o: cyclide-patch, open, 1 patch, construction\n"), "{text}");
 }
 
@@ -79,7 +79,7 @@ fn joints_are_told_from_creases() {
     // A box of one patch: twelve creases and no smooth joint.
     let thick = r#""a": {"type": "cyclide-patch", "corners": [[0,0],[1,0],[0,1],[1,1]], "frame": [[1,0],[0,1]]},
         "b": {"type": "offset", "of": "a", "distance": 1, "thick": true}"#;
-    let text = Report::new(cyclide::Units::Metre, &[build(thick).unwrap()], None).to_string();
+    let text = Report::new(cyclide::model::Units::Metre, &[build(thick).unwrap()], None).to_string();
     assert!(text.contains("\n  creases    12: gap ") && text.contains(" m, angle up to 1.5708 rad\n"), "{text}");
     assert!(!text.contains("smooth"), "{text}");
 }

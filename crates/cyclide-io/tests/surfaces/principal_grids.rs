@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 use cyclide_io::{
     BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, ObjectReport,
     PrincipalReport, VtuCells,
@@ -158,7 +158,7 @@ fn grids_in_steps_make_nets_and_solids() {
     let shell = &built[1].bodies[0].outer;
     let cells = shell.faces().len();
     assert!(cells > 40 && !shell.is_closed() && built[2].bodies[0].outer.is_closed());
-    let joints = cyclide::surface_joints(shell);
+    let joints = cyclide::topology::surface_joints(shell);
     assert!(joints.iter().all(|joint| joint.angle < 1e-7)); // rounding of normals
     // Twice the skin, and a rim over each free edge.
     let wall = &built[2].bodies[0].outer;

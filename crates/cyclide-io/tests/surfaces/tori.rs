@@ -1,6 +1,11 @@
 //! Curves on tori, and what is made of them.
 
-use cyclide::{Aabb, CurveObject, ParamCurve, Point3, Torus, TorusSpline, Vec3};
+use cyclide::{
+    Aabb, Point3, Vec3,
+    curve::ParamCurve,
+    model::CurveObject,
+    surface::{Torus, TorusSpline},
+};
 use cyclide_io::{BuiltObject, CurvesReport, GeometryReport, Report, Spacing, sample};
 
 use super::{build, surface};
@@ -9,7 +14,7 @@ const RING: &str = r#""ring": {"type": "cyclide", "a": 40, "mu": 12, "center": [
 const HERE: &str = r#""torus": {"major_radius": 40, "minor_radius": 12}"#;
 
 fn report(built: &BuiltObject) -> CurvesReport {
-    let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(built), None);
+    let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(built), None);
     let Some(GeometryReport::Curves(curves)) = report.objects.into_values().next().map(|o| o.geometry) else {
         panic!("curves")
     };
@@ -149,9 +154,9 @@ fn an_image_of_a_torus_is_named() {
     assert!((torus.major_radius() - 80.0).abs() < 1e-12 && (torus.minor_radius() - 24.0).abs() < 1e-12);
     let start = |made: &BuiltObject| splines(made)[0].point(0.0);
     let maps = [
-        cyclide::Mobius::rotation(Point3::ORIGIN, Vec3::new(1.0, 2.0, 0.0), 0.7),
-        cyclide::Mobius::similarity(cyclide::Quat::ONE, 2.0, Vec3::ZERO),
-        cyclide::Mobius::reflection(Point3::ORIGIN, Vec3::new(0.0, 1.0, 3.0)),
+        cyclide::conformal::Mobius::rotation(Point3::ORIGIN, Vec3::new(1.0, 2.0, 0.0), 0.7),
+        cyclide::conformal::Mobius::similarity(cyclide::Quat::ONE, 2.0, Vec3::ZERO),
+        cyclide::conformal::Mobius::reflection(Point3::ORIGIN, Vec3::new(0.0, 1.0, 3.0)),
     ];
     let moved = maps.into_iter().fold(start(&on_ring), |p, map| map.unwrap().map_point(p).unwrap());
     assert!(moved.distance(start(&on_image)) < 1e-12, "{moved:?}");
@@ -208,7 +213,7 @@ fn curves_are_laid_flat_with_what_became_of_them() {
     let unrolled = told.unrolled.unwrap();
     assert_eq!((told.contours, unrolled.cuts, unrolled.map), (5, 4, "belt"));
     assert!((unrolled.size[0] / (80.0 * std::f64::consts::PI) - 1.0).abs() < 1e-15);
-    let size = flat.item.curves().iter().map(|c| cyclide::bounds(c.as_curve())).reduce(Aabb::union).unwrap();
+    let size = flat.item.curves().iter().map(|c| cyclide::curve::bounds(c.as_curve())).reduce(Aabb::union).unwrap();
     assert!((size.diagonal() - unrolled.size[0].hypot(unrolled.size[1])).abs() < 1e-9, "lines are inside the border");
     assert!(unrolled.stretch[0] >= 40.0 / 52.0 - 1e-12 && unrolled.stretch[1] <= 40.0 / 28.0 + 1e-12);
     let elsewhere = build(&format!(
@@ -263,7 +268,7 @@ fn samples_have_the_normals_of_the_torus() {
         assert!((torus.distance(out) - 0.5).abs() < 1e-12);
     }
     let curve = splines(&made)[0];
-    let step = cyclide::length(curve) / 40.0;
+    let step = cyclide::curve::length(curve) / 40.0;
     let between = |a: f64, b: f64| -> f64 {
         (0..200)
             .map(|k| {
@@ -486,7 +491,7 @@ fn facts_are_those_of_what_was_given() {
     let open = spline(r#""angles": [[0, 0], [1, 1]]"#).unwrap();
     let closed = spline(r#""angles": [[0, 0], [1, 1], [2, 0]], "closed": true"#).unwrap();
     let text = |built: &BuiltObject| {
-        let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(built), None);
+        let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(built), None);
         serde_json::to_string(&report).unwrap()
     };
     assert!(!text(&open).contains("winding") && text(&closed).contains("\"winding\":[["));

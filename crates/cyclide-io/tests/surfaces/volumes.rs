@@ -1,6 +1,6 @@
 //! Volumes: grids of blocks, layers, cells, the outer boundary, and what is refused of them.
 
-use cyclide::ParamVolume as _;
+use cyclide::volume::ParamVolume as _;
 use cyclide_io::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
 
 use super::build;
@@ -134,8 +134,8 @@ fn what_comes_too_near_infinity_is_right_or_not_known() {
 }
 
 #[cfg(feature = "png")]
-fn is_drawn(item: cyclide::Item) {
-    let model = cyclide::Model { units: cyclide::Units::Millimetre, items: vec![item] };
+fn is_drawn(item: cyclide::model::Item) {
+    let model = cyclide::model::Model { units: cyclide::model::Units::Millimetre, items: vec![item] };
     let options = cyclide_io::ExportOptions { max_pieces: Some(200_000), ..cyclide_io::ExportOptions::default() };
     let drawn = cyclide_io::export(&model, cyclide_io::Format::Png, &options);
     assert!(drawn.is_ok_and(|picture| picture.bytes.len() > 1000));
@@ -162,7 +162,7 @@ fn whole_cyclides_close_and_their_skin_is_one_solid() {
     let skin =
         build(&format!(r#"{whole}, "skin": {{"type": "coordinate-surfaces", "of": "w", "outer": true}}"#)).unwrap();
     let [body] = skin.bodies.as_slice() else { panic!("{} bodies", skin.bodies.len()) };
-    let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+    let volume: f64 = body.shells().map(cyclide::topology::Shell::volume).sum();
     assert!(body.voids.len() == 1 && (volume - found.volume).abs() < 1e-9 * volume);
     // An image has the cells of its object.
     let steps = r#"[{"scale": {"factor": 2}}]"#;
@@ -231,7 +231,7 @@ fn horns_have_blocks_along_their_outer_part() {
         let whole = format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 1, "c": 0.5, "mu": {mu:?}}}}}"#);
         let built = build(&whole).unwrap();
         for block in built.item.volumes() {
-            assert_eq!(block.folds(), cyclide::FoldVerdict::Regular, "{kind}");
+            assert_eq!(block.folds(), cyclide::volume::FoldVerdict::Regular, "{kind}");
             for (u, mu) in [0.0, 1.0].into_iter().zip(mu) {
                 for at in [[0.1, 0.3, u], [0.6, 0.9, u], [1.0, 0.5, u]] {
                     let [x, y, z] = block.point(at).to_array();
@@ -243,7 +243,7 @@ fn horns_have_blocks_along_their_outer_part() {
         }
         let skin = format!(r#"{whole}, "skin": {{"type": "coordinate-surfaces", "of": "w", "outer": true}}"#);
         let [body] = build(&skin).unwrap().bodies.try_into().unwrap();
-        let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+        let volume: f64 = body.shells().map(cyclide::topology::Shell::volume).sum();
         assert!((volume - report(&whole).volume).abs() < 1e-8 * volume, "{kind}");
     }
 }
@@ -460,7 +460,7 @@ fn slices_of_pies_and_parts_of_balls_are_solids() {
         let found = report(&block);
         assert!((found.volume - volume).abs() < 1e-13 && found.point_sides == points, "{found:?}");
         assert_eq!(found.cells.unwrap().inverted, 0);
-        let model = cyclide::Model { units: cyclide::Units::Millimetre, items: vec![built.item] };
+        let model = cyclide::model::Model { units: cyclide::model::Units::Millimetre, items: vec![built.item] };
         let exporter = cyclide_io::Exporter::new(&model).unwrap();
         for format in [cyclide_io::Format::Step, cyclide_io::Format::Stl, cyclide_io::Format::Vtu] {
             let file = exporter.export(format, &cyclide_io::ExportOptions::default()).unwrap();
@@ -524,7 +524,7 @@ fn coordinate_surfaces_are_sewn() {
     let inside = format!(r#"{block}, "m": {{"type": "coordinate-surfaces", "of": "b", "s": [0.25], "u": [1, 0]}}"#);
     let made = build(&inside).unwrap();
     assert_eq!(made.provenance.names, ["s=0.25", "u=1", "u=0"]);
-    assert!(made.item.surfaces().iter().all(|surface| matches!(surface, cyclide::SurfaceObject::Patch(_))));
+    assert!(made.item.surfaces().iter().all(|surface| matches!(surface, cyclide::model::SurfaceObject::Patch(_))));
     let steps = r#"[{"translation": [1, 0, 0]}]"#;
     let image = build(&format!(r#"{inside}, "i": {{"type": "transform", "of": "m", "steps": {steps}}}"#)).unwrap();
     assert_eq!(image.provenance.names, made.provenance.names);

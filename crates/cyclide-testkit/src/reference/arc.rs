@@ -4,7 +4,11 @@
 use super::Handler;
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{Arc, Arc4, Circle, NurbsCurve, ParamCurve, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, Arc4, Circle, ParamCurve},
+    rational::NurbsCurve,
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

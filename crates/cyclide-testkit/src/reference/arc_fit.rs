@@ -7,7 +7,9 @@ use super::case::{Case, Fault};
 use super::check::Check;
 use super::deviation::{largest_distance, largest_kink};
 use cyclide::{
-    ArcFit, ArcFitOptions, ArcPath, FitTarget, Point2, Point3, certify_arc, curvature_intervals, feasible_bulges,
+    Point2, Point3,
+    construct::{ArcFit, ArcFitOptions, FitTarget, certify_arc, curvature_intervals, feasible_bulges},
+    curve::ArcPath,
 };
 use serde_json::Value;
 

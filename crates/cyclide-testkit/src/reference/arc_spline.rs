@@ -5,7 +5,10 @@ use super::Handler;
 use super::arc::{Rules, triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{Arc, ArcPath, ArcSplineOptions, Biarc, BiarcRule, estimate_tangents};
+use cyclide::{
+    construct::{ArcSplineOptions, Biarc, BiarcRule, estimate_tangents},
+    curve::{Arc, ArcPath},
+};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

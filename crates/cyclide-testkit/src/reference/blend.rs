@@ -5,7 +5,11 @@ use super::Handler;
 use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{BlendSegment, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve, Point3, Sphere};
+use cyclide::{
+    Point3,
+    conformal::Sphere,
+    curve::{BlendSegment, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve},
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

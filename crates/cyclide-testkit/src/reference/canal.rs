@@ -6,7 +6,8 @@ use super::case::{Case, Fault};
 use super::check::{Check, numbers, rows};
 use super::torus::{allowed, kind, malformed};
 use cyclide::{
-    CanalPatch, ContactPartner, NaturalQuadric, PairKind, Point2, Point3, QuadricPair, RollingBall, SkewCylinders, Vec3,
+    Point2, Point3, Vec3,
+    surface::{CanalPatch, ContactPartner, NaturalQuadric, PairKind, QuadricPair, RollingBall, SkewCylinders},
 };
 use serde_json::Value;
 

@@ -4,7 +4,11 @@ use super::Handler;
 use super::arc::{Rules, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{Arc, EllipseBridge, NeckBlend, NeckSide, NeckVariant, Point3};
+use cyclide::{
+    Point3,
+    construct::{EllipseBridge, NeckBlend, NeckSide, NeckVariant},
+    curve::Arc,
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

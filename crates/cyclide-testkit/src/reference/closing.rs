@@ -4,8 +4,15 @@ use super::Handler;
 use super::arc::triple;
 use super::case::{Case, Fault, malformed};
 use super::check::{Check, rows};
-use cyclide::{CORNER_ANGLE, CyclidicNet, NetFrame, surface_joints};
-use cyclide::{Point3, QuadGrid, RingClosing, StripClosing, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    surface::{QuadGrid, RingClosing, StripClosing},
+};
+use cyclide::{
+    curve::CORNER_ANGLE,
+    surface::{CyclidicNet, NetFrame},
+    topology::surface_joints,
+};
 use cyclide_grids::{CircularMeshOptions, make_circular};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

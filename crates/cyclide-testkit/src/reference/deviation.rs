@@ -1,6 +1,9 @@
 //! Judging fitted paths on their own: distances by search along each arc, kinks from chords and bulges.
 
-use cyclide::{Arc, ArcPath, ParamCurve, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, ArcPath, ParamCurve},
+};
 
 /// Steps of the coarse search per arc: more than one per 6 degrees of a full circle.
 const STEPS: usize = 64;

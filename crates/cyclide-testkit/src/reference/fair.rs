@@ -5,8 +5,12 @@ use super::arc::{triple, xyz};
 use super::blend::{Rules, bezier_rows};
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{BlendLaw, BlendSegment, CircleSpline, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, Warning};
-use cyclide::{CurveWarning, blends_by_turn};
+use cyclide::{
+    Point3, Vec3, Warning,
+    construct::{FairEnd, FairSplineOptions},
+    curve::{BlendLaw, BlendSegment, CircleSpline, ParamCurve},
+};
+use cyclide::{construct::blends_by_turn, warning::CurveWarning};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

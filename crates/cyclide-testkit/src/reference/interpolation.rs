@@ -5,7 +5,12 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault, array, malformed};
 use super::check::Check;
 use super::qb::{rational_rows, relative, samples};
-use cyclide::{Error, NodeParameters, ParamCurve, Point3, PointError, QbCurve, QbInterpolation, QbNode, Quat, Vec3};
+use cyclide::{
+    Error, Point3, Quat, Vec3,
+    construct::{NodeParameters, QbInterpolation, QbNode},
+    curve::{ParamCurve, QbCurve},
+    error::PointError,
+};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

@@ -6,7 +6,8 @@ use super::case::{Case, Fault};
 use super::check::Check;
 use super::qb::{relative, samples};
 use cyclide::{
-    CircleSpline, CircleSplineOptions, MoebiusSplineOptions, NodeParameters, ParamCurve, QbSpline, circle_tangents,
+    construct::{MoebiusSplineOptions, NodeParameters, circle_tangents},
+    curve::{CircleSpline, CircleSplineOptions, ParamCurve, QbSpline},
 };
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

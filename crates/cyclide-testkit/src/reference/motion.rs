@@ -5,8 +5,10 @@ use super::arc::xyz;
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    CubicMotions, DualQuat, HPoint, Point3, Pose, QbSpline, Quat, RationalMotion, ScrewMotion, StudyPoint, TimedPose,
-    Vec3,
+    Point3, Quat, Vec3,
+    conformal::HPoint,
+    curve::QbSpline,
+    motion::{CubicMotions, DualQuat, Pose, RationalMotion, ScrewMotion, StudyPoint, TimedPose},
 };
 use serde_json::Value;
 

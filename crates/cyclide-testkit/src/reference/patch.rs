@@ -6,8 +6,11 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ImplicitForm, Mobius, NetFrame, ParamSurface, PatchError, Point3,
-    QuadGrid, Quat, Vec3,
+    Error, Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::Arc,
+    error::PatchError,
+    surface::{CyclidePatch, CyclidicNet, ImplicitForm, NetFrame, ParamSurface, QuadGrid},
 };
 use serde_json::Value;
 

@@ -5,7 +5,13 @@ use super::Handler;
 use super::arc::{Rules, xyz};
 use super::case::{Case, Fault};
 use super::check::{Check, numbers};
-use cyclide::{Body, ConvexPolyhedron, FaceSurface, PatchKind, RationalBezierSurface, SphericalPolygon, Vec3};
+use cyclide::{
+    Vec3,
+    construct::{ConvexPolyhedron, SphericalPolygon},
+    rational::RationalBezierSurface,
+    surface::PatchKind,
+    topology::{Body, FaceSurface},
+};
 use std::collections::HashMap;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

@@ -4,7 +4,12 @@ use super::Handler;
 use super::arc::{triple, xyz};
 use super::case::{Case, Fault, array, malformed};
 use super::check::Check;
-use cyclide::{Conformal, HPoint, Mobius, Point3, QbCurve, Quat, RationalBezier, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, HPoint, Mobius},
+    curve::QbCurve,
+    rational::RationalBezier,
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {

@@ -4,7 +4,7 @@ use super::Handler;
 use super::arc::{Rules, xyz};
 use super::case::{Case, Fault};
 use super::check::{Check, numbers};
-use cyclide::{RationalBezier, Revolution};
+use cyclide::{construct::Revolution, rational::RationalBezier};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

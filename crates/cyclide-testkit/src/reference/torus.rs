@@ -6,8 +6,10 @@ use super::case::{Case, Fault};
 use super::check::Check;
 use crate::torus_splines::{faults, off_torus, winding};
 use cyclide::{
-    CircleFamily, Frame, ParamCurve, Point2, ProjectiveBiarc, QuarticType, Torus, TorusClasses, TorusSpline,
-    TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, Vec2,
+    Frame, Point2, Vec2,
+    construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc},
+    curve::ParamCurve,
+    surface::{CircleFamily, QuarticType, Torus, TorusClasses, TorusSpline},
 };
 use serde_json::Value;
 

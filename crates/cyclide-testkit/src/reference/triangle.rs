@@ -5,7 +5,10 @@ use super::arc::{triple, xyz};
 use super::blend::Rules;
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{Error, Point3, SmoothTriangle, SphereBlend};
+use cyclide::{
+    Error, Point3,
+    surface::{SmoothTriangle, SphereBlend},
+};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

@@ -4,7 +4,10 @@ use super::Handler;
 use super::arc::xyz;
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, VolumeFrame, miquel_point};
+use cyclide::{
+    Point3,
+    volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame, miquel_point},
+};
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
     Some(match construct {

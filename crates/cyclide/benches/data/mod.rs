@@ -2,7 +2,11 @@
 
 #![allow(dead_code, reason = "each bench takes what it needs")]
 
-use cyclide::{ArcPath, ArcSplineOptions, BlendVariant, CircleSpline, CircleSplineOptions, Point3};
+use cyclide::{
+    Point3,
+    construct::ArcSplineOptions,
+    curve::{ArcPath, BlendVariant, CircleSpline, CircleSplineOptions},
+};
 
 /// `n` samples of a closed track of about 1000 by 700 meters with bends of every radius; not repeated at the end.
 pub fn track(n: usize) -> Vec<Point3> {

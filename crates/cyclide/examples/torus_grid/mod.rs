@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "each program takes what it needs")]
 
-use cyclide::{CyclidePatch, Point3, Result, Vec3};
+use cyclide::{Point3, Result, Vec3, surface::CyclidePatch};
 
 /// From the outer equator up, s about the z axis.
 pub fn patch() -> Result<CyclidePatch> {

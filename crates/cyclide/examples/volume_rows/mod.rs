@@ -2,7 +2,10 @@
 
 #![allow(dead_code, reason = "each program takes what it needs")]
 
-use cyclide::{CyclideVolume, ParamVolume, Point3, Result, SphericalCube, VolumeFrame};
+use cyclide::{
+    Point3, Result,
+    volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame},
+};
 
 /// A curved block without folds: four corners, the others found.
 pub fn block() -> Result<CyclideVolume> {

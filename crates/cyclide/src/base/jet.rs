@@ -12,7 +12,7 @@ const PARALLEL: f64 = 1e-6;
 /// A point of a curve with its first three derivatives.
 ///
 /// ```
-/// use cyclide::{Circle, ParamCurve, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::{Circle, ParamCurve}};
 /// let jet = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?.jet(0.25);
 /// assert!((jet.signed_curvature(Vec3::Z).expect("it moves") - 0.5).abs() < 1e-15);
 /// # Ok::<(), cyclide::Error>(())

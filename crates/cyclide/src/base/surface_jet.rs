@@ -8,7 +8,7 @@ const ONE_POINT: f64 = 1e-24;
 /// A point of a surface with its first and second partial derivatives.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, ParamSurface};
+/// use cyclide::surface::{DupinCyclide, ParamSurface};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?;
 /// let jet = torus[0].patch(0, 0).jet(0.3, 0.6);
 /// assert!(jet.ds.dot(jet.dt).abs() < 1e-12 && jet.normal().is_some()); // lines of curvature are perpendicular

@@ -5,7 +5,7 @@ use super::vector::{Point3, Vec3};
 /// A point of a volume with its first and second partial derivatives by the parameters s, t, u.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z])?;
 /// let block = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::new(1.0, 0.2, 0.0), Vec3::new(-0.2, 1.0, 0.0)))?;
 /// let jet = block.jet([0.3, 0.6, 0.9]);

@@ -7,7 +7,7 @@ use crate::base::vector::Point3;
 /// right by one quaternion changes nothing.
 ///
 /// ```
-/// use cyclide::{HPoint, Point3, Quat};
+/// use cyclide::{Point3, Quat, conformal::HPoint};
 /// let p = Point3::new(1.0, 2.0, 3.0);
 /// let weighted = HPoint::weighted(p, Quat::new(2.0, 0.0, 0.0, 1.0));
 /// assert!((weighted.quotient().expect("it is finite").vector() - p.to_vec()).length() < 1e-15);

@@ -29,7 +29,7 @@ const NOT_A_POLE: f64 = 8.0 * f64::EPSILON;
 /// A Möbius transformation of three-space and the point at infinity.
 ///
 /// ```
-/// use cyclide::{Mobius, Point3};
+/// use cyclide::{Point3, conformal::Mobius};
 /// let inversion = Mobius::inversion(Point3::ORIGIN, 2.0)?;
 /// assert_eq!(inversion.map_point(Point3::new(1.0, 0.0, 0.0)), Some(Point3::new(4.0, 0.0, 0.0)));
 /// assert_eq!(inversion.map_point(Point3::ORIGIN), None); // it goes to infinity
@@ -278,7 +278,7 @@ impl Mobius {
 /// Objects that Möbius maps take to objects of the same kind.
 ///
 /// ```
-/// use cyclide::{Arc, Conformal, Mobius, Point3};
+/// use cyclide::{Point3, conformal::{Conformal, Mobius}, curve::Arc};
 /// let segment = Arc::segment(Point3::new(1.0, -1.0, 0.0), Point3::new(1.0, 1.0, 0.0))?;
 /// let image = segment.transformed(&Mobius::inversion(Point3::ORIGIN, 1.0)?)?;
 /// assert!((image.radius().expect("a circle") - 0.5).abs() < 1e-15); // lines become circles

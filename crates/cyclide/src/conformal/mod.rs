@@ -5,3 +5,7 @@ pub(crate) mod lie_sphere;
 pub(crate) mod mapped_pairs;
 pub(crate) mod mobius;
 pub(crate) mod sphere;
+
+pub use hpoint::HPoint;
+pub use mobius::{Conformal, Mobius};
+pub use sphere::Sphere;

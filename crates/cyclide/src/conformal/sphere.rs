@@ -10,7 +10,7 @@ const COPLANAR_LIMIT: f64 = 1e-12;
 /// A sphere.
 ///
 /// ```
-/// use cyclide::{Point3, Sphere};
+/// use cyclide::{Point3, conformal::Sphere};
 /// let points = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// assert!((Sphere::through_points(points)?.radius() - 1.0).abs() < 1e-15);
 /// # Ok::<(), cyclide::Error>(())

@@ -1,4 +1,16 @@
 //! Recipes of several steps: curves through and near points, bodies.
+//!
+//! | topic | names |
+//! |---|---|
+//! | circles and arcs | [`Ellipse`], [`Helix`], [`Biarc`], [`BiarcRule`] |
+//! | curves through points | [`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`], [`ArcSplineOptions`], [`estimate_tangents`], [`MoebiusSplineOptions`], [`circle_tangents`], [`QbInterpolation`], [`NodeParameters`], [`QbNode`] |
+//! | corners among points | [`outline_corners`] |
+//! | curves near points | [`ArcFit`], [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`], [`FairFit`], [`FairFitOptions`], [`Noise`], [`Outliers`], [`Heights`], [`FairFitCertificate`], [`certify_arc`], [`ArcCertificate`], [`feasible_bulges`], [`BulgeIntervals`], [`curvature_intervals`] |
+//! | exact rational forms | [`RationalRun`] |
+//! | tori and curves on them | [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`], [`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`], [`TorusSeam`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`], [`PipeEnds`], [`Sweep`], [`SweepOptions`], [`SweepFrame`], [`TaperedTube`], [`RadiusLaw`], [`Tube`], [`Ball`], [`NeckBlend`], [`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`], [`PipeTee`], [`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`], [`PipeCrossing`], [`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`], [`ContactBlend`], [`BlendTube`], [`BlendBase`], [`MadeContactBlend`], [`RingBlend`], [`BlendRing`], [`BallCenters`], [`EllipseBridge`], [`RailSurface`] |
+//! | motions | [`SweptSurface`] |
+//! | bodies made from solids | [`ConvexPolyhedron`], [`PolyhedronEdge`], [`SphericalPolygon`] |
 
 mod bodies;
 mod curves;

@@ -3,7 +3,7 @@
 //! ```text
 //! xi(t) = (a0 w0 (1-t) + a1 w1 t) (w0 (1-t) + w1 t)^-1 = a0 + c (t w x^-1)
 //! ```
-//! (source: `000`, equations (4), (11), Proposition 3). The formulas of [`Arc`](crate::Arc) hold with the quaternion
+//! (source: `000`, equations (4), (11), Proposition 3). The formulas of [`Arc`](crate::curve::Arc) hold with the quaternion
 //! product `c p` in place of `c × p`; the condition that keeps an arc in three-space (Proposition 4) is not needed.
 
 use crate::base::quat::Quat;
@@ -14,7 +14,7 @@ use crate::error::{ArcError, ErrorItem, NumberError, Result};
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
 /// ```
-/// use cyclide::{Arc4, Quat};
+/// use cyclide::{Quat, curve::Arc4};
 /// let arc = Arc4::from_weights(Quat::new(0.0, 1.0, 0.0, 0.0), Quat::new(1.0, 0.0, 0.0, 0.0), Quat::ONE, Quat::new(1.0, 0.5, 0.0, 0.0))?;
 /// assert_eq!(arc.point(0.0), arc.start());
 /// # Ok::<(), cyclide::Error>(())

@@ -19,7 +19,7 @@ use crate::error::{CurveError, Error, PointError, Result};
 /// treat any gap as open.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3};
+/// use cyclide::{Point3, curve::ArcPath};
 /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::rounded_polyline(&corner, false, &[0.0, 1.0, 0.0])?;
 /// assert!((path.length() - (6.0 + std::f64::consts::FRAC_PI_2)).abs() < 1e-12);

@@ -22,7 +22,7 @@ const COLLINEAR_LIMIT: f64 = 1e-12;
 /// As a [`ParamCurve`] it is one smooth piece at constant speed, closed.
 ///
 /// ```
-/// use cyclide::{Circle, Point3, length};
+/// use cyclide::{Point3, curve::{Circle, length}};
 /// let circle = Circle::through_points([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from))?;
 /// assert!((length(&circle) - std::f64::consts::TAU).abs() < 1e-14);
 /// # Ok::<(), cyclide::Error>(())

@@ -7,8 +7,8 @@
 /// run on beyond the last one: then it is taken modulo the number of pieces.
 ///
 /// ```
-/// use cyclide::{CurvePlace, ParamCurve, Point3, Vec3};
-/// let circle = cyclide::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// use cyclide::{Point3, Vec3, curve::{CurvePlace, ParamCurve}};
+/// let circle = cyclide::curve::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 /// let place = CurvePlace::new(0, 0.25);
 /// assert!(circle.piece_point(place.piece, place.s).distance(circle.point(0.25)) < 1e-15);
 /// # Ok::<(), cyclide::Error>(())
@@ -45,7 +45,7 @@ impl CurvePlace {
 /// The next smooth pieces of the form, and where the part of the curve ends that they stand for.
 ///
 /// ```
-/// use cyclide::{Correspondence, CurvePlace, Span};
+/// use cyclide::curve::{Correspondence, CurvePlace, Span};
 /// // Two pieces of a file stand for the first piece of a curve.
 /// let span = Span { pieces: 2, end: CurvePlace::after(0) };
 /// let parts = Correspondence { start: CurvePlace::new(0, 0.0), spans: vec![span] };
@@ -62,7 +62,7 @@ pub struct Span {
 /// The parts of a curve in the order of the form's pieces.
 ///
 /// ```
-/// use cyclide::Correspondence;
+/// use cyclide::curve::Correspondence;
 /// assert_eq!(Correspondence::one_to_one(3).piece_count(), 3);
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -1,4 +1,15 @@
 //! Curves: the trait, arcs, circles, chains of arcs, QB curves.
+//!
+//! | topic | names |
+//! |---|---|
+//! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
+//! | curves through points | [`CircleSpline::fair`], [`CircleSpline::from_points`], [`CircleSplineOptions`], [`SplineEnds`], [`ArcPath::spline`], [`ArcPath::rounded_polyline`], [`QbSpline::through_points`], [`BlendSegment`], [`BlendVariant`], [`BlendLaw`], [`corners_by_angle`] |
+//! | quotients of quaternion polynomials | [`QbCurve`], [`QbReach`], [`QbSpline`] |
+//! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`PieceForm`], [`PieceHull`] |
+//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`], [`ClosestPoint`], [`CurveIndex`], [`farthest_point`], [`FarthestPoint`], [`bounds()`] |
+//! | frames along curves | [`CurveFrames`], [`FrameRule`], [`ClosedTwist`], [`CurveFrame`] |
+//! | continuity and fairness | [`joints`], [`Joint`], [`extreme_curvature`], [`ExtremeCurvature`], [`bending_energy`], [`tight_places`], [`TightPlace`], [`cusps`], [`CurveCusp`], [`plane_normal`], [`curvature_comb`], [`fairness()`], [`Fairness`], [`wavering()`], [`wavering_against()`], [`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`] |
+//! | places and pieces | [`Correspondence`], [`CurvePlace`], [`Span`] |
 
 mod arc;
 mod arc4;

@@ -17,7 +17,7 @@ use crate::error::Result;
 /// Object-safe; the jet, the hull, the number of pieces and the closed flag are required.
 ///
 /// ```
-/// use cyclide::{Arc, Circle, ParamCurve, Point3, Vec3, length};
+/// use cyclide::{Point3, Vec3, curve::{Arc, Circle, ParamCurve, length}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0))?;
 /// let curves: [&dyn ParamCurve; 2] = [&circle, &segment];

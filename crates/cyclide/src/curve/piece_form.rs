@@ -7,7 +7,7 @@ use super::circle::Circle;
 /// numerical for the rest.
 ///
 /// ```
-/// use cyclide::{Arc, ParamCurve, PieceForm, Point3};
+/// use cyclide::{Point3, curve::{Arc, ParamCurve, PieceForm}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0))?;
 /// assert!(matches!(segment.piece_form(0), PieceForm::Arc(_)));
 /// # Ok::<(), cyclide::Error>(())

@@ -28,7 +28,7 @@ struct HullPart {
 /// Rational parts of one smooth piece, in order, and a proved bound on their distance from it at equal parameters.
 ///
 /// ```
-/// use cyclide::{ParamCurve, RationalBezier};
+/// use cyclide::{curve::ParamCurve, rational::RationalBezier};
 /// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
 /// let mut hull = parabola.piece_hull(0, 1e-6)?;
 /// let chord = [parabola.point(0.0), parabola.point(1.0)];
@@ -43,7 +43,7 @@ pub struct PieceHull {
 }
 
 impl PieceHull {
-    /// Of a piece that is an arc or a circle by its [`PieceForm`](crate::PieceForm): its distances are known in closed
+    /// Of a piece that is an arc or a circle by its [`PieceForm`](crate::curve::PieceForm): its distances are known in closed
     /// form. Any other piece with this hull is refused by whatever needs a proof.
     #[must_use]
     pub fn closed_form() -> Self {
@@ -100,7 +100,7 @@ impl PieceHull {
     /// proves nothing (closed form, or weights that are not positive there).
     ///
     /// ```
-    /// use cyclide::{ParamCurve, RationalBezier, Vec3};
+    /// use cyclide::{Vec3, curve::ParamCurve, rational::RationalBezier};
     /// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
     /// let mut hull = parabola.piece_hull(0, 1e-6)?;
     /// assert!(hull.advances([0.0, 1.0], Vec3::X));

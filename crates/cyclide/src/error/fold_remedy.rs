@@ -3,7 +3,7 @@
 /// What helps against a blend that self-intersects.
 ///
 /// ```
-/// use cyclide::{CrossingError, CrossingPipe, Error, FoldRemedy, PipeCrossing};
+/// use cyclide::{Error, construct::{CrossingPipe, PipeCrossing}, error::{CrossingError, FoldRemedy}};
 /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// // A bridge over a gap of 1: the ball hardly fits through, and turns round on the spot.
 /// let Err(Error::Crossing(CrossingError::Folds { remedy, .. })) = PipeCrossing::new([pipe, pipe], 5.0, 0.51)?.made() else {

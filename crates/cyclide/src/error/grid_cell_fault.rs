@@ -3,7 +3,7 @@
 /// What is wrong with the cells of an incomplete grid, or with the use of it.
 ///
 /// ```
-/// use cyclide::{Error, GridCell, GridCellFault, GridError, Point3, QuadGrid};
+/// use cyclide::{Error, Point3, error::{GridCellFault, GridError}, surface::{GridCell, QuadGrid}};
 /// let points = (0..16).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
 /// let hole = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
 /// let error = QuadGrid::new(points, [4, 4], [false; 2])?.with_cells(hole).unwrap_err();

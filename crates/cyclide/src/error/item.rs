@@ -8,7 +8,7 @@ macro_rules! items {
         /// What an error is about: which number, point or thing of the input.
         ///
         /// ```
-        /// use cyclide::{Arc, Error, ErrorItem, NumberError, Point3, Vec3};
+        /// use cyclide::{Error, Point3, Vec3, curve::Arc, error::{ErrorItem, NumberError}};
         /// let [a, b] = [Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)];
         /// let error = Arc::from_bulge(a, b, Vec3::Z, f64::NAN).unwrap_err();
         /// assert_eq!(error, Error::Number(NumberError::NotFinite { what: ErrorItem::Bulge, index: 0 }));

@@ -3,7 +3,7 @@
 /// What prevents one mesh of quads along the lines of curvature round umbilics.
 ///
 /// ```
-/// use cyclide::{Error, JoinFault, PrincipalGridError};
+/// use cyclide::{Error, error::{JoinFault, PrincipalGridError}};
 /// let error = Error::PrincipalGrid(PrincipalGridError::UmbilicsNotJoined { at: [1.0, 2.0, 0.5], fault: JoinFault::Crowded });
 /// assert!(error.to_string().contains("1, 2, 0.5"));
 /// ```

@@ -3,7 +3,7 @@
 /// What is wrong with a mesh of quads that must form regular grids round irregular vertices.
 ///
 /// ```
-/// use cyclide::{Error, GridError, LayoutFault, Point3, QuadLayout};
+/// use cyclide::{Error, Point3, error::{GridError, LayoutFault}, surface::QuadLayout};
 /// let points: Vec<_> = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [5.0, 5.0]].map(|[x, y]| Point3::new(x, y, 0.0)).into();
 /// let error = QuadLayout::new(points, &[[0, 1, 2, 9]]).unwrap_err();
 /// assert_eq!(error, Error::Grid(GridError::NotAQuadLayout { fault: LayoutFault::NoSuchVertex, index: 0 }));

@@ -24,7 +24,7 @@ pub use surface_fault::SurfaceFault;
 /// Result of a fallible kernel call.
 ///
 /// ```
-/// use cyclide::{Arc, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Arc};
 /// let result: cyclide::Result<Arc> = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO);
 /// assert_eq!(result.unwrap_err().reason(), "zero-tangent");
 /// ```

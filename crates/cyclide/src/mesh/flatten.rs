@@ -33,10 +33,10 @@ const APPROXIMATION: f64 = 1.0 / 32.0;
 /// curve point from its chord): proved, not sampled. The ends of all pieces are vertices; a closed curve ends with the bits of its start.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let vertices = cyclide::flatten(&arc, 0.01)?;
+/// let vertices = cyclide::mesh::flatten(&arc, 0.01)?;
 /// // The middle of each chord is within the tolerance of the circle.
 /// assert!(vertices.windows(2).all(|w| w[0].1.lerp(w[1].1, 0.5).to_vec().length() > 0.99));
 /// # Ok::<(), cyclide::Error>(())
@@ -56,12 +56,12 @@ pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point
 /// As [`flatten`], into a vector that is cleared first and keeps its capacity for the next call.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
 /// let mut vertices = Vec::new();
-/// cyclide::flatten_into(&arc, 0.01, &mut vertices)?;
-/// assert_eq!(vertices, cyclide::flatten(&arc, 0.01)?);
+/// cyclide::mesh::flatten_into(&arc, 0.01, &mut vertices)?;
+/// assert_eq!(vertices, cyclide::mesh::flatten(&arc, 0.01)?);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///
@@ -79,10 +79,10 @@ pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(
 /// are.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let places = cyclide::flatten_places(&arc, 0.01)?;
+/// let places = cyclide::mesh::flatten_places(&arc, 0.01)?;
 /// assert!(places.iter().all(|(place, _)| place.piece == 0));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -96,10 +96,10 @@ pub fn flatten_places(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(Cur
 /// As [`flatten_places`], with `most` vertices at most.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// assert_eq!(cyclide::flatten_within(&arc, 1e-9, 100).unwrap_err().reason(), "too-many-pieces");
+/// assert_eq!(cyclide::mesh::flatten_within(&arc, 1e-9, 100).unwrap_err().reason(), "too-many-pieces");
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///

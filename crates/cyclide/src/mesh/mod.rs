@@ -10,10 +10,10 @@ mod tessellate;
 /// times as many in what is made of them.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// assert!(cyclide::flatten(&arc, 1e-9)?.len() < cyclide::MOST_PIECES);
+/// assert!(cyclide::mesh::flatten(&arc, 1e-9)?.len() < cyclide::mesh::MOST_PIECES);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 pub const MOST_PIECES: usize = 4_000_000;

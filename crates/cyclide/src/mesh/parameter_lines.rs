@@ -8,7 +8,7 @@ use crate::topology::{Body, EdgeCurve, FaceGeometry as _, Shell, ShellFace, Side
 /// Which parameter lines a polyline follows.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, LineKind, parameter_lines};
+/// use cyclide::{mesh::{LineKind, parameter_lines}, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let lines = parameter_lines(&torus[0], 2, 0.01)?;
 /// assert!(lines.iter().any(|line| line.kind == LineKind::Edge) && lines.iter().any(|line| line.kind == LineKind::Inner));
@@ -25,7 +25,7 @@ pub enum LineKind {
 /// A parameter line of a body as a polyline.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, parameter_lines};
+/// use cyclide::{mesh::parameter_lines, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let lines = parameter_lines(&torus[0], 0, 0.01)?;
 /// assert!(lines.iter().all(|line| line.points.len() == line.normals.len() && line.shell == 0));
@@ -47,15 +47,15 @@ pub struct ParameterLine {
 /// parameter, so that they continue from face to face. No point of a line is farther than `tolerance` from its polyline.
 ///
 /// ```
-/// use cyclide::{Body, DupinCyclide};
+/// use cyclide::{surface::DupinCyclide, topology::Body};
 /// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
-/// let lines = cyclide::parameter_lines(&ring, 0, 0.1)?;
+/// let lines = cyclide::mesh::parameter_lines(&ring, 0, 0.1)?;
 /// assert_eq!(lines.len(), ring.outer.edges().len());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///
 /// # Errors
-/// As [`flatten`]; as [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
+/// As [`flatten`]; as [`CyclidePatch::s_line`](crate::surface::CyclidePatch::s_line).
 pub fn parameter_lines(body: &Body, inner: usize, tolerance: f64) -> Result<Vec<ParameterLine>> {
     let mut lines = Vec::new();
     for (index, shell) in body.shells().enumerate() {

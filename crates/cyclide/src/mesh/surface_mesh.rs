@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 /// vertex (watertight); normals differ where the surface has an edge.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, tessellate};
+/// use cyclide::{mesh::tessellate, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let mesh = tessellate(&torus[0], 0.05)?;
 /// let corner = mesh.faces[0].corners()[0];
@@ -24,7 +24,7 @@ pub struct MeshCorner {
 /// A planar quad or a triangle (at the pole of a patch, and on rational faces), counter-clockwise seen from the outer side.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, MeshFace, tessellate};
+/// use cyclide::{mesh::{MeshFace, tessellate}, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let mesh = tessellate(&torus[0], 0.05)?;
 /// assert!(mesh.faces.iter().any(|face| matches!(face, MeshFace::Quad(_))));
@@ -59,7 +59,7 @@ impl MeshFace {
 /// The part of a body that a polygon of its mesh stands for.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, ParamSurface, tessellate};
+/// use cyclide::{mesh::tessellate, surface::{DupinCyclide, ParamSurface}};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let mesh = tessellate(&torus[0], 0.05)?;
 /// let (source, corner) = (mesh.sources[0], mesh.faces[0].corners()[0]);
@@ -82,7 +82,7 @@ pub struct MeshSource {
 /// A mesh of one body with the certified distance to it.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, tessellate};
+/// use cyclide::{mesh::tessellate, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
 /// let mesh = tessellate(&torus[0], 0.01)?;
 /// assert!(mesh.bound <= 0.01 && (mesh.volume() - torus[0].outer.volume()).abs() < 0.01 * mesh.area());
@@ -101,7 +101,7 @@ pub struct SurfaceMesh {
     /// The cells that no polygon stands for: between points that are one but for rounding.
     pub lost: Vec<MeshSource>,
     /// No point of the surface is farther from the mesh than this, nor the other way. Proved for bodies; of a
-    /// [`SmoothMesh`](crate::SmoothMesh) only sampled, or infinite if it was not measured.
+    /// [`SmoothMesh`](crate::surface::SmoothMesh) only sampled, or infinite if it was not measured.
     pub bound: f64,
     /// How far a vertex that faces share is from the place of it on any of them, at most: rounding, but for the points of
     /// nearly singular lines, which are one vertex.

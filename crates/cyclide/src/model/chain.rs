@@ -12,7 +12,7 @@ use crate::rational::NurbsCurve;
 /// One piece of a chain.
 ///
 /// ```
-/// use cyclide::{Arc, ChainPiece, Point3};
+/// use cyclide::{Point3, curve::Arc, model::ChainPiece};
 /// let piece = ChainPiece::Arc(Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?);
 /// assert_eq!(piece.reversed().start(), piece.end());
 /// # Ok::<(), cyclide::Error>(())
@@ -56,7 +56,7 @@ impl ChainPiece {
     /// The image under a similarity or a reflection.
     ///
     /// # Errors
-    /// `not-a-similarity`, or as [`Arc::transformed`](crate::Conformal::transformed) and [`NurbsCurve::similar`].
+    /// `not-a-similarity`, or as [`Arc::transformed`](crate::conformal::Conformal::transformed) and [`NurbsCurve::similar`].
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         match self {
             Self::Arc(a) => {
@@ -92,7 +92,7 @@ impl ChainPiece {
 /// one piece per arc and per knot span.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::CircleSpline, model::Lower};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let (chain, _) = CircleSpline::fair(&points, &FairSplineOptions::default())?.to_chain(1e-6)?;
 /// assert!(chain.weight_range().0 > 0.0 && !chain.pieces().is_empty());

@@ -56,7 +56,7 @@ impl CurveObject {
         turn.body(&profile, closed).map(SurfaceObject::Body)
     }
 
-    /// The pieces of the exact form, as [`Revolution`] and [`RailSurface`](crate::RailSurface) take them, and whether the last one ends where the
+    /// The pieces of the exact form, as [`Revolution`] and [`RailSurface`](crate::construct::RailSurface) take them, and whether the last one ends where the
     /// first begins.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl CurveObject {
     /// order 1 in its rational variant.
     ///
     /// ```
-    /// use cyclide::{Circle, CurveObject, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, curve::Circle, model::CurveObject};
     /// let circle = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
     /// assert_eq!(circle.to_qb_spline().map(|chain| chain.degree()), Some(1));
     /// # Ok::<(), cyclide::Error>(())

@@ -12,7 +12,7 @@ use crate::surface::{QuadGrid, QuadLayout};
 /// whoever draws or measures curves takes the lines.
 ///
 /// ```
-/// use cyclide::{GridObject, Item, Point3, QuadGrid};
+/// use cyclide::{Point3, model::{GridObject, Item}, surface::QuadGrid};
 /// let points = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let item = Item::new("g", GridObject::apart(vec![QuadGrid::new(points, [3, 2], [false; 2])?])?);
 /// // Two lines along s and three along t.

@@ -7,7 +7,7 @@ use crate::error::Result;
 /// How a carrier relates to the object it stands for.
 ///
 /// ```
-/// use cyclide::{Circle, Exactness, Lower, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{Exactness, Lower}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 /// assert_eq!(circle.to_chain(1e-6)?.1, Exactness::Exact);
 /// assert_eq!(Exactness::Proved(1e-3).bound(), 1e-3);
@@ -37,7 +37,7 @@ impl Exactness {
 /// A form of a curve, how far it is from it, and which part of the curve each of its smooth pieces stands for.
 ///
 /// ```
-/// use cyclide::{Circle, Lower, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::Lower};
 /// let lowered = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?.lower_to_arcs(1e-6)?;
 /// assert_eq!(lowered.correspondence.piece_count(), lowered.form.arcs().len());
 /// # Ok::<(), cyclide::Error>(())
@@ -55,7 +55,7 @@ pub struct Lowered<C> {
 /// A curve that can leave the kernel. Exporters know the two carriers only, so a new curve changes no exporter.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::CircleSpline, model::Lower};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
 /// let (arcs, exactness) = spline.to_arcs(1e-3)?; // for machines that know arcs only

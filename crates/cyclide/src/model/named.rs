@@ -14,7 +14,7 @@ impl Model {
     /// A model without objects.
     ///
     /// ```
-    /// use cyclide::{Circle, Model, Point3, Units, Vec3};
+    /// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
     /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
     /// let model = Model::new(Units::Millimetre).with_curve("rim", circle);
     /// assert_eq!(model.items[0].name, "rim");

@@ -14,7 +14,7 @@ use crate::volume::CyclideVolume;
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
 ///
 /// ```
-/// use cyclide::Units;
+/// use cyclide::model::Units;
 /// assert_eq!((Units::Inch.symbol(), Units::Inch.in_millimetres()), ("in", 25.4));
 /// assert_eq!(Units::from_symbol("m"), Some(Units::Metre));
 /// ```
@@ -88,7 +88,7 @@ impl Units {
 /// Any curve of the kernel.
 ///
 /// ```
-/// use cyclide::{Circle, CurveObject, Point3, Vec3, length};
+/// use cyclide::{Point3, Vec3, curve::{Circle, length}, model::CurveObject};
 /// let object = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
 /// assert!((length(object.as_curve()) - std::f64::consts::TAU).abs() < 1e-14);
 /// # Ok::<(), cyclide::Error>(())
@@ -156,7 +156,7 @@ impl Lower for CurveObject {
 /// every writer, check and report that has to think of them.
 ///
 /// ```
-/// use cyclide::{Circle, CurveObject, Geometry, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{CurveObject, Geometry}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 /// let geometry = Geometry::from(vec![CurveObject::from(circle)]);
 /// assert!(matches!(&geometry, Geometry::Curves(contours) if contours.len() == 1));
@@ -217,7 +217,7 @@ impl From<MovingBody> for Geometry {
 /// whoever ran the construction.
 ///
 /// ```
-/// use cyclide::{Circle, CurveObject, Item, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{CurveObject, Item}};
 /// let ring = |radius| Circle::from_radius(Point3::ORIGIN, Vec3::Z, radius).map(CurveObject::from);
 /// let item = Item::new("washer", vec![ring(6.0)?, ring(3.2)?]);
 /// assert_eq!((item.name.as_str(), item.curves().len(), item.surfaces().len()), ("washer", 2, 0));
@@ -285,7 +285,7 @@ impl Item {
 /// Named objects and the unit of their coordinates.
 ///
 /// ```
-/// use cyclide::{Circle, DupinCyclide, Model, Point3, Units, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}, surface::DupinCyclide};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::new(Units::Millimetre).with_curve("rim", circle).with_surface("ring", torus);

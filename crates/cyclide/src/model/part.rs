@@ -12,7 +12,7 @@ impl CurveObject {
     /// The same points run backwards; a closed curve still starts at the same point.
     ///
     /// ```
-    /// use cyclide::{Circle, CurveObject, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, curve::Circle, model::CurveObject};
     /// let circle = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
     /// assert!(circle.reversed().as_curve().point(0.25).distance(circle.as_curve().point(0.75)) < 1e-15);
     /// # Ok::<(), cyclide::Error>(())
@@ -34,7 +34,7 @@ impl CurveObject {
     /// Of a closed curve the first may be the larger one: then the part leads past the start.
     ///
     /// ```
-    /// use cyclide::{Circle, CurveObject, Point3, Vec3, length};
+    /// use cyclide::{Point3, Vec3, curve::{Circle, length}, model::CurveObject};
     /// let circle = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
     /// let (short, long) = (circle.restricted(0.25, 0.5)?, circle.restricted(0.5, 0.25)?);
     /// assert!((length(short.as_curve()) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
@@ -86,7 +86,7 @@ impl CurveObject {
     /// about 1e-12 of the length; stations that near to a joint are the joint, and the curve is not cut beside it.
     ///
     /// ```
-    /// use cyclide::{ArcPath, CurveObject, Point3, length};
+    /// use cyclide::{Point3, curve::{ArcPath, length}, model::CurveObject};
     /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
     /// let path = CurveObject::from(ArcPath::rounded_polyline(&corner, false, &[0.0; 3])?);
     /// let part = path.restricted_to_stations(3.0, 6.0)?;

@@ -7,7 +7,7 @@ use crate::topology::{Body, Shell};
 /// Any surface of the kernel.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, SurfaceObject};
+/// use cyclide::{model::SurfaceObject, surface::DupinCyclide};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// assert!(SurfaceObject::from(torus).to_bodies()?[0].is_solid());
 /// # Ok::<(), cyclide::Error>(())
@@ -18,7 +18,7 @@ pub enum SurfaceObject {
     /// One principal patch.
     Patch(CyclidePatch),
     /// Patches in a regular net. A whole cyclide is one of its nets, or two: see
-    /// [`DupinCyclide::nets`](crate::DupinCyclide::nets).
+    /// [`DupinCyclide::nets`](crate::surface::DupinCyclide::nets).
     Net(CyclidicNet),
     /// Nets that join round extraordinary vertices.
     Layout(NetLayout),

@@ -23,7 +23,7 @@ impl RationalMotion {
     /// `not-finite`, `zero-rotation`, `motion-through-exceptional-point` (the curve runs out to infinity, as near as rounding tells).
     ///
     /// ```
-    /// use cyclide::{MoebiusSplineOptions, ParamCurve, Point3, QbSpline, Quat, RationalMotion};
+    /// use cyclide::{Point3, Quat, construct::MoebiusSplineOptions, curve::{ParamCurve, QbSpline}, motion::RationalMotion};
     /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
     /// let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default())?;
     /// let motion = RationalMotion::along(&spline, Quat::ONE)?;

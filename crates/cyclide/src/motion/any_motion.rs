@@ -19,7 +19,7 @@ const SAME_END: f64 = 1e-6;
 /// Any motion of a rigid body over rising times.
 ///
 /// ```
-/// use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{Motion, Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64| TimedPose { time, pose: Pose::new(Quat::new(1.0, 0.0, 0.0, time), Vec3::X * time).unwrap() };
 /// let motion = Motion::from(RationalMotion::spline(&[at(0.0), at(0.5), at(2.0)])?);
 /// assert_eq!(motion.times(), [0.0, 0.5, 2.0]);
@@ -103,7 +103,7 @@ impl Motion {
     /// coordinates and a millionth of its way: by so much the body does not close. `None` of other motions.
     ///
     /// ```
-    /// use cyclide::{ArcPath, ArcSplineOptions, Motion, Point3, QbSpline, Quat, RationalMotion};
+    /// use cyclide::{Point3, Quat, construct::ArcSplineOptions, curve::{ArcPath, QbSpline}, motion::{Motion, RationalMotion}};
     /// let corners = [[4.0, 0.0, 0.0], [2.0, 3.0, 2.0], [-2.0, 3.0, -1.0], [-4.0, 1.0, 0.5], [0.0, -3.0, 1.5]].map(Point3::from);
     /// let turn = |closed: bool| {
     ///     let curve = ArcPath::spline(&corners, &ArcSplineOptions { closed, ..Default::default() })?;
@@ -129,7 +129,7 @@ impl Motion {
     /// The times at which it takes the poses that it was made through, or passes them in a blend, rising; none along a curve.
     ///
     /// ```
-    /// use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{Motion, Pose, RationalMotion, TimedPose}};
     /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::new(1.0, 0.0, 0.0, time), Vec3::X * x).unwrap() };
     /// let motion = Motion::from(RationalMotion::conic(&[at(0.0, 0.0), at(1.0, 2.0), at(3.0, 3.0)])?);
     /// assert_eq!(motion.pose_times(), [0.0, 1.0, 3.0]);

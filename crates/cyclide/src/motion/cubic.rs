@@ -18,7 +18,7 @@ const COINCIDENT: f64 = 1e-12;
 /// The cross-ratios of the times at which motions of degree 3 take four poses, and these motions.
 ///
 /// ```
-/// use cyclide::{CubicMotions, Pose, Quat, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{CubicMotions, Pose}};
 /// let pose = |w: f64, y: f64, x: f64, z: f64| Pose::new(Quat::new(w, 0.3, y, 0.1), Vec3::new(x, 1.0, z));
 /// let poses = [pose(1.0, 0.0, 0.0, 0.0)?, pose(1.0, 0.5, 1.0, 0.2)?, pose(0.8, 0.9, 2.2, 1.0)?, pose(0.4, 1.2, 3.0, 1.0)?];
 /// let cubics = CubicMotions::new(&poses)?;

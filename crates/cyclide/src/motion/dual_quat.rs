@@ -8,7 +8,7 @@ use std::ops::{Add, Mul, Sub};
 /// `p + ε ½ τ p`, and the product does the right factor first (`docs/math/motions.md#dual-quaternions`).
 ///
 /// ```
-/// use cyclide::{DualQuat, Quat, Vec3};
+/// use cyclide::{Quat, Vec3, motion::DualQuat};
 /// let quarter = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
 /// let turn = DualQuat::from_rotation_translation(quarter, Vec3::ZERO);
 /// let step = DualQuat::from_rotation_translation(Quat::ONE, Vec3::X);
@@ -72,7 +72,7 @@ impl DualQuat {
     /// Where the displacement of the fiber takes a point; `None` if the real part is zero.
     ///
     /// ```
-    /// use cyclide::{DualQuat, Point3, Quat, Vec3};
+    /// use cyclide::{Point3, Quat, Vec3, motion::DualQuat};
     /// let step = DualQuat::from_rotation_translation(Quat::ONE, Vec3::new(0.0, 2.0, 0.0));
     /// assert_eq!(step.apply(Point3::new(1.0, 0.0, 0.0)).unwrap().to_array(), [1.0, 2.0, 0.0]);
     /// ```

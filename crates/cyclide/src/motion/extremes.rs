@@ -29,7 +29,7 @@ const CANCELLED: f64 = 1e-10;
 /// acceleration does where a law goes by a way that turns back.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimeLaw, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let body = MovingBody::new(RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 8.0)])?.into());
 /// let found = body.with_law(TimeLaw::Eased, 1.0)?.schedule()?.extremes();
@@ -64,7 +64,7 @@ pub struct MotionExtremes {
 /// A place in a motion.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let body = MovingBody::new(RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 4.0)])?.into()); // x = t²
 /// let fastest = body.schedule()?.extremes().speed_at;

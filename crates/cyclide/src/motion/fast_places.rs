@@ -16,7 +16,7 @@ const ROUNDED: f64 = 1e-12;
 /// What of a moving body is limited.
 ///
 /// ```
-/// use cyclide::SpeedKind;
+/// use cyclide::motion::SpeedKind;
 /// assert_ne!(SpeedKind::Tool, SpeedKind::Turn);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub enum SpeedKind {
 /// A part of a motion that is faster than asked for, by its fastest place.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, SpeedKind, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, SpeedKind, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let body = MovingBody::new(RationalMotion::conic(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 4.0)])?.into()); // x = t²
 /// let fast = body.schedule()?.faster_than(SpeedKind::Tool, 3.0);

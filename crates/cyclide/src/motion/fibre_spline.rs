@@ -28,7 +28,7 @@ impl RationalMotion {
     /// The body may have come round.
     ///
     /// ```
-    /// use cyclide::{Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+    /// use cyclide::{Point3, Quat, Vec3, motion::{Pose, RationalMotion, TimedPose}};
     /// let at = |time: f64| {
     ///     let turn = Quat::from_axis_angle(Vec3::Z, time);
     ///     TimedPose { time, pose: Pose::new(turn, turn.rotate(Vec3::X * 50.0)).unwrap() }

@@ -7,7 +7,7 @@ use crate::base::vector::Vec3;
 /// What a moving body does at one moment, and one of its points.
 ///
 /// ```
-/// use cyclide::{Point3, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{Pose, ScrewMotion, TimedPose}};
 /// let quarter = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
 /// let poses = [(0.0, Quat::ONE), (1.0, quarter)].map(|(time, rotation)| TimedPose {
 ///     time,

@@ -21,7 +21,7 @@ const PEAK: f64 = 30.0;
 /// A moving body: what a motion is with a tool, a time law and a duration.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimeLaw, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let slide = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 8.0)])?;
 /// let body = MovingBody::new(slide.into()).with_law(TimeLaw::Eased, 2.0)?;
@@ -45,7 +45,7 @@ pub struct MovingBody {
 /// The shape of a moving body for files that animate: triangles in the frame of the body.
 ///
 /// ```
-/// use cyclide::{BodyMesh, Point3};
+/// use cyclide::{Point3, motion::BodyMesh};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from).to_vec();
 /// let mesh = BodyMesh::new(points, vec![[0, 1, 2]])?;
 /// assert_eq!(mesh.triangles().len(), 1);
@@ -273,7 +273,7 @@ impl From<Motion> for MovingBody {
 /// A moving body with its way measured.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let body = MovingBody::new(RationalMotion::spline(&[at(0.0, 0.0), at(4.0, 8.0)])?.into());
 /// assert_eq!(body.schedule()?.pose(0.5).translation(), Vec3::X * 4.0);
@@ -316,7 +316,7 @@ impl Schedule<'_> {
     /// body arrives there.
     ///
     /// ```
-    /// use cyclide::{MovingBody, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, ScrewMotion, TimedPose}};
     /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
     /// let body = MovingBody::new(ScrewMotion::new(&[at(0.0, 0.0), at(1.0, 8.0), at(4.0, 2.0)])?.into());
     /// let schedule = body.schedule()?;

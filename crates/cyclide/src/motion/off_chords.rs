@@ -17,7 +17,7 @@ const NO_DISTANCE: f64 = 64.0 * f64::EPSILON;
 /// The largest distance of the origin of a moving body from the straight lines between its poses.
 ///
 /// ```
-/// use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{Motion, Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, x: f64, turn: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, turn), Vec3::X * x).unwrap(),

@@ -13,7 +13,7 @@ const POLAR_STEPS: usize = 4;
 /// A place and an orientation of a body: the displacement `x ↦ q x q⁻¹ + τ` from the body's frame to the world.
 ///
 /// ```
-/// use cyclide::{Point3, Pose, Quat, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::Pose};
 /// let pose = Pose::new(Quat::new(1.0, 0.0, 0.0, 1.0), Vec3::new(2.0, 0.0, 0.0))?; // a quarter about z, and moved
 /// assert!(pose.apply(Point3::new(1.0, 0.0, 0.0)).distance(Point3::new(2.0, 1.0, 0.0)) < 1e-15);
 /// let back = pose.inverse().after(pose);
@@ -59,7 +59,7 @@ impl Pose {
     /// From the rows of a matrix `[R τ; 0 0 0 1]` that is multiplied by columns of points.
     ///
     /// ```
-    /// use cyclide::{Pose, Vec3};
+    /// use cyclide::{Vec3, motion::Pose};
     /// let pose = Pose::from_matrix([[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])?;
     /// assert_eq!(pose.translation(), Vec3::new(5.0, 0.0, 0.0));
     /// assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
@@ -76,7 +76,7 @@ impl Pose {
     /// As [`from_matrix`](Self::from_matrix), to another limit than 1e-5: the pose with the nearest rotation, and by how much the matrix is off one.
     ///
     /// ```
-    /// use cyclide::{Pose, Quat, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::Pose};
     /// // A turn by 30 degrees, with two decimals.
     /// let rows = [[0.87, -0.5, 0.0, 5.0], [0.5, 0.87, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
     /// assert_eq!(Pose::from_matrix(rows).unwrap_err().reason(), "not-a-rotation");
@@ -116,7 +116,7 @@ impl Pose {
     /// then z by `yaw` (the same as about the moved axes z, y', x'').
     ///
     /// ```
-    /// use cyclide::{Pose, Vec3};
+    /// use cyclide::{Vec3, motion::Pose};
     /// let half_pi = std::f64::consts::FRAC_PI_2;
     /// let pose = Pose::from_roll_pitch_yaw(Vec3::ZERO, [half_pi, 0.0, half_pi])?;
     /// assert!((pose.rotation().rotate(Vec3::Y) - Vec3::Z).length() < 1e-15); // y to z by the roll, where the yaw keeps it

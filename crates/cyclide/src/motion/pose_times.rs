@@ -11,7 +11,7 @@ const NO_CHORD: f64 = 1e-12;
 /// How poses without times follow each other. The average step is one unit of time.
 ///
 /// ```
-/// use cyclide::{Point3, Pose, PoseTimes, Quat, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{Pose, PoseTimes}};
 /// let poses = [0.0, 1.0, 10.0].map(|x| Pose::new(Quat::ONE, Vec3::X * x).unwrap());
 /// let times = |rule: PoseTimes| rule.of(&poses, Point3::ORIGIN, 0.0).map(|timed| timed.into_iter().map(|pose| pose.time).collect::<Vec<_>>());
 /// assert_eq!(times(PoseTimes::Uniform)?, [0.0, 1.0, 2.0]);

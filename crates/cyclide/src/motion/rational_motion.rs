@@ -24,10 +24,10 @@ const HALVINGS: u32 = 60;
 
 /// A motion over rising times, in spans each of which is polynomial in the coefficients of a dual quaternion.
 ///
-/// Made by [`conic`](Self::conic), [`quartic`](Self::quartic), [`spline`](Self::spline), [`CubicMotions`](crate::CubicMotions).
+/// Made by [`conic`](Self::conic), [`quartic`](Self::quartic), [`spline`](Self::spline), [`CubicMotions`](crate::motion::CubicMotions).
 ///
 /// ```
-/// use cyclide::{Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, z: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::new(1.0, 0.0, 0.0, time), Vec3::new(time, 0.0, z)).unwrap(),

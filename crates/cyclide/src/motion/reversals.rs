@@ -21,7 +21,7 @@ const AT_JOINT: f64 = 1e-9;
 /// comes to a stand at its end.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimeLaw, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let motion = RationalMotion::conic(&[at(0.0, 1.0), at(1.0, 0.0), at(2.0, 1.0)])?; // x = (t - 1)²
 /// let body = MovingBody::new(motion.into()).with_law(TimeLaw::ConstantSpeed, 4.0)?;

@@ -25,7 +25,7 @@ const SMALL_HALF_ANGLE: f64 = 1e-4;
 /// velocities jump (C0). Not rational: the paths of points are helices.
 ///
 /// ```
-/// use cyclide::{Pose, Quat, ScrewMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{Pose, ScrewMotion, TimedPose}};
 /// let half = Pose::new(Quat::new(0.0, 0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 4.0))?;
 /// let motion = ScrewMotion::new(&[
 ///     TimedPose { time: 0.0, pose: Pose::IDENTITY },

@@ -86,7 +86,7 @@ impl Schedule<'_> {
     /// where it is fast.
     ///
     /// ```
-    /// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimedPose}};
     /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
     /// let body = MovingBody::new(RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 8.0), at(4.0, 9.0)])?.into());
     /// let breaks = body.schedule()?.breaks();

@@ -19,7 +19,7 @@ const LITTLE_TURN: f64 = 1e-2;
 /// A place at which a body is fast against the average of the span.
 ///
 /// ```
-/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{MovingBody, Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let motion = RationalMotion::conic(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 4.0)])?; // x = t²
 /// let body = MovingBody::new(motion.into());

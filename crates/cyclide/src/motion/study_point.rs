@@ -13,7 +13,7 @@ const OFF_QUADRIC: f64 = 1e-9;
 /// (`docs/math/motions.md#the-study-quadric`).
 ///
 /// ```
-/// use cyclide::{Point3, Quat, StudyPoint};
+/// use cyclide::{Point3, Quat, motion::StudyPoint};
 /// // A turn by 90 degrees about z, at the point (2, 0, 0).
 /// let p = Quat::new(1.0, 0.0, 0.0, 1.0);
 /// let there = StudyPoint::from_quotient(Quat::new(0.0, 2.0, 0.0, 0.0) * p, p)?;

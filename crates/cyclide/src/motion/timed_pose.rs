@@ -12,7 +12,7 @@ use crate::warning::{MotionWarning, Warning};
 /// A pose and the time, or other parameter, at which a motion takes it.
 ///
 /// ```
-/// use cyclide::{Pose, TimedPose};
+/// use cyclide::motion::{Pose, TimedPose};
 /// let start = TimedPose { time: 0.0, pose: Pose::IDENTITY };
 /// assert_eq!(start.pose.translation().length(), 0.0);
 /// ```

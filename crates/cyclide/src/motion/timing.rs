@@ -17,7 +17,7 @@ const BISECTIONS: u32 = 56;
 /// How a body runs along its motion in the time from first to last.
 ///
 /// ```
-/// use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Timing, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{Motion, Pose, RationalMotion, TimeLaw, TimedPose, Timing}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let motion = Motion::from(RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 3.0), at(2.0, 4.0)])?);
 /// let steady = Timing::new(&motion, TimeLaw::ConstantSpeed, Point3::ORIGIN, 0.0)?;
@@ -52,7 +52,7 @@ struct WayCell {
 /// velocity, and an arm `a`, the length by which a turn counts.
 ///
 /// ```
-/// use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Timing, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{Motion, Pose, RationalMotion, TimeLaw, TimedPose, Timing}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let motion = Motion::from(RationalMotion::spline(&[at(0.0, 0.0), at(2.0, 6.0)])?);
 /// let eased = Timing::new(&motion, TimeLaw::Eased, Point3::ORIGIN, 0.0)?;
@@ -319,7 +319,7 @@ impl Motion {
     /// The angle by which the body turns in all, radians: `∫|ω|`.
     ///
     /// ```
-    /// use cyclide::{Motion, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{Motion, Pose, ScrewMotion, TimedPose}};
     /// let turned = |angle: f64| Pose::new(Quat::from_axis_angle(Vec3::Z, angle), Vec3::ZERO).unwrap();
     /// let at = |time: f64, angle: f64| TimedPose { time, pose: turned(angle) };
     /// let motion = Motion::from(ScrewMotion::new(&[at(0.0, 0.0), at(1.0, 2.0), at(1.5, 1.0)])?);
@@ -334,7 +334,7 @@ impl Motion {
     /// The length of the way of a point of the body: `∫|v|`.
     ///
     /// ```
-    /// use cyclide::{Motion, Point3, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+    /// use cyclide::{Point3, Quat, Vec3, motion::{Motion, Pose, ScrewMotion, TimedPose}};
     /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
     /// let motion = Motion::from(ScrewMotion::new(&[at(0.0, 0.0), at(0.1, 5.0), at(7.0, 3.0)])?);
     /// assert!((motion.way(Point3::ORIGIN) - 7.0).abs() < 1e-14);

@@ -23,8 +23,8 @@ const NEGLIGIBLE: f64 = 1e-3;
 /// A panel of a class.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let found = cyclide::Congruences::new(&[patch, patch], 1e-9)?;
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let found = cyclide::panel::Congruences::new(&[patch, patch], 1e-9)?;
 /// let second = found.classes[0].panels[1];
 /// assert_eq!((second.panel, second.corners, second.turned_over), (1, [0, 1, 2, 3], false));
 /// # Ok::<(), cyclide::Error>(())
@@ -45,8 +45,8 @@ pub struct CongruentPanel {
 /// Panels that are congruent: one is laid on any other by a motion, without a reflection.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let found = cyclide::Congruences::new(&[patch], 1e-9)?;
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let found = cyclide::panel::Congruences::new(&[patch], 1e-9)?;
 /// assert_eq!(found.classes[0].panels.len(), 1);
 /// // Between two parallels and two meridians a torus is symmetric: its own mirror image.
 /// assert!(found.classes[0].mirror.is_some_and(|(class, _)| class == 0));
@@ -71,7 +71,7 @@ pub struct CongruenceClass {
 /// class it is nearest to. Panels are found by lengths that motions keep, so that time is that of the panels and the pairs within tolerance, not of all pairs.
 ///
 /// ```
-/// use cyclide::{Congruences, DupinCyclide};
+/// use cyclide::{panel::Congruences, surface::DupinCyclide};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 6])?;
 /// let panels: Vec<_> = ring[0].patches().collect();
 /// let found = Congruences::new(&panels, 1e-9)?;

@@ -21,7 +21,7 @@ const PLACES: u32 = 8;
 /// such a surface is laid on it along its normals first, which changes lengths by no more than distance times curvature.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FlatPattern, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, panel::FlatPattern, surface::CyclidePatch};
 /// // A quarter of a cylinder of radius 2 and height 3.
 /// let corners = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [2.0, 0.0, 3.0], [0.0, 2.0, 3.0]].map(Point3::from);
 /// let panel = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;

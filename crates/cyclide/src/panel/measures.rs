@@ -19,9 +19,9 @@ const SECTIONS: u32 = 16;
 /// What a side of a panel is.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let sides = cyclide::PanelMeasures::new(&patch)?.sides;
-/// assert!(sides.iter().all(|side| side.form == cyclide::PanelSideForm::Arc));
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let sides = cyclide::panel::PanelMeasures::new(&patch)?.sides;
+/// assert!(sides.iter().all(|side| side.form == cyclide::panel::PanelSideForm::Arc));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,7 +38,7 @@ pub enum PanelSideForm {
 /// One side of a panel: an arc, a segment or a point.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, PanelMeasures, PanelSideForm};
+/// use cyclide::{panel::{PanelMeasures, PanelSideForm}, surface::DupinCyclide};
 /// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
 /// let sides = PanelMeasures::new(&patch)?.sides;
 /// assert!(sides.iter().all(|side| side.form == PanelSideForm::Arc));
@@ -70,9 +70,9 @@ pub struct PanelSide {
 /// A largest or smallest principal curvature of a panel, with a place.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
 /// // The tube bends most, by 1 against the outward normal.
-/// let [least, _] = cyclide::PanelMeasures::new(&patch)?.curvatures;
+/// let [least, _] = cyclide::panel::PanelMeasures::new(&patch)?.curvatures;
 /// assert!((least.value + 1.0).abs() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -90,7 +90,7 @@ pub struct CurvatureExtreme {
 /// What a panel is made after.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, PanelMeasures, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, panel::PanelMeasures, surface::CyclidePatch};
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]].map(Point3::from);
 /// let sheet = PanelMeasures::new(&CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?)?;
 /// assert!((sheet.area - 2.0).abs() < 1e-14 && sheet.sagitta < 1e-15 && sheet.turn < 1e-15);

@@ -6,7 +6,7 @@ use super::panel_fit::PanelFit;
 /// The surface of a mould, wherever it stands.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, MouldShape, Moulds};
+/// use cyclide::{panel::{MouldShape, Moulds}, surface::DupinCyclide};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?;
 /// let panels: Vec<_> = ring[0].patches().collect();
 /// let moulds = Moulds::new(&panels, 1e-6)?;

@@ -26,8 +26,8 @@ const INSIDE: f64 = 0.98;
 /// A panel of a mould.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let moulds = cyclide::Moulds::new(&[patch], 1e-9)?;
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let moulds = cyclide::panel::Moulds::new(&[patch], 1e-9)?;
 /// let member = moulds.moulds[0].members[0];
 /// assert!(member.panel == 0 && member.near.max_distance < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
@@ -43,8 +43,8 @@ pub struct MouldMember {
 /// A mould with the panels that it makes.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let moulds = cyclide::Moulds::new(&[patch, patch], 1e-9)?;
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let moulds = cyclide::panel::Moulds::new(&[patch, patch], 1e-9)?;
 /// assert_eq!((moulds.moulds.len(), moulds.moulds[0].members.len()), (1, 2));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -78,7 +78,7 @@ pub struct Mould {
 /// tolerance are the rule by that, and not proved: cones and tori are led, and steps are four.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, Moulds, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, panel::Moulds, surface::CyclidePatch};
 /// let octant = |r: f64| {
 ///     let corners = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::Z].map(|v| Point3::ORIGIN + v * r);
 ///     CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)

@@ -27,9 +27,9 @@ const ROUNDINGS: f64 = 16.0;
 /// A simple surface near a panel, and how far the panel is from it.
 ///
 /// ```
-/// let patch = cyclide::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
-/// let near = cyclide::NearSurface::simplest(&patch, 10.0)?.unwrap();
-/// assert!(matches!(near.surface, cyclide::PatchKind::Plane { .. }) && near.max_distance > 0.1);
+/// let patch = cyclide::surface::DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
+/// let near = cyclide::panel::NearSurface::simplest(&patch, 10.0)?.unwrap();
+/// assert!(matches!(near.surface, cyclide::surface::PatchKind::Plane { .. }) && near.max_distance > 0.1);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ pub struct NearSurface {
 /// panel there is none: it is one of the simpler ones. All is relative to the panel: moved, turned or scaled, it has the same surfaces.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, NearestSurfaces, PatchKind};
+/// use cyclide::{panel::NearestSurfaces, surface::{DupinCyclide, PatchKind}};
 /// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([8, 8])?[0].patch(0, 0);
 /// let near = NearestSurfaces::new(&patch);
 /// let torus = near.torus.unwrap();

@@ -12,7 +12,7 @@ use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 /// (weight 0); only the quotient at evaluated parameters must be finite.
 ///
 /// ```
-/// use cyclide::RationalBezier;
+/// use cyclide::rational::RationalBezier;
 /// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
 /// assert_eq!(parabola.point(0.5).to_array(), [1.0, 1.0, 0.0]);
 /// # Ok::<(), cyclide::Error>(())

@@ -14,7 +14,7 @@ use crate::error::{ErrorItem, NumberError, NurbsError, Result};
 /// one may be a direction (weight 0).
 ///
 /// ```
-/// use cyclide::RationalBezierSurface;
+/// use cyclide::rational::RationalBezierSurface;
 /// let rows = vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 1.0, 1.0]];
 /// let saddle = RationalBezierSurface::new([1, 1], rows)?; // t runs fastest
 /// assert_eq!(saddle.point(0.5, 0.5).to_array(), [0.5, 0.5, 0.25]);

@@ -9,7 +9,7 @@ use crate::error::{ErrorItem, NumberError, NurbsError, Result};
 /// so one may be a direction (weight 0).
 ///
 /// ```
-/// use cyclide::RationalBezierVolume;
+/// use cyclide::rational::RationalBezierVolume;
 /// let rows = (0..8).map(|k| [f64::from(k >> 2), f64::from(k >> 1 & 1), f64::from(k & 1), 1.0]).collect();
 /// let cube = RationalBezierVolume::new([1, 1, 1], rows)?; // u runs fastest
 /// assert_eq!(cube.point([0.25, 0.5, 0.75]).to_array(), [0.25, 0.5, 0.75]);

@@ -11,10 +11,10 @@ use crate::error::{CurveError, ErrorItem, NumberError, NurbsError, PointError, R
 
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
 ///
-/// As a [`ParamCurve`](crate::ParamCurve) its pieces are its knot spans; the knot vector itself may have any domain.
+/// As a [`ParamCurve`](crate::curve::ParamCurve) its pieces are its knot spans; the knot vector itself may have any domain.
 ///
 /// ```
-/// use cyclide::{NurbsCurve, ParamCurve, Point3};
+/// use cyclide::{Point3, curve::ParamCurve, rational::NurbsCurve};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 /// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
 /// assert_eq!(parabola.point(0.5), Point3::new(1.0, 1.0, 0.0));
@@ -210,7 +210,7 @@ impl NurbsCurve {
     /// data stand that such a spline interpolates.
     ///
     /// ```
-    /// use cyclide::{NurbsCurve, Point3};
+    /// use cyclide::{Point3, rational::NurbsCurve};
     /// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
     /// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
     /// assert_eq!(parabola.greville_points()[1], Point3::new(1.0, 1.0, 0.0));

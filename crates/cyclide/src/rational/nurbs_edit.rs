@@ -72,7 +72,7 @@ impl NurbsCurve {
     /// point: the curve is closed.
     ///
     /// ```
-    /// use cyclide::{NurbsCurve, ParamCurve, Point3};
+    /// use cyclide::{Point3, curve::ParamCurve, rational::NurbsCurve};
     /// // A periodic quadratic: the first two control points again at the end.
     /// let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
     /// let knots = (0..9).map(f64::from).collect();
@@ -122,7 +122,7 @@ impl NurbsCurve {
     }
 
     /// The two parts before and after a global parameter in `(0, 1)` of the curve as a
-    /// [`ParamCurve`](crate::ParamCurve) (one piece per knot span).
+    /// [`ParamCurve`](crate::curve::ParamCurve) (one piece per knot span).
     ///
     /// # Errors
     /// `parameter-out-of-range`.

@@ -30,7 +30,7 @@ impl Conformal for NurbsCurve {
     /// every knot as often as the degree, over the knots from 0 to 1, spans halved where weights would not be positive.
     ///
     /// ```
-    /// use cyclide::{Conformal, Mobius, NurbsCurve, ParamCurve, Point3};
+    /// use cyclide::{Point3, conformal::{Conformal, Mobius}, curve::ParamCurve, rational::NurbsCurve};
     /// let points = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0]].map(Point3::from).to_vec();
     /// let curve = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
     /// let inversion = Mobius::inversion(Point3::ORIGIN, 1.0)?;

@@ -70,7 +70,7 @@ impl NurbsCurve {
     /// the same weight. The points are the same; knots of several spans are as many then as the degree.
     ///
     /// ```
-    /// use cyclide::{NurbsCurve, ParamCurve, Point3};
+    /// use cyclide::{Point3, curve::ParamCurve, rational::NurbsCurve};
     /// let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
     /// // A parabola; at the parameter 0.5 of these weights nearly nothing of it has been run through.
     /// let curve = NurbsCurve::with_even_weights(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1e18, 1.0, 1e-18])?;

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 /// What a quad of a [`QuadGrid`] is.
 ///
 /// ```
-/// use cyclide::{GridCell, Point3, QuadGrid};
+/// use cyclide::{Point3, surface::{GridCell, QuadGrid}};
 /// let points = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let grid = QuadGrid::new(points, [3, 3], [false; 2])?;
 /// let steps = grid.with_cells(|i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch })?;
@@ -58,7 +58,7 @@ impl QuadGrid {
     /// points, which are corners of what is outside only, take the place of one near them along the grid.
     ///
     /// ```
-    /// use cyclide::{GridCell, Point3, QuadGrid};
+    /// use cyclide::{Point3, surface::{GridCell, QuadGrid}};
     /// // Without its last corner.
     /// let points: Vec<_> = (0..9).map(|k| (k < 8).then(|| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0))).collect();
     /// let cell = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
@@ -121,7 +121,7 @@ impl QuadGrid {
     /// go on behind: every edge of a patch is on one line.
     ///
     /// ```
-    /// use cyclide::{GridCell, Point3, QuadGrid};
+    /// use cyclide::{Point3, surface::{GridCell, QuadGrid}};
     /// let points = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
     /// let grid = QuadGrid::new(points, [3, 3], [false; 2])?;
     /// let steps = grid.with_cells(|i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch })?;

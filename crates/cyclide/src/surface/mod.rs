@@ -1,12 +1,20 @@
 //! Surfaces: the trait, principal patches of Dupin cyclides, nets of them; smooth surfaces over triangles.
+//!
+//! | topic | names |
+//! |---|---|
+//! | evaluation | [`ParamSurface::point`], [`ParamSurface::jet`] |
+//! | patches, nets, whole cyclides | [`CyclidePatch`], [`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`], [`CyclidicNet`], [`NetFrame`], [`SingularPatch`], [`DupinCyclide`], [`CyclideKind`], [`QuadGrid`], [`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`], [`NetLayout`], [`QuadLayout`], [`LayoutPiece`], [`RoundVertex`], [`Seam`], [`SeamMeasure`], [`NormalStrip`], [`StripForm`] |
+//! | tori and curves on them | [`Torus`], [`TorusSpline`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`] |
+//! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`], [`PairKind`], [`RollingBall`], [`ContactPartner`], [`CanalPatch`], [`CanalPart`], [`CharacteristicCircle`] |
+//! | surfaces over triangles | [`SmoothMesh`], [`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`], [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
 
 mod barycentric;
 mod bounds;
 mod canal;
 mod dupin;
-mod grid_cells;
-mod layout;
-mod net;
+pub(crate) mod grid_cells;
+pub(crate) mod layout;
+pub(crate) mod net;
 mod normal_strip;
 mod param_surface;
 mod patch;
@@ -24,11 +32,8 @@ pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, Rol
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use grid_cells::GridCell;
-pub use grid_cells::{beside, flooded};
-pub use layout::RoundClosing;
 pub use layout::{LayoutPiece, NetLayout, QuadLayout, RoundVertex};
 pub(crate) use net::SameVertices;
-pub use net::closing_limit;
 pub use net::{CyclidicNet, GridClosing, NetFrame, RingClosing, SingularPatch, StripClosing};
 pub use normal_strip::{NormalStrip, StripForm};
 pub use param_surface::ParamSurface;

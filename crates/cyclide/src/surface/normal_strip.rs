@@ -22,7 +22,7 @@ const WIDEST: f64 = 1e150;
 /// How a strip of normals is bent in space.
 ///
 /// ```
-/// use cyclide::{Arc, NormalStrip, Point3, StripForm, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Arc, surface::{NormalStrip, StripForm}};
 /// let parallel = Arc::from_center(Point3::ORIGIN, Vec3::Z, Point3::new(2.0, 0.0, 0.0), 1.0)?;
 /// let form = NormalStrip::new(&parallel, Vec3::Z, [0.0, 0.5])?.form();
 /// assert!(matches!(form, StripForm::Cylinder { radius } if (radius - 2.0).abs() < 1e-14));
@@ -50,7 +50,7 @@ pub enum StripForm {
 /// The strip of normals along an edge, between two signed distances along them.
 ///
 /// ```
-/// use cyclide::{Arc, NormalStrip, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Arc, surface::NormalStrip};
 /// // A rib under the parallel of a sphere of radius 2 at height 1: a cone.
 /// let r = 3.0_f64.sqrt();
 /// let edge = Arc::from_center(Point3::new(0.0, 0.0, 1.0), Vec3::Z, Point3::new(r, 0.0, 1.0), 1.0)?;

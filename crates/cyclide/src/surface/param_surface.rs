@@ -7,7 +7,7 @@ use crate::rational::RationalBezierSurface;
 /// A smooth (analytic) parametric surface patch over `[0, 1]²`. Object-safe; one method is required.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceSurface, ParamSurface, Point3, RationalBezierSurface, Vec3};
+/// use cyclide::{Point3, Vec3, rational::RationalBezierSurface, surface::{CyclidePatch, ParamSurface}, topology::FaceSurface};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 /// let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?;
 /// let (face, rational): (FaceSurface, RationalBezierSurface) = (patch.into(), patch.to_rational());

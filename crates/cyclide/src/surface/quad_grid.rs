@@ -9,7 +9,7 @@ use crate::error::{ErrorItem, PointError, Result};
 /// last vertices to its first, which are not repeated. Of an open grid quads may be left out: [`with_cells`](Self::with_cells).
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// let points = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let grid = QuadGrid::new(points, [3, 2], [false; 2])?;
 /// assert_eq!((grid.quads(), grid.corners(1, 0)), ([2, 1], [1, 2, 4, 5]));

@@ -22,7 +22,7 @@ impl RationalBezierSurface {
     /// Source: own, see `docs/math/patches.md#rational-surfaces`.
     ///
     /// ```
-    /// use cyclide::{PatchKind, RationalBezierSurface};
+    /// use cyclide::{rational::RationalBezierSurface, surface::PatchKind};
     /// let h = 0.5_f64.sqrt();
     /// let rows = [[1.0, 0.0, 1.0], [h, h, h], [0.0, 1.0, 1.0]];
     /// let rows = rows.iter().flat_map(|[x, y, w]| [[*x, *y, 0.0, *w], [*x, *y, 3.0 * w, *w]]).collect();
@@ -51,7 +51,7 @@ impl RationalBezierSurface {
     /// negative where the normal `f_s × f_t` points to the center. Source: as [`recognize`](Self::recognize).
     ///
     /// ```
-    /// use cyclide::{CyclidePatch, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::CyclidePatch};
     /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
     /// let eighth = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?.to_rational();
     /// let (center, radius) = eighth.sphere().expect("an eighth of the unit sphere");

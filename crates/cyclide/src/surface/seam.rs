@@ -17,7 +17,7 @@ const POINT: f64 = 1e-9;
 /// Two opposite borders of an open grid that nearly coincide: the first and the last vertices of an open direction.
 ///
 /// ```
-/// use cyclide::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
+/// use cyclide::surface::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
 /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([8, 8])?.remove(0);
 /// // Cut open along s: the first column once more at the end.
 /// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
@@ -38,7 +38,7 @@ pub struct Seam {
 /// What was measured along a seam.
 ///
 /// ```
-/// use cyclide::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
+/// use cyclide::surface::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
 /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([8, 8])?.remove(0);
 /// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
 /// let [v1, v2, _] = ring.frame();

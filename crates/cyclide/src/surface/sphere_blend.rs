@@ -62,7 +62,7 @@ pub(super) fn check_triangle(corners: [Point3; 3]) -> Result<f64> {
 /// A patch over a triangle whose corners have spheres through the circle of the triangle.
 ///
 /// ```
-/// use cyclide::{Point3, SphereBlend};
+/// use cyclide::{Point3, surface::SphereBlend};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let ball = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
 /// assert!((ball.point([1.0, 1.0, 1.0])?.to_vec().length() - 1.0).abs() < 1e-14);
@@ -147,7 +147,7 @@ impl SphereBlend {
     /// the circumcenter, or the place nearest to it, goes far.
     ///
     /// ```
-    /// use cyclide::{Point3, SphereBlend, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::SphereBlend};
     /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
     /// let ball = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
     /// assert_eq!(ball.whole()?, ball);

@@ -11,7 +11,7 @@ const STEPS: usize = 4;
 /// A surface over triangles. It has no exact rational form, so it is never a face of a shell: files hold meshes of it.
 ///
 /// ```
-/// use cyclide::{Point3, SphereBlend, TriangleSurface};
+/// use cyclide::{Point3, surface::{SphereBlend, TriangleSurface}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
 /// let surface = TriangleSurface::from(sail);
@@ -110,7 +110,7 @@ impl TriangleSurface {
 /// What a side of a triangle is to the surface.
 ///
 /// ```
-/// use cyclide::{Point3, SideLine, SphereBlend, TriangleSurface};
+/// use cyclide::{Point3, surface::{SideLine, SphereBlend, TriangleSurface}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
 /// assert_eq!(TriangleSurface::from(sail).lines(0), [SideLine::Free; 3]);
@@ -129,7 +129,7 @@ pub enum SideLine {
 /// The patch over one triangle of a surface.
 ///
 /// ```
-/// use cyclide::{Point3, SphereBlend, TriangleSurface};
+/// use cyclide::{Point3, surface::{SphereBlend, TriangleSurface}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
 /// let surface = TriangleSurface::from(sail);

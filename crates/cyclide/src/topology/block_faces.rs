@@ -13,7 +13,7 @@ use std::collections::HashMap;
 /// Where a face of a [part of a block](CyclideVolume::boundary_of_parts) is.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Point3, SphericalCube, VolumeFrame};
+/// use cyclide::{Point3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
 /// let block = CyclideVolume::new(&SphericalCube::from_barycentric(corners, [1.0; 3], 0.5)?, VolumeFrame::Auto)?;
 /// let halves = [vec![0.0, 0.5, 1.0], vec![0.0, 1.0], vec![0.0, 1.0]];

@@ -24,7 +24,7 @@ const SHORTEST_EDGE: f64 = 1e-13;
 /// tile it; the surface of each is that of the face, with parameters that grow in proportion.
 ///
 /// ```
-/// use cyclide::{CutShell, CyclidePatch, Point3, Shell, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch, topology::{CutShell, Shell}};
 /// // A ring of 315 degrees: its edges are halved twice.
 /// let at = |r: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), 0.0);
 /// let end = 315.0_f64.to_radians();

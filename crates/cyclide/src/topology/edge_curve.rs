@@ -11,7 +11,7 @@ use crate::rational::RationalBezier;
 /// The curve of an edge or of a parameter line of a face, over `[0, 1]`. As a [`ParamCurve`] it is one piece.
 ///
 /// ```
-/// use cyclide::{Arc, EdgeCurve, Point3};
+/// use cyclide::{Point3, curve::Arc, topology::EdgeCurve};
 /// let edge = EdgeCurve::from(Arc::segment(Point3::ORIGIN, Point3::new(2.0, 0.0, 0.0))?);
 /// assert_eq!((edge.length(), edge.reversed().start()), (2.0, edge.end()));
 /// # Ok::<(), cyclide::Error>(())

@@ -5,7 +5,7 @@ use super::Side;
 /// A rectangle in the parameters of a face of a shell: the part of it that a face of a [`CutShell`](super::CutShell) is.
 ///
 /// ```
-/// use cyclide::FacePart;
+/// use cyclide::topology::FacePart;
 /// let half = FacePart { face: 3, s: [0.0, 0.5], t: [0.0, 1.0] };
 /// assert_eq!(half.place(0.5, 0.25), (0.25, 0.25));
 /// // The first half of that half.

@@ -13,7 +13,7 @@ use crate::surface::{CyclidePatch, ParamSurface};
 /// matters, as in files that know spheres and tori.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceGeometry as _, FaceSurface, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch, topology::{FaceGeometry as _, FaceSurface}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 /// let face = FaceSurface::from(CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?);
 /// assert!(face.is_regular() && face.to_rational().degrees() == [2, 2]);

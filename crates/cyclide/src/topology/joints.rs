@@ -10,7 +10,7 @@ const SAMPLES: usize = 9;
 /// What was measured along an edge between two faces.
 ///
 /// ```
-/// use cyclide::{ConvexPolyhedron, Point3, surface_joints};
+/// use cyclide::{Point3, construct::ConvexPolyhedron, topology::surface_joints};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let rounded = ConvexPolyhedron::hull(&corners)?.offset(0.1)?;
 /// assert!(surface_joints(&rounded.outer).iter().all(|joint| joint.angle < 1e-7 && joint.gap < 1e-12));
@@ -32,9 +32,9 @@ pub struct SurfaceJoint {
 /// Every edge that two faces share, measured at nine places of each: faces that share an edge have its parameter.
 ///
 /// ```
-/// use cyclide::{Body, DupinCyclide};
+/// use cyclide::{surface::DupinCyclide, topology::Body};
 /// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
-/// assert!(cyclide::surface_joints(&ring.outer).iter().all(|joint| joint.angle < 1e-12));
+/// assert!(cyclide::topology::surface_joints(&ring.outer).iter().all(|joint| joint.angle < 1e-12));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]

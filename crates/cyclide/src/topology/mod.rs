@@ -1,4 +1,10 @@
 //! Bodies, their shells, and the faces and edges of these: what files, meshes and pictures are made of.
+//!
+//! | topic | names |
+//! |---|---|
+//! | volumes | [`BlockShell`], [`BlockFace`] |
+//! | bodies made from curves | [`Body::ruled`], [`Body::circular`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`CellDistances`], [`LineBends`], [`EdgeCurve`], [`surface_joints`], [`SurfaceJoint`] |
 
 mod block_faces;
 mod bounds;
@@ -38,7 +44,7 @@ use crate::error::Result;
 /// An edge of a shell: a curve between two vertices, with the parameter that every face along it has.
 ///
 /// ```
-/// use cyclide::DupinCyclide;
+/// use cyclide::surface::DupinCyclide;
 /// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
 /// assert!(shell.edges().iter().all(|edge| edge.curve.start() == shell.vertices()[edge.start]));
 /// # Ok::<(), cyclide::Error>(())
@@ -56,7 +62,7 @@ pub struct ShellEdge {
 /// A side of a face on an edge of the shell.
 ///
 /// ```
-/// use cyclide::DupinCyclide;
+/// use cyclide::surface::DupinCyclide;
 /// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
 /// let sides = shell.faces()[0].sides;
 /// assert!(sides.into_iter().flatten().all(|side| side.edge < shell.edges().len()));
@@ -73,7 +79,7 @@ pub struct FaceEdge {
 /// A face: a four-sided surface in its shell. A side may be one point.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, Side};
+/// use cyclide::{surface::DupinCyclide, topology::Side};
 /// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
 /// assert!(shell.faces()[0].same_sense && shell.faces()[0].side(Side::Bottom).is_some());
 /// # Ok::<(), cyclide::Error>(())
@@ -91,7 +97,7 @@ pub struct ShellFace {
 /// Faces that share edges, edges that share vertices; connected, and closed if every edge has two faces.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, Point3, Shell, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch, topology::Shell};
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]].map(Point3::from);
 /// let shell = Shell::from_surface(CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?)?;
 /// assert!(!shell.is_closed() && (shell.area() - 2.0).abs() < 1e-12);
@@ -210,7 +216,7 @@ impl Shell {
 /// One body: an open shell, or a solid bounded by a closed outer shell and any number of closed voids inside it.
 ///
 /// ```
-/// use cyclide::DupinCyclide;
+/// use cyclide::surface::DupinCyclide;
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?.remove(0);
 /// assert!(torus.is_solid() && torus.voids.is_empty());
 /// assert!((torus.outer.volume() - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9);

@@ -14,7 +14,7 @@ impl ShellFace {
     /// Unit normal on the outer side of the shell; `None` where the surface has none.
     ///
     /// ```
-    /// use cyclide::{Body, DupinCyclide, ParamSurface};
+    /// use cyclide::{surface::{DupinCyclide, ParamSurface}, topology::Body};
     /// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
     /// let face = &shell.faces()[0];
     /// // A point of a torus and the one at distance 0.1 outside.
@@ -28,7 +28,7 @@ impl ShellFace {
         self.surface.normal(s, t).map(|normal| normal * self.outer_sign())
     }
 
-    /// What turns the [unit normal](crate::FaceGeometry::unit_normal) of the surface, which is continuous over all of it, and with it the signs of
+    /// What turns the [unit normal](crate::topology::FaceGeometry::unit_normal) of the surface, which is continuous over all of it, and with it the signs of
     /// curvatures, to the outer side of the shell: 1, or -1. Beyond a singular line of the surface it is the inner side.
     #[must_use]
     pub fn outer_sign_of_unit_normal(&self) -> f64 {

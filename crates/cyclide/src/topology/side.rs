@@ -6,7 +6,7 @@ use crate::error::Result;
 /// A side of the parameter square `[0, 1]²` of a face; as a number, its index among [`ShellFace::sides`].
 ///
 /// ```
-/// use cyclide::Side;
+/// use cyclide::topology::Side;
 /// assert_eq!((Side::Bottom.opposite(), Side::Left.place(0.25)), (Side::Top, (0.0, 0.25)));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

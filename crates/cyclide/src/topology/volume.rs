@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 /// A shell of faces of blocks, with the place of each of them.
 ///
 /// ```
-/// use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+/// use cyclide::{surface::DupinCyclide, volume::{CyclideGrid, CyclideVolume}};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?;
 /// let wall: Vec<_> = CyclideGrid::of_cyclide(&torus, [4, 4], &[-0.5, 0.0])?.blocks().collect();
 /// let whole = || vec![0.0, 1.0];
@@ -41,7 +41,7 @@ impl CyclideVolume {
     /// that hangs together, with the hollows inside it.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+    /// use cyclide::{surface::DupinCyclide, volume::{CyclideGrid, CyclideVolume}};
     /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?;
     /// let wall: Vec<_> = CyclideGrid::of_cyclide(&torus, [4, 4], &[-0.5, -0.2, 0.0])?.blocks().collect();
     /// let skin = CyclideVolume::outer_bodies(&wall)?.remove(0);
@@ -68,7 +68,7 @@ impl CyclideVolume {
     /// side its faces have edges of their own there. A shell for everything that hangs together, outside outwards, voids as well.
     ///
     /// # Errors
-    /// As [`StructuredGrid::new`](crate::StructuredGrid::new) and [`Shell::new`].
+    /// As [`StructuredGrid::new`](crate::volume::StructuredGrid::new) and [`Shell::new`].
     pub fn boundary_of_parts(
         blocks: &[Self],
         cuts: [Vec<f64>; 3],
@@ -91,7 +91,7 @@ impl CyclideVolume {
     /// is there once. The outer side of open ones is that of the growing parameter. Surfaces that are a line are left out.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide};
+    /// use cyclide::{surface::DupinCyclide, volume::{CyclideGrid, CyclideVolume}};
     /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?;
     /// let wall: Vec<_> = CyclideGrid::of_cyclide(&torus, [4, 4], &[-0.5, -0.2, 0.0])?.blocks().collect();
     /// let skins = CyclideVolume::coordinate_bodies(&wall, 2, &[0.0, 1.0])?; // of two layers
@@ -100,7 +100,7 @@ impl CyclideVolume {
     /// ```
     ///
     /// # Errors
-    /// As [`surface`](Self::surface), [`StructuredGrid::new`](crate::StructuredGrid::new) and [`Shell::new`].
+    /// As [`surface`](Self::surface), [`StructuredGrid::new`](crate::volume::StructuredGrid::new) and [`Shell::new`].
     ///
     /// # Panics
     /// If `axis` is above 2.

@@ -1,6 +1,6 @@
 //! Blocks over a grid of vertices: neighbors share faces, vertices and weights bit for bit.
 //!
-//! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
+//! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::surface::CyclidicNet); a block is that of its eight pairs
 //! (`docs/math/volumes.md#grids`).
 
 use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at, runs_against};
@@ -14,7 +14,7 @@ use crate::surface::{CyclidicNet, DupinCyclide, GridCell, NetLayout, check_follo
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
 ///
 /// ```
-/// use cyclide::{CyclideGrid, DupinCyclide, FoldVerdict};
+/// use cyclide::{surface::DupinCyclide, volume::{CyclideGrid, FoldVerdict}};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let wall = CyclideGrid::layers(&torus, &[-0.5, -0.1, 0.0])?; // two layers below the skin of the tube
 /// assert_eq!(wall.size(), [4, 4, 2]);
@@ -53,7 +53,7 @@ impl CyclideGrid {
     /// and t are exchanged or run the other way where the pieces are turned.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, NetLayout, Point3, QuadLayout};
+    /// use cyclide::{Point3, surface::{NetLayout, QuadLayout}, volume::CyclideGrid};
     /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
     /// let net = NetLayout::new(QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?)?;
     /// let grids = CyclideGrid::layers_of_layout(&net, &[0.0, 0.1, 0.3])?;
@@ -97,7 +97,7 @@ impl CyclideGrid {
     /// part, closed round the tube or round the hole, from node to node. With one distance below 0 and 0 it is the wall of the tube.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, DupinCyclide};
+    /// use cyclide::{surface::DupinCyclide, volume::CyclideGrid};
     /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?;
     /// let wall = CyclideGrid::of_cyclide(&ring, [8, 6], &[-0.5, 0.0])?; // between mu = 1.5 and mu = 2
     /// assert_eq!(wall.size(), [8, 6, 1]);
@@ -114,12 +114,12 @@ impl CyclideGrid {
     }
 
     /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
-    /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
+    /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::volume::SphericalCube).
     /// [`VolumeFrame::Auto`] is that of the first block; the third direction of [`VolumeFrame::First`] is turned round where the third side runs against
     /// it, unless the grid would be refused then.
     ///
     /// # Errors
-    /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`, `ambiguous-frame`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
+    /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`, `ambiguous-frame`; what [`SphericalCube::new`](crate::volume::SphericalCube::new) refuses,
     /// with the block; `crossing-face`, `volume-through-infinity`.
     pub fn from_coordinate_planes(
         size: [usize; 3],

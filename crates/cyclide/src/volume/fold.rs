@@ -10,7 +10,7 @@ const SQUARES: usize = 16384;
 /// What is known of a volume's folds.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, FoldVerdict, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, FoldVerdict, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z])?;
 /// let block = |v: [f64; 3], w: [f64; 3]| CyclideVolume::new(&cube, VolumeFrame::First(v.into(), w.into()));
 /// assert_eq!(block([1.0, 0.2, 0.0], [-0.2, 1.0, 0.0])?.folds(), FoldVerdict::Regular);

@@ -25,7 +25,7 @@ const MOST: usize = 1 << 16;
 /// The end of a range at which its small cells are.
 ///
 /// ```
-/// use cyclide::{FineEnd, Grading};
+/// use cyclide::volume::{FineEnd, Grading};
 /// let places = Grading::Geometric { ratio: 3.0, fine: FineEnd::Both }.places(4)?;
 /// assert!(places.iter().zip([0.0, 0.125, 0.5, 0.875, 1.0]).all(|(x, wanted)| (x - wanted).abs() < 1e-15));
 /// # Ok::<(), cyclide::Error>(())
@@ -47,7 +47,7 @@ pub enum FineEnd {
 /// How a range is divided into cells.
 ///
 /// ```
-/// use cyclide::{FineEnd, Grading};
+/// use cyclide::volume::{FineEnd, Grading};
 /// assert_eq!(Grading::Uniform.places(4)?, [0.0, 0.25, 0.5, 0.75, 1.0]);
 /// let wall = Grading::geometric_from_first(0.01, 20, FineEnd::Start)?;
 /// assert!((wall.places(20)?[1] - 0.01).abs() < 1e-15);

@@ -6,7 +6,7 @@ use crate::base::volume_jet::VolumeJet;
 /// A smooth parametric volume over `[0, 1]³`. Object-safe; one method is required.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z * 2.0])?;
 /// let block = CyclideVolume::new(&cube, VolumeFrame::Auto)?;
 /// let volume: &dyn ParamVolume = &block;

@@ -33,7 +33,7 @@ const FIRST_FACES: [([usize; 4], usize); 3] = [([0, 1, 2, 3], 2), ([0, 1, 4, 5],
 /// `a12` (110), `a3` (001), `a13` (101), `a23` (011), `a123` (111).
 ///
 /// ```
-/// use cyclide::{Point3, SphericalCube};
+/// use cyclide::{Point3, volume::SphericalCube};
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let cube = SphericalCube::from_positions(corners, [9.0 / 13.0, 0.2, 0.1])?; // the cuboid of these sides
 /// assert!(cube.corners()[7].distance(Point3::new(2.0, 3.0, 1.0)) < 1e-14 && cube.is_embedded());
@@ -275,7 +275,7 @@ fn inverted(corners: &[Point3; 4]) -> Result<([Vec3; 3], f64)> {
 /// The eighth point of a cube of seven points in binary order, as of [`SphericalCube::new`].
 ///
 /// ```
-/// use cyclide::{Point3, miquel_point};
+/// use cyclide::{Point3, volume::miquel_point};
 /// let seven = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.], [0., 0., 1.], [2., 0., 1.], [0., 3., 1.]];
 /// // To the roundings of 3 by which corners are moved onto their circles.
 /// assert!(miquel_point(seven.map(Point3::from))?.distance(Point3::new(2.0, 3.0, 1.0)) < 3e-15);

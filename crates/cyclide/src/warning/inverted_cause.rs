@@ -3,7 +3,7 @@
 /// Why cells of a grid are inverted.
 ///
 /// ```
-/// use cyclide::InvertedCause;
+/// use cyclide::warning::InvertedCause;
 /// assert_ne!(InvertedCause::TooCoarse, InvertedCause::Rounding);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 /// What helps against a motion that becomes very fast suddenly.
 ///
 /// ```
-/// use cyclide::{MotionWarning, MovingBody, Pose, Quat, RationalMotion, SpikeRemedy, TimedPose, Vec3, Warning};
+/// use cyclide::{Quat, Vec3, Warning, motion::{MovingBody, Pose, RationalMotion, TimedPose}, warning::{MotionWarning, SpikeRemedy}};
 /// let at = |time: f64, rotation: [f64; 4], place: [f64; 3]| TimedPose { time, pose: Pose::new(Quat::from(rotation), Vec3::from(place)).unwrap() };
 /// // The body turns over in a moment, a hundred times as fast as on average.
 /// let motion = RationalMotion::conic(&[

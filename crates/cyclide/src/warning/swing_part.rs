@@ -3,7 +3,7 @@
 /// Which part of a motion overshoots its poses.
 ///
 /// ```
-/// use cyclide::{MotionWarning, Pose, Quat, RationalMotion, SwingPart, TimedPose, Vec3, Warning};
+/// use cyclide::{Quat, Vec3, Warning, motion::{Pose, RationalMotion, TimedPose}, warning::{MotionWarning, SwingPart}};
 /// let at = |time: f64, x: f64, degrees: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, f64::to_radians(degrees)), Vec3::X * x).unwrap(),

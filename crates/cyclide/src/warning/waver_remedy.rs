@@ -3,7 +3,7 @@
 /// What helps against a curve that wiggles, by its kind.
 ///
 /// ```
-/// use cyclide::{CurveWarning, Warning, WaverRemedy};
+/// use cyclide::{Warning, warning::{CurveWarning, WaverRemedy}};
 /// let warning = Warning::Curve(CurveWarning::Wavers { curve: 9, data: 2, explained: 2, remedy: WaverRemedy::Tolerance });
 /// assert!(warning.to_string().contains("tolerance"));
 /// ```

@@ -2,7 +2,10 @@
 //! grows.
 
 use super::*;
-use cyclide::{Arc, FitWarning, joints};
+use cyclide::{
+    curve::{Arc, joints},
+    warning::FitWarning,
+};
 use cyclide_testkit::circuits::{Circuit, circuits};
 
 /// Falling: the counts must rise along the list.

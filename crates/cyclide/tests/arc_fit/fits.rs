@@ -1,7 +1,7 @@
 //! The fit as a whole.
 
 use super::*;
-use cyclide::{FitWarning, PointWarning};
+use cyclide::warning::{FitWarning, PointWarning};
 
 #[test]
 fn samples_of_true_arcs_give_exactly_that_many() {

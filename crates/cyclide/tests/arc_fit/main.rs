@@ -8,8 +8,9 @@ mod outlines;
 mod symmetry;
 
 use cyclide::{
-    ArcFit, ArcFitOptions, Effort, Error, FitTarget, ParamCurve, Point2, Point3, Warning, certify_arc,
-    curvature_intervals, feasible_bulges,
+    Error, Point2, Point3, Warning,
+    construct::{ArcFit, ArcFitOptions, Effort, FitTarget, certify_arc, curvature_intervals, feasible_bulges},
+    curve::ParamCurve,
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -123,7 +123,7 @@ proptest! {
             return Ok(()); // an extra turn, or rounding at an end of the interval
         }
         let space = flat(&points);
-        let arc = cyclide::Arc::from_bulge(
+        let arc = cyclide::curve::Arc::from_bulge(
             space[0], space[space.len() - 1], cyclide::Vec3::Z, bulge).unwrap();
         let mut sampled = 0.0_f64;
         for i in 0..=2000 {
@@ -166,7 +166,7 @@ proptest! {
 fn errors_of_the_one_arc_functions_have_their_reasons() {
     let p = |x: f64, y: f64| Point2::new(x, y);
     let points = [p(0.0, 0.0), p(1.0, 0.2), p(2.0, 0.0)];
-    let reason = |r: Result<cyclide::BulgeIntervals, Error>| r.unwrap_err().reason();
+    let reason = |r: Result<cyclide::construct::BulgeIntervals, Error>| r.unwrap_err().reason();
     for tolerance in [0.0, -1.0, f64::NAN] {
         assert_eq!(reason(feasible_bulges(&points, tolerance, true, 6.0)), "tolerance-not-positive");
     }

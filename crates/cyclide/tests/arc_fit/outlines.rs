@@ -2,7 +2,7 @@
 //! measured here, both ways, and counts come from how the outlines were made.
 
 use super::*;
-use cyclide::FitWarning;
+use cyclide::warning::FitWarning;
 
 const TOLERANCE: f64 = 0.02;
 
@@ -141,7 +141,7 @@ fn placed(points: &[[f64; 2]], random: &mut Random) -> Vec<Point3> {
 }
 
 /// Largest distance between the path and a closed polygon, both ways, by sampling.
-fn both_ways(path: &cyclide::ArcPath, points: &[Point3]) -> f64 {
+fn both_ways(path: &cyclide::curve::ArcPath, points: &[Point3]) -> f64 {
     let n = points.len();
     let arcs = path.arcs().iter();
     let of_path = arcs
@@ -358,7 +358,7 @@ fn the_deviation_is_least_once_the_count_is() {
     let points = turning_place();
     for tolerance in [0.5, 0.1] {
         let fit = fitted(&points, &ArcFitOptions::new(tolerance));
-        let radii: Vec<f64> = fit.path().arcs().iter().filter_map(cyclide::Arc::radius).collect();
+        let radii: Vec<f64> = fit.path().arcs().iter().filter_map(cyclide::curve::Arc::radius).collect();
         assert_eq!(radii.len(), 3, "{radii:?}");
         // Points rounded to a centimeter, on arcs of 7 m: the sagitta is 0.7 m, so a radius is off by less than a tenth.
         for (radius, right) in radii.iter().zip([7.5, 13.0, 7.5]) {

@@ -2,8 +2,13 @@
 
 use crate::data::{self, infinity_distance_squared, p, spline};
 use cyclide::{
-    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Exactness, Lower, ParamCurve, Point3,
-    SplineEnds, Vec3, closest_point, flatten, joints,
+    Point3, Vec3,
+    curve::{
+        ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, ParamCurve, SplineEnds, closest_point,
+        joints,
+    },
+    mesh::flatten,
+    model::{Exactness, Lower},
 };
 use proptest::prelude::*;
 
@@ -72,7 +77,7 @@ fn exact_arcs_and_straight_runs_stay_as_they_are() {
     let s = CircleSpline::from_points(&points, &corner).unwrap();
     let (arcs, exactness) = s.to_arcs(1e-3).unwrap();
     assert_eq!((arcs.arcs().len(), exactness), (7, Exactness::Exact));
-    assert!(arcs.arcs().iter().all(cyclide::Arc::is_straight));
+    assert!(arcs.arcs().iter().all(cyclide::curve::Arc::is_straight));
 }
 
 #[test]
@@ -165,9 +170,9 @@ fn arcs_never_go_round_the_long_way() {
             "{case} {points:?} {options:?}: {there:e} {back:e} of {tolerance:e}"
         );
         // Nor is a loop added that is not in the curve, where one would be longer than the tolerance.
-        let size = cyclide::bounds(&s).diagonal();
+        let size = cyclide::curve::bounds(&s).diagonal();
         if tolerance < 1e-3 * size {
-            let (own, theirs) = (cyclide::length(&s), cyclide::length(&arcs));
+            let (own, theirs) = (cyclide::curve::length(&s), cyclide::curve::length(&arcs));
             assert!((own / theirs - 1.0).abs() < 0.1, "{case} {points:?} {options:?} {tolerance:e}: {own} {theirs}");
         }
     }

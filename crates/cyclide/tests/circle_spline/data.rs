@@ -1,6 +1,9 @@
 //! Point lists for the laws, and how far rounding moves a segment.
 
-use cyclide::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve},
+};
 use proptest::prelude::*;
 
 pub fn p(x: f64, y: f64, z: f64) -> Point3 {

@@ -2,8 +2,14 @@
 
 use crate::data::p;
 use cyclide::{
-    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, CurveWarning, Error, ErrorItem, Mobius,
-    NumberError, ParamCurve, Point3, PointError, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
+    Error, Point3, Quat, Vec3, Warning,
+    conformal::Mobius,
+    curve::{
+        BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, ParamCurve, SplineEnds, bounds,
+    },
+    error::{ErrorItem, NumberError, PointError},
+    mesh::flatten,
+    warning::CurveWarning,
 };
 use proptest::prelude::*;
 
@@ -58,7 +64,7 @@ proptest! {
     fn three_points_closed_are_their_circle(exponent in -6.0..0.0, between in 0.1..0.9) {
         let points = [p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(between, 10.0_f64.powf(exponent), 0.0)];
         let s = CircleSpline::from_points(&points, &closed()).unwrap();
-        let circle = cyclide::Circle::through_points(points).unwrap();
+        let circle = cyclide::curve::Circle::through_points(points).unwrap();
         for i in 0..=48 {
             let off = (s.point(f64::from(i) / 48.0).distance(circle.center()) - circle.radius()).abs();
             // The circle's own rounding grows with its radius, that of its center with the square of it.
@@ -208,7 +214,7 @@ fn every_point_of_a_loop_is_found_on_it() {
 
 #[test]
 fn points_far_out_do_not_oppose_each_other_by_chance() {
-    use cyclide::{FairSplineOptions, Warning};
+    use cyclide::{Warning, construct::FairSplineOptions};
     // A gentle wave in steps of some thousands of roundings down to ten of them, at 1e6 to 1e9.
     for (place, step) in [(1e6, 1e-6), (1e9, 1e-3), (1e9, 1e-5), (1e9, 3e-6)] {
         let wave = |i: i32| p(place + step * f64::from(i), step * 3.0 * (0.3 * f64::from(i)).sin() - place, 0.0);

@@ -1,7 +1,11 @@
 //! What the curve does not depend on: direction, place, size, rotation, and where it is cut.
 
 use crate::data::{self, p, reach, rounding_of, sharpest_turn, spline};
-use cyclide::{CircleSpline, Mobius, ParamCurve, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::Mobius,
+    curve::{CircleSpline, ParamCurve},
+};
 use proptest::prelude::*;
 
 /// The two curves agree at equal parameters within 64 roundings of each segment.

@@ -2,8 +2,11 @@
 
 use crate::data::{self, infinity_distance_squared, least_infinity_distance_squared, p, reach, rounding_of, spline};
 use cyclide::{
-    BlendSegment, BlendVariant, ChainPiece, CircleSpline, CircleSplineOptions, Exactness, FairEnd, FairSplineOptions,
-    Lower, NurbsCurve, ParamCurve, Point3, RationalRun, SplineEnds, Vec3, joints,
+    Point3, Vec3,
+    construct::{FairEnd, FairSplineOptions, RationalRun},
+    curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, SplineEnds, joints},
+    model::{ChainPiece, Exactness, Lower},
+    rational::NurbsCurve,
 };
 use proptest::prelude::*;
 

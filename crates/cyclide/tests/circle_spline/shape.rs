@@ -2,7 +2,8 @@
 
 use crate::data::{self, infinity_distance_squared, p, reach, rounding_of, sharpest_turn, spline};
 use cyclide::{
-    BlendSegment, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve, Point3, Vec3, corners_by_angle,
+    Point3, Vec3,
+    curve::{BlendSegment, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve, corners_by_angle},
 };
 use proptest::prelude::*;
 
@@ -204,7 +205,7 @@ fn curvature_is_continuous_from_order_two_on() {
         for order in 1..=4 {
             let options = CircleSplineOptions { closed: true, order, variant, ..CircleSplineOptions::default() };
             let s = CircleSpline::from_points(&points, &options).unwrap();
-            let jump = cyclide::joints(&s).iter().map(|j| j.curvature_jump).fold(0.0, f64::max);
+            let jump = cyclide::curve::joints(&s).iter().map(|j| j.curvature_jump).fold(0.0, f64::max);
             // Curvatures are near 1; with order 1 they differ.
             assert!(if order == 1 { jump > 1e-3 } else { jump < 1e-13 }, "{variant:?} {order}: {jump:e}");
         }
@@ -245,11 +246,11 @@ fn a_segment_that_runs_far_out_is_measured_in_full() {
             let chords: f64 = (-n..n).map(|i| at(i).distance(at(i + 1))).sum();
             // Chords are short by (turn)²/24, with a turn of at most 4 pi over all of them; rounding near the far end
             // is eps/w of the size.
-            assert!((cyclide::length(&s) / chords - 1.0).abs() < 1e-9 + 1e-14 / w, "{w} {variant:?}");
-            let table = cyclide::ArcLength::new(&s);
+            assert!((cyclide::curve::length(&s) / chords - 1.0).abs() < 1e-9 + 1e-14 / w, "{w} {variant:?}");
+            let table = cyclide::curve::ArcLength::new(&s);
             assert!((table.total() / chords - 1.0).abs() < 1e-9 + 1e-14 / w);
             let sampled = cyclide::Aabb::of_points((-n..=n).map(at)).unwrap();
-            assert!((cyclide::bounds(&s).diagonal() / sampled.diagonal() - 1.0).abs() < 1e-8);
+            assert!((cyclide::curve::bounds(&s).diagonal() / sampled.diagonal() - 1.0).abs() < 1e-8);
         }
     }
 }

@@ -1,9 +1,18 @@
 //! The list of every implementor of `ParamCurve`, in easy and hard shapes.
 
 use cyclide::{
-    Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
-    FairEnd, FairSplineOptions, Frame, MoebiusSplineOptions, NodeParameters, NurbsCurve, ParamCurve, Point2, Point3,
-    QbInterpolation, QbSpline, SplineEnds, Torus, TorusSpline, TorusSplineOptions, TorusTangent, Vec2, Vec3,
+    Frame, Point2, Point3, Vec2, Vec3,
+    construct::{
+        FairEnd, FairSplineOptions, MoebiusSplineOptions, NodeParameters, QbInterpolation, TorusSplineOptions,
+        TorusTangent,
+    },
+    curve::{
+        Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, DEFAULT_PIECE_ANGLE, ParamCurve,
+        QbSpline, SplineEnds,
+    },
+    model::{ChainPiece, CurveChain},
+    rational::NurbsCurve,
+    surface::{Torus, TorusSpline},
 };
 
 /// One curve of the list.
@@ -22,7 +31,7 @@ pub struct Case {
 }
 
 fn case(name: &str, curve: impl ParamCurve + 'static) -> Case {
-    let b = cyclide::bounds(&curve);
+    let b = cyclide::curve::bounds(&curve);
     let pieces = curve.piece_count();
     let speed = |i: usize| curve.jet(i as f64 / (256 * pieces) as f64).speed() / pieces as f64;
     let fastest = (0..=256 * pieces).map(speed).fold(0.0, f64::max);

@@ -2,9 +2,12 @@
 
 use crate::curves::{circle_spline, point, rational_cubic, stadium};
 use cyclide::{
-    Arc, BlendVariant, ChainPiece, Circle, CircleSplineOptions, Conformal, CurveChain, CurveIndex, Frame, Mobius,
-    MoebiusSplineOptions, NodeParameters, ParamCurve, Point2, QbInterpolation, QbSpline, Quat, Torus, TorusSpline,
-    Vec3, length,
+    Frame, Point2, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation},
+    curve::{Arc, BlendVariant, Circle, CircleSplineOptions, CurveIndex, ParamCurve, QbSpline, length},
+    model::{ChainPiece, CurveChain},
+    surface::{Torus, TorusSpline},
 };
 
 /// A similarity and a reflection after it.

@@ -2,8 +2,11 @@
 
 use super::{each, segment_distance};
 use cyclide::{
-    BlendVariant, CircleSpline, CircleSplineOptions, CurveJet, MoebiusSplineOptions, NurbsCurve, ParamCurve, PieceForm,
-    PieceHull, Point3, QbSpline, Result, flatten,
+    CurveJet, Point3, Result,
+    construct::MoebiusSplineOptions,
+    curve::{BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, PieceForm, PieceHull, QbSpline},
+    mesh::flatten,
+    rational::NurbsCurve,
 };
 use proptest::prelude::*;
 
@@ -135,7 +138,7 @@ fn a_heavy_middle_is_not_missed() {
 fn a_sharp_bend_does_not_flood_its_piece() {
     let points = [[0.0, 0.0, 0.0], [2.0, 0.02, 0.0], [0.0, -1e-9, -1e-9], [2.3, 1.6e-3, -1.6e-9]].map(Point3::from);
     let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default()).unwrap();
-    let size = cyclide::bounds(&spline).diagonal();
+    let size = cyclide::curve::bounds(&spline).diagonal();
     for relative in [1e-3, 1e-5, 1e-7] {
         let vertices = flatten(&spline, relative * size).unwrap();
         // What even chords of a circle of that size would be, for two swings, and what the sharp bends take besides.
@@ -186,7 +189,7 @@ proptest! {
         // Circles next to infinity ask for more pieces than the cap: a named refusal.
         match flatten(&spline, tolerance) {
             Ok(vertices) => {
-                let size = cyclide::bounds(&spline).max_abs();
+                let size = cyclide::curve::bounds(&spline).max_abs();
                 let got = largest_distance(&vertices, |t| spline.point(t));
                 prop_assert!(got <= tolerance + 1e-12 * size, "{got:e} > {tolerance:e}");
             }

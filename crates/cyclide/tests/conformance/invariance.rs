@@ -1,7 +1,10 @@
 //! The same points, scaled by a power of two or run through backwards, have the same figures, for every curve type.
 
 use crate::each;
-use cyclide::{CurveJet, ParamCurve, PieceHull, Point3, extreme_curvature, fairness, length, plane_normal, wavering};
+use cyclide::{
+    CurveJet, Point3,
+    curve::{ParamCurve, PieceHull, extreme_curvature, fairness, length, plane_normal, wavering},
+};
 
 /// A curve times a power of two.
 #[derive(Debug)]

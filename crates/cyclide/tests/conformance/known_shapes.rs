@@ -2,8 +2,12 @@
 
 use crate::curves::{point, stadium};
 use cyclide::{
-    Arc, ArcPath, Circle, CircleSpline, CircleSplineOptions, CurveIndex, NurbsCurve, ParamCurve, Point3, Vec3, bounds,
-    curvature_comb, extreme_curvature, farthest_point, joints, length,
+    Point3, Vec3,
+    curve::{
+        Arc, ArcPath, Circle, CircleSpline, CircleSplineOptions, CurveIndex, ParamCurve, bounds, curvature_comb,
+        extreme_curvature, farthest_point, joints, length,
+    },
+    rational::NurbsCurve,
 };
 
 /// The parabola `(x, x²)` over `[-1, 2]` as one Bézier piece.
@@ -98,28 +102,28 @@ fn joints_look_past_pieces_without_extent() {
     assert_eq!((joint.piece, joint.next), (0, 2));
     assert!((joint.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert!((length(&path) - 3.0).abs() < 1e-15);
-    let near = cyclide::closest_point(&path, point(2.0, 0.0, 0.0));
+    let near = cyclide::curve::closest_point(&path, point(2.0, 0.0, 0.0));
     // The joint: the end of the first piece comes first.
     assert_eq!((near.point, near.t), (b, 1.0 / 3.0));
-    let table = cyclide::ArcLength::new(&path);
+    let table = cyclide::curve::ArcLength::new(&path);
     assert!((table.parameter_at(2.0 / 3.0) - 5.0 / 6.0).abs() < 1e-15);
 }
 
 #[test]
 fn equally_near_points_give_the_first() {
     let circle = Circle::from_radius(point(1.0, 2.0, 0.0), Vec3::Z, 2.0).unwrap();
-    let near = cyclide::closest_point(&circle, point(1.0, 2.0, 5.0));
+    let near = cyclide::curve::closest_point(&circle, point(1.0, 2.0, 5.0));
     assert_eq!(near.t, 0.0);
     // A square: its center is equally far from the middles of all sides.
     let corners = [point(1.0, 1.0, 0.0), point(-1.0, 1.0, 0.0), point(-1.0, -1.0, 0.0), point(1.0, -1.0, 0.0)];
     let sides = (0..4).map(|i| Arc::segment(corners[i], corners[(i + 1) % 4]).unwrap()).collect();
     let square = ArcPath::new(sides, true).unwrap();
-    assert_eq!(cyclide::closest_point(&square, Point3::ORIGIN).t, 0.125);
+    assert_eq!(cyclide::curve::closest_point(&square, Point3::ORIGIN).t, 0.125);
     // Seen from below the ends of a half circle are equally near, and nearer than all between.
     let [a, b, c] = [point(1.0, 0.0, 0.0), point(0.0, 1.0, 0.0), point(-1.0, 0.0, 0.0)];
     let half = Arc::from_three_points(a, b, c).unwrap();
     let below = point(0.0, -3.0, 0.0);
-    assert_eq!((half.closest_point(below).t, cyclide::closest_point(&half, below).t), (0.0, 0.0));
+    assert_eq!((half.closest_point(below).t, cyclide::curve::closest_point(&half, below).t), (0.0, 0.0));
 }
 
 #[test]
@@ -143,7 +147,7 @@ fn the_first_of_equally_near_points_is_found_behind_boxes_that_are_farther() {
     {
         let corners = [start[0], start[1], end, [2.0, -2.0], [0.0, -1.0]].map(|[x, y]| point(x, y, 0.0));
         let sides = corners.windows(2).map(|w| Arc::segment(w[0], w[1]).unwrap()).collect();
-        let found = cyclide::closest_point(&ArcPath::new(sides, false).unwrap(), Point3::ORIGIN);
+        let found = cyclide::curve::closest_point(&ArcPath::new(sides, false).unwrap(), Point3::ORIGIN);
         assert_eq!((found.t, found.point, found.distance), (t, point(0.0, 1.0, 0.0), 1.0));
     }
 }
@@ -170,14 +174,14 @@ fn a_cusp_is_measured_like_any_other_place() {
     assert!((length(&c) - want).abs() < 1e-12 * want);
     let e = extreme_curvature(&c);
     assert!(e.max.is_infinite() && e.t == 0.5, "{e:?}");
-    let near = cyclide::closest_point(&c, point(-1.0, 0.0, 0.0));
+    let near = cyclide::curve::closest_point(&c, point(-1.0, 0.0, 0.0));
     assert!(near.distance - 1.0 < 1e-15 && (near.t - 0.5).abs() < 1e-7, "{near:?}");
     let b = bounds(&c);
     assert!(b.min.distance(point(0.0, -1.0, 0.0)) < 1e-15 && b.max.distance(point(1.0, 1.0, 0.0)) < 1e-15, "{b:?}");
-    let half = cyclide::ArcLength::new(&c).parameter_at(0.5);
+    let half = cyclide::curve::ArcLength::new(&c).parameter_at(0.5);
     // Length runs with the square of the parameter here: half of its digits are left.
     assert!((half - 0.5).abs() < 1e-6, "{half}");
-    let polyline = cyclide::flatten(&c, 1e-4).unwrap();
+    let polyline = cyclide::mesh::flatten(&c, 1e-4).unwrap();
     for w in polyline.windows(2) {
         let (a, b) = (w[0].1, w[1].1);
         for i in 0..=8 {
@@ -196,9 +200,9 @@ fn a_spline_of_one_point_is_measured_without_trouble() {
     assert_eq!(extreme_curvature(&c).point, p);
     assert!(joints(&c).is_empty());
     assert!(bounds(&c).diagonal() < 1e-15);
-    assert!((cyclide::closest_point(&c, point(1.0, 2.0, 5.0)).distance - 2.0).abs() < 1e-15);
-    assert_eq!(cyclide::flatten(&c, 1.0).unwrap().len(), 2);
-    let ts = cyclide::ArcLength::new(&c).uniform(5);
+    assert!((cyclide::curve::closest_point(&c, point(1.0, 2.0, 5.0)).distance - 2.0).abs() < 1e-15);
+    assert_eq!(cyclide::mesh::flatten(&c, 1.0).unwrap().len(), 2);
+    let ts = cyclide::curve::ArcLength::new(&c).uniform(5);
     assert!(ts.windows(2).all(|w| w[0] <= w[1]) && ts[4] == 1.0, "{ts:?}");
 }
 

@@ -14,8 +14,12 @@ mod parts;
 
 use curves::{Case, cases};
 use cyclide::{
-    ArcLength, Circle, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature,
-    farthest_point, flatten, joints, length, resample,
+    CurveJet, Point3, Vec3,
+    curve::{
+        ArcLength, Circle, CurveIndex, ParamCurve, bounds, closest_point, extreme_curvature, farthest_point, joints,
+        length, resample,
+    },
+    mesh::flatten,
 };
 
 /// Runs a law on every curve of the list.
@@ -169,7 +173,7 @@ fn bounds_contain_the_curve_and_touch_it() {
 fn no_sample_is_farther_than_the_farthest_point() {
     each(|case, curve| {
         let b = bounds(curve);
-        let across = cyclide::Arc::segment(b.min, b.max).unwrap();
+        let across = cyclide::curve::Arc::segment(b.min, b.max).unwrap();
         let found = farthest_point(curve, &across);
         let n = 200 * curve.piece_count();
         let distance = |p: Point3| closest_point(&across, p).distance;

@@ -2,9 +2,11 @@
 
 use crate::curves::{circle_spline, kinked_spline, point, rational_cubic, stadium};
 use cyclide::{
-    Arc, BlendVariant, Circle, CircleSplineOptions, CurveIndex, CurveObject, Frame, MoebiusSplineOptions,
-    NodeParameters, Point2, Point3, QbInterpolation, QbSpline, Torus, TorusSpline, TorusSplineOptions, Vec3, bounds,
-    length,
+    Frame, Point2, Point3, Vec3,
+    construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, TorusSplineOptions},
+    curve::{Arc, BlendVariant, Circle, CircleSplineOptions, CurveIndex, QbSpline, bounds, length},
+    model::CurveObject,
+    surface::{Torus, TorusSpline},
 };
 
 /// Part of the size within which a part lies on its curve: rounding of two evaluations, and of the cut of control points.
@@ -155,7 +157,7 @@ fn a_part_between_stations_is_as_long_as_they_are_apart() {
 #[test]
 fn stations_of_joints_cut_there() {
     let square = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.3], [0.0, 0.3]].map(|[x, y]| point(x, y, 0.0));
-    let path = CurveObject::from(cyclide::ArcPath::rounded_polyline(&square, true, &[0.0; 4]).unwrap());
+    let path = CurveObject::from(cyclide::curve::ArcPath::rounded_polyline(&square, true, &[0.0; 4]).unwrap());
     // 0.1 + 0.3 is not 0.4 in doubles.
     let part = path.restricted_to_stations(0.4, 0.1).unwrap();
     assert_eq!(part.as_curve().piece_count(), 3);

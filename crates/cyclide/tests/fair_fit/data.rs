@@ -1,6 +1,10 @@
 //! The data of `docs/math/fair-fits.md#data-and-figures`: one generator, so that figures can be compared.
 
-use cyclide::{CircleSpline, FairFit, FairFitOptions, ParamCurve, Point3};
+use cyclide::{
+    Point3,
+    construct::{FairFit, FairFitOptions},
+    curve::{CircleSpline, ParamCurve},
+};
 use std::f64::consts::TAU;
 
 /// Normal deviates: a linear congruential generator, the upper 53 bits, Box-Muller in pairs.
@@ -113,7 +117,7 @@ pub fn fitted(points: &[Point3], options: &FairFitOptions) -> FairFit {
     assert!(certificate.deviation <= options.tolerance);
     assert!(certificate.rms <= certificate.deviation);
     for (i, p) in points.iter().enumerate().step_by(points.len().div_ceil(100)) {
-        let nearest = cyclide::closest_point(curve, *p).distance;
+        let nearest = cyclide::curve::closest_point(curve, *p).distance;
         // The certificate's feet may be farther than the nearest point, never nearer, but for the rounding of coordinates.
         let rounding = 16.0 * f64::EPSILON * p.to_vec().max_abs();
         assert!(nearest <= certificate.deviation * (1.0 + 1e-9) + rounding, "point {i}: {nearest}");
@@ -124,7 +128,7 @@ pub fn fitted(points: &[Point3], options: &FairFitOptions) -> FairFit {
     // The bound of `docs/math/fair-fits.md#data-and-figures`; rounding of the nodes themselves adds eps |x|/d per chord
     // d.
     let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-    for (i, joint) in cyclide::joints(curve).iter().enumerate() {
+    for (i, joint) in cyclide::curve::joints(curve).iter().enumerate() {
         if joint.angle > 1e-6 {
             assert!(!curve.kinks().is_empty(), "joint {i}");
             continue;

@@ -1,7 +1,12 @@
 //! Data that nobody wants: named errors, no panic, no runaway.
 
 use crate::data::*;
-use cyclide::{Error, FairFit, FairFitOptions, FitError, FitWarning, Point3};
+use cyclide::{
+    Error, Point3,
+    construct::{FairFit, FairFitOptions},
+    error::FitError,
+    warning::FitWarning,
+};
 
 fn reason(points: &[[f64; 3]], options: &FairFitOptions) -> &'static str {
     let points: Vec<Point3> = points.iter().map(|p| Point3::from(*p)).collect();
@@ -149,7 +154,7 @@ fn no_tolerance_swallows_the_figure() {
             let fit = FairFit::new(&points, &FairFitOptions { closed, ..FairFitOptions::new(tolerance) }).unwrap();
             assert!(fit.certificate().deviation <= tolerance);
             let reasons: Vec<&str> = fit.warnings().iter().map(cyclide::Warning::reason).collect();
-            let length = cyclide::length(fit.spline());
+            let length = cyclide::curve::length(fit.spline());
             assert!(length > 0.5 * edges && length < 2.0 * edges, "{tolerance}: {length} of {edges} {reasons:?}");
             let kept = length > 0.75 * edges && length < 1.5 * edges;
             let said = ["shape-smoothed-away", "swings-out", "wide-tolerance"].iter().any(|r| reasons.contains(r));

@@ -1,7 +1,11 @@
 //! The acceptance figures of `docs/math/fair-fits.md#data-and-figures`, on the data given there.
 
 use crate::data::*;
-use cyclide::{FairFitOptions, ParamCurve, Point3, closest_point};
+use cyclide::{
+    Point3,
+    construct::FairFitOptions,
+    curve::{ParamCurve, closest_point},
+};
 
 /// Nodes and variation at most.
 fn reaches(points: &[Point3], options: &FairFitOptions, nodes: usize, most: f64) -> usize {
@@ -60,8 +64,8 @@ fn survey_of_the_examples() {
     // 301 points: no published figure. Few nodes, and fairer than the interpolating spline (0.64 of its variation).
     let points = example(include_str!("../../../../examples/survey.csv"));
     let fit = fitted(&points, &closed(0.2));
-    let through = cyclide::FairSplineOptions { closed: true, ..Default::default() };
-    let through = cyclide::CircleSpline::fair(&points, &through).unwrap();
+    let through = cyclide::construct::FairSplineOptions { closed: true, ..Default::default() };
+    let through = cyclide::curve::CircleSpline::fair(&points, &through).unwrap();
     let (fair, all) = (variation(fit.spline()), variation(&through));
     assert!(fit.certificate().nodes < points.len() / 5, "{}", fit.certificate().nodes);
     assert!(fair.0 < 0.7 * all.0 && fair.1 <= all.1, "{fair:?} {all:?}");
@@ -81,8 +85,8 @@ fn centre_comes_nearer_to_what_was_measured() {
     assert!(middle.0 < 0.75 * tube.0, "{} {}", middle.0, tube.0);
     // As close to the points as their noise, 0.1, and no less fair than what was measured.
     assert!(middle.1 < tube.1 && middle.1 < 0.11, "{} {}", middle.1, tube.1);
-    let through = cyclide::FairSplineOptions { closed: true, ..Default::default() };
-    let exact = variation(&cyclide::CircleSpline::fair(&truth, &through).unwrap()).0;
+    let through = cyclide::construct::FairSplineOptions { closed: true, ..Default::default() };
+    let exact = variation(&cyclide::curve::CircleSpline::fair(&truth, &through).unwrap()).0;
     assert!(middle.2 < exact, "{} {exact}", middle.2);
     // Four standard deviations wide: the curve in the middle leans on nothing.
     assert!(middle.3.warnings().iter().all(|w| w.reason() != "leans-on-walls"));

@@ -1,7 +1,12 @@
 //! What holds of every fit (`docs/math/fair-fits.md#data-and-figures`, properties).
 
 use crate::data::*;
-use cyclide::{CurveWarning, FairFit, FairFitOptions, FitWarning, NoiseWarning, ParamCurve, Point3, Warning};
+use cyclide::{
+    Point3, Warning,
+    construct::{FairFit, FairFitOptions},
+    curve::ParamCurve,
+    warning::{CurveWarning, FitWarning, NoiseWarning},
+};
 use std::f64::consts::TAU;
 
 /// Nodes and variation of a fit.

@@ -3,8 +3,10 @@
 
 use crate::data::*;
 use cyclide::{
-    ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise, NoiseWarning, ParamCurve, Point3, Vec3, Warning,
-    closest_point,
+    Point3, Vec3, Warning,
+    construct::{ArcFit, ArcFitOptions, FairFit, FairFitOptions, Noise},
+    curve::{ParamCurve, closest_point},
+    warning::NoiseWarning,
 };
 use std::f64::consts::PI;
 

@@ -3,8 +3,10 @@
 
 use crate::data::*;
 use cyclide::{
-    CircleSpline, FairFit, FairFitOptions, FairSplineOptions, FitWarning, Heights, Noise, NoiseWarning, Outliers,
-    ParamCurve, Point3, Warning, closest_point, extreme_curvature,
+    Point3, Warning,
+    construct::{FairFit, FairFitOptions, FairSplineOptions, Heights, Noise, Outliers},
+    curve::{CircleSpline, ParamCurve, closest_point, extreme_curvature},
+    warning::{FitWarning, NoiseWarning},
 };
 use std::f64::consts::TAU;
 

@@ -2,7 +2,12 @@
 //! (`docs/math/fair-fits.md#outliers`).
 
 use crate::data::*;
-use cyclide::{FairFit, FairFitOptions, Heights, Noise, NoiseWarning, Outliers, Point3, Vec3, Warning, closest_point};
+use cyclide::{
+    Point3, Vec3, Warning,
+    construct::{FairFit, FairFitOptions, Heights, Noise, Outliers},
+    curve::closest_point,
+    warning::NoiseWarning,
+};
 use std::f64::consts::TAU;
 
 fn by_noise(closed: bool) -> FairFitOptions {

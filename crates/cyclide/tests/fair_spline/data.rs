@@ -1,6 +1,10 @@
 //! Point lists for the laws.
 
-use cyclide::{CircleSpline, FairEnd, FairSplineOptions, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    construct::{FairEnd, FairSplineOptions},
+    curve::CircleSpline,
+};
 use proptest::prelude::*;
 
 pub fn p(x: f64, y: f64, z: f64) -> Point3 {
@@ -111,6 +115,6 @@ pub fn reach(points: &[Point3]) -> f64 {
 
 /// Points over all segments, 16 for each.
 pub fn samples(spline: &CircleSpline) -> Vec<Point3> {
-    let on = |s: &cyclide::BlendSegment| (0..16).map(|i| s.point(f64::from(i) / 16.0)).collect::<Vec<_>>();
+    let on = |s: &cyclide::curve::BlendSegment| (0..16).map(|i| s.point(f64::from(i) / 16.0)).collect::<Vec<_>>();
     spline.segments().iter().flat_map(on).collect()
 }

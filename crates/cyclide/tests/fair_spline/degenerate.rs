@@ -2,7 +2,10 @@
 
 use crate::data::{closed, p, samples};
 use cyclide::{
-    CircleSpline, CurveWarning, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, Warning, blends_by_turn,
+    Point3, Vec3, Warning,
+    construct::{FairEnd, FairSplineOptions, blends_by_turn},
+    curve::{CircleSpline, ParamCurve},
+    warning::CurveWarning,
 };
 
 fn has(s: &CircleSpline, reason: &str) -> bool {
@@ -67,7 +70,7 @@ fn sharp_turns_are_cut_where_the_curve_would_swing_out() {
     assert!(has(&s, "sharp-turn-cut") && !has(&s, "sharp-turn"));
     assert_eq!(s.kinks(), &[1, 2, 3, 4, 5, 6]);
     // Straight from point to point then.
-    assert!((cyclide::length(&s) - points.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>()).abs() < 1e-12);
+    assert!((cyclide::curve::length(&s) - points.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>()).abs() < 1e-12);
     let kept = CircleSpline::fair(&points, &FairSplineOptions { cut_sharp_turns: false, ..arcs }).unwrap();
     assert!(kept.kinks().is_empty() && has(&kept, "relaxed") && has(&kept, "sharp-turn"));
     let Some(Warning::Curve(CurveWarning::Relaxed { segments })) =
@@ -95,7 +98,11 @@ fn relaxed_curves_are_short() {
             }
             let s = CircleSpline::fair(&points, &Default::default()).unwrap();
             let polygon: f64 = points.windows(2).map(|w| w[0].distance(w[1])).sum();
-            assert!(cyclide::length(&s) < 4.0 * polygon, "{degrees} {legs}: {}", cyclide::length(&s) / polygon);
+            assert!(
+                cyclide::curve::length(&s) < 4.0 * polygon,
+                "{degrees} {legs}: {}",
+                cyclide::curve::length(&s) / polygon
+            );
         }
     }
 }

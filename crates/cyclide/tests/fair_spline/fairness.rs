@@ -1,7 +1,10 @@
 //! How fair the curves are: the figures of `docs/math/fair-splines.md#figures`.
 
 use crate::data::{closed, p};
-use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+use cyclide::{
+    Point3,
+    curve::{CircleSpline, CircleSplineOptions, ParamCurve},
+};
 
 /// Signed curvature along a planar curve, 64 samples per segment, one of them its start.
 fn curvatures(s: &CircleSpline) -> Vec<f64> {
@@ -60,7 +63,7 @@ fn a_smooth_curve_is_met_to_fourth_order() {
         let points: Vec<Point3> = (0..n).map(|i| at(angle(f64::from(i)))).collect();
         let s = CircleSpline::fair(&points, &closed()).unwrap();
         let dense: Vec<Point3> = (0..4000).map(|i| at(std::f64::consts::TAU * f64::from(i) / 4000.0)).collect();
-        let index = cyclide::CurveIndex::new(&s);
+        let index = cyclide::curve::CurveIndex::new(&s);
         dense.iter().map(|q| index.closest_point(*q).distance).fold(0.0, f64::max)
     };
     let ratio = error(40) / error(80);

@@ -2,8 +2,13 @@
 
 use crate::data::{self, closed, p, reach, samples, spline, with_ends};
 use cyclide::{
-    BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveWarning, Exactness, FairEnd,
-    FairSplineOptions, Lower, Mobius, ParamCurve, Point3, Quat, RationalBezier, Vec3, Warning,
+    Point3, Quat, Vec3, Warning,
+    conformal::Mobius,
+    construct::{FairEnd, FairSplineOptions},
+    curve::{BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve},
+    model::{Exactness, Lower},
+    rational::RationalBezier,
+    warning::CurveWarning,
 };
 use proptest::prelude::*;
 

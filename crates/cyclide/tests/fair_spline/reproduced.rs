@@ -1,7 +1,11 @@
 //! The shapes that a fair spline gives back: circles, lines, planes, spheres.
 
 use crate::data::{closed, p, reach, samples, with_ends};
-use cyclide::{CircleSpline, FairEnd, FairSplineOptions, Frame, Point2, Point3, Vec3, joints};
+use cyclide::{
+    Frame, Point2, Point3, Vec3,
+    construct::{FairEnd, FairSplineOptions},
+    curve::{CircleSpline, joints},
+};
 use proptest::prelude::*;
 
 /// A plane at any tilt with its origin this far out.
@@ -127,7 +131,7 @@ fn a_tame_curve_on_a_sphere_is_on_it_to_rounding() {
 #[test]
 fn three_points_give_their_circle() {
     let points = [p(0.0, 0.0, 0.0), p(3.0, 1.0, 0.5), p(2.0, 4.0, -1.0)];
-    let circle = cyclide::Circle::through_points(points).unwrap();
+    let circle = cyclide::curve::Circle::through_points(points).unwrap();
     for options in [closed(), with_ends([FairEnd::Arc; 2]), with_ends([FairEnd::Circle; 2])] {
         let s = CircleSpline::fair(&points, &options).unwrap();
         assert!(samples(&s).iter().all(|q| (q.distance(circle.center()) - circle.radius()).abs() < 1e-14 * 4.0));

@@ -1,7 +1,11 @@
 //! Straight runs beside corners, tight corners, and ends.
 
 use crate::data::{closed, p, samples, with_ends};
-use cyclide::{CircleSpline, FairEnd, FairSplineOptions, ParamCurve, Point3, Vec3, joints};
+use cyclide::{
+    Point3, Vec3,
+    construct::{FairEnd, FairSplineOptions},
+    curve::{CircleSpline, ParamCurve, joints},
+};
 
 /// Unit steps along two legs at a corner of this turn, `n` on each.
 fn legs(turn: f64, n: i32) -> Vec<Point3> {
@@ -123,7 +127,7 @@ fn ends_are_what_they_say() {
         clamped.segments()[0].start_tangent().angle(t) < 1e-15 && clamped.segments()[3].end_tangent().angle(t) < 1e-15
     );
     let circle = made(FairEnd::Circle);
-    let of_three = cyclide::Arc::from_three_points(points[0], points[1], points[2]).unwrap();
+    let of_three = cyclide::curve::Arc::from_three_points(points[0], points[1], points[2]).unwrap();
     assert!(circle.segments()[0].start_tangent().angle(of_three.start_tangent().unwrap()) < 1e-14);
     // One end only.
     let one = CircleSpline::fair(&points, &with_ends([FairEnd::Clamped(t), FairEnd::Free])).unwrap();

@@ -1,8 +1,11 @@
 //! Curves of quaternions as motions.
 
 use cyclide::{
-    Arc, ArcPath, ArcSplineOptions, CurveObject, MoebiusSplineOptions, ParamCurve, Point3, QbCurve, QbSpline, Quat,
-    RationalMotion, Vec3, bounds,
+    Point3, Quat, Vec3,
+    construct::{ArcSplineOptions, MoebiusSplineOptions},
+    curve::{Arc, ArcPath, ParamCurve, QbCurve, QbSpline, bounds},
+    model::CurveObject,
+    motion::RationalMotion,
 };
 use cyclide_testkit::generators::point;
 use proptest::prelude::*;
@@ -125,7 +128,7 @@ fn which_curves_are_chains_of_quaternions() {
     // Along segments the body does not turn.
     let motion = RationalMotion::along(&polyline, Quat::ONE).unwrap();
     assert_eq!(motion.pose(6.0).rotation(), Quat::ONE);
-    let circle = cyclide::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0).unwrap();
+    let circle = cyclide::curve::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0).unwrap();
     let circle = CurveObject::from(circle).to_qb_spline().unwrap();
     assert!(circle.is_closed() && circle.kinks().is_empty());
     // Once around, the body has turned once.
@@ -136,7 +139,8 @@ fn which_curves_are_chains_of_quaternions() {
     assert!((half.rotation().rotate(Vec3::X) + Vec3::X).length() < 1e-14);
     // A parabola has no such form.
     let nurbs =
-        cyclide::NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], corners.to_vec(), vec![1.0; 3]).unwrap();
+        cyclide::rational::NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], corners.to_vec(), vec![1.0; 3])
+            .unwrap();
     assert!(CurveObject::from(nurbs).to_qb_spline().is_none());
 }
 
@@ -178,8 +182,9 @@ fn closed_curves_say_by_which_angle_the_body_does_not_close() {
     let ring = [[4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [-4.0, 1.0, 0.0], [0.0, -3.0, 0.0]].map(Point3::from);
     let options = MoebiusSplineOptions { closed: true, ..Default::default() };
     let arcs = ArcSplineOptions { closed: true, ..Default::default() };
-    let turn =
-        |chain: &QbSpline| cyclide::Motion::from(RationalMotion::along(chain, Quat::ONE).unwrap()).closing_turn();
+    let turn = |chain: &QbSpline| {
+        cyclide::motion::Motion::from(RationalMotion::along(chain, Quat::ONE).unwrap()).closing_turn()
+    };
     let plane = turn(&QbSpline::from_arcs(&ArcPath::spline(&ring, &arcs).unwrap())).unwrap();
     assert!(plane < 1e-9, "{plane}");
     // Along arcs the frame turns no more than the tangent: the angle is the holonomy of the frame with the least rotation.
@@ -188,9 +193,9 @@ fn closed_curves_say_by_which_angle_the_body_does_not_close() {
         [[4.0, 0.0, 0.0], [2.0, 3.0, 2.0], [-2.0, 3.0, -1.0], [-4.0, 1.0, 0.5], [0.0, -3.0, 1.5]].map(Point3::from);
     let path = ArcPath::spline(&lifted, &arcs).unwrap();
     let found = turn(&QbSpline::from_arcs(&path)).unwrap();
-    let closed = cyclide::ClosedTwist::Leave;
-    let rule = cyclide::FrameRule::RotationMinimizing { start: None, closed, tolerance: 1e-9 };
-    let frames = cyclide::CurveFrames::new(&path, &rule).unwrap();
+    let closed = cyclide::curve::ClosedTwist::Leave;
+    let rule = cyclide::curve::FrameRule::RotationMinimizing { start: None, closed, tolerance: 1e-9 };
+    let frames = cyclide::curve::CurveFrames::new(&path, &rule).unwrap();
     let holonomy = frames.holonomy().unwrap().abs();
     assert!(found > 0.01 && (found - holonomy).abs() < 1e-7, "{found} {holonomy}");
     // An open curve, and a body that only turns, have none.

@@ -1,7 +1,10 @@
 //! Motions of degree 3 take all four poses, and are on the quadric.
 
 use crate::data::{apart, pose};
-use cyclide::{CubicMotions, Pose, Quat, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    motion::{CubicMotions, Pose},
+};
 use proptest::prelude::*;
 
 proptest! {

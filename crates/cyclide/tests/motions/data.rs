@@ -1,6 +1,9 @@
 //! Random poses and motions.
 
-use cyclide::{Motion, Pose, Quat, RationalMotion, ScrewMotion, TimedPose, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    motion::{Motion, Pose, RationalMotion, ScrewMotion, TimedPose},
+};
 use proptest::prelude::*;
 
 /// Any pose of a size of about 1.

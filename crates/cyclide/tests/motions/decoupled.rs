@@ -2,8 +2,11 @@
 
 use crate::data::{apart, pose, timed};
 use cyclide::{
-    CircleSpline, DecoupledMotion, FairSplineOptions, Motion, MotionTolerance, MotionWarning, Point3, Pose,
-    PoseFitWarning, Quat, RationalMotion, TimedPose, Vec3, Warning,
+    Point3, Quat, Vec3, Warning,
+    construct::FairSplineOptions,
+    curve::CircleSpline,
+    motion::{DecoupledMotion, Motion, MotionTolerance, Pose, RationalMotion, TimedPose},
+    warning::{MotionWarning, PoseFitWarning},
 };
 use proptest::prelude::*;
 

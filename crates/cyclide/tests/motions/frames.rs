@@ -1,7 +1,7 @@
 //! Every construction is the same in every frame: displacements on the left move the world, on the right the body's axes.
 
 use crate::data::{apart, kinds, motions, pose, timed};
-use cyclide::{Motion, Pose, TimedPose};
+use cyclide::motion::{Motion, Pose, TimedPose};
 use proptest::prelude::*;
 
 fn places(motion: &Motion) -> impl Iterator<Item = f64> {
@@ -49,8 +49,8 @@ proptest! {
     fn splines_and_screws_lose_no_digits_by_frames(poses in timed(2..8), left in pose(), right in pose()) {
         let other = changed(&poses, |p| left.after(p).after(right));
         let pairs = [
-            (cyclide::RationalMotion::spline(&poses).map(Motion::from), cyclide::RationalMotion::spline(&other).map(Motion::from)),
-            (cyclide::ScrewMotion::new(&poses).map(Motion::from), cyclide::ScrewMotion::new(&other).map(Motion::from)),
+            (cyclide::motion::RationalMotion::spline(&poses).map(Motion::from), cyclide::motion::RationalMotion::spline(&other).map(Motion::from)),
+            (cyclide::motion::ScrewMotion::new(&poses).map(Motion::from), cyclide::motion::ScrewMotion::new(&other).map(Motion::from)),
         ];
         for (a, b) in pairs {
             let (Ok(a), Ok(b)) = (a, b) else { continue };
@@ -68,8 +68,8 @@ proptest! {
     fn time_runs_backwards(poses in timed(5)) {
         let back: Vec<TimedPose> = poses.iter().rev().map(|p| TimedPose { time: -p.time, pose: p.pose }).collect();
         let pairs = [
-            (cyclide::RationalMotion::spline(&poses).map(Motion::from), cyclide::RationalMotion::spline(&back).map(Motion::from)),
-            (cyclide::ScrewMotion::new(&poses).map(Motion::from), cyclide::ScrewMotion::new(&back).map(Motion::from)),
+            (cyclide::motion::RationalMotion::spline(&poses).map(Motion::from), cyclide::motion::RationalMotion::spline(&back).map(Motion::from)),
+            (cyclide::motion::ScrewMotion::new(&poses).map(Motion::from), cyclide::motion::ScrewMotion::new(&back).map(Motion::from)),
         ];
         for (a, b) in pairs {
             let (Ok(a), Ok(b)) = (a, b) else { continue };

@@ -1,7 +1,7 @@
 //! Derivatives against differences of poses.
 
 use crate::data::{motions, timed};
-use cyclide::{Motion, Point3, Vec3};
+use cyclide::{Point3, Vec3, motion::Motion};
 use proptest::prelude::*;
 
 /// Step of the differences, in spans.
@@ -20,7 +20,7 @@ proptest! {
                 let size = 1.0 + [jet.point.d1, jet.point.d2, jet.point.d3].map(Vec3::length).into_iter().fold(0.0, f64::max);
                 prop_assert!(jet.point.point.distance(motion.pose(time).apply(x)) < 1e-11 * size);
                 let (before, after) = (at(-1.0), at(1.0));
-                let difference = |f: fn(&cyclide::MotionJet) -> Vec3| (f(&after) - f(&before)) / (2.0 * h);
+                let difference = |f: fn(&cyclide::motion::MotionJet) -> Vec3| (f(&after) - f(&before)) / (2.0 * h);
                 // Of second order in the step; what a third derivative of a swinging motion adds to that.
                 let steep = [&before, &after, &jet].map(|j| j.point.d3.length()).into_iter().fold(size, f64::max);
                 let limit = 1e-5 * steep * steep;
@@ -51,15 +51,15 @@ proptest! {
 
 #[test]
 fn a_spline_is_c1_at_its_poses() {
-    let pose = |q: [f64; 4], x: [f64; 3]| cyclide::Pose::new(q.into(), x.into()).unwrap();
+    let pose = |q: [f64; 4], x: [f64; 3]| cyclide::motion::Pose::new(q.into(), x.into()).unwrap();
     let poses = [
         pose([1.0, 0.0, 0.0, 0.0], [0.0; 3]),
         pose([1.0, 0.5, -0.2, 0.1], [1.0, 2.0, 0.0]),
         pose([0.3, 0.5, 0.4, 0.1], [2.0, 2.0, 1.0]),
     ];
     let timed: Vec<_> =
-        poses.into_iter().zip([0.0, 1.0, 1.5]).map(|(pose, time)| cyclide::TimedPose { time, pose }).collect();
-    let motion = Motion::from(cyclide::RationalMotion::spline(&timed).unwrap());
+        poses.into_iter().zip([0.0, 1.0, 1.5]).map(|(pose, time)| cyclide::motion::TimedPose { time, pose }).collect();
+    let motion = Motion::from(cyclide::motion::RationalMotion::spline(&timed).unwrap());
     let x = Point3::new(0.3, -1.0, 0.7);
     let (before, after) = (motion.jet(1.0 - 1e-12, x), motion.jet(1.0, x));
     // A step of 1e-12 times second derivatives of about 10.

@@ -1,7 +1,10 @@
 //! Motions of planar poses: any factors put them on the quadric, so the rule decides, and not the list, the place or rounding.
 
 use crate::data::apart;
-use cyclide::{CubicMotions, Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    motion::{CubicMotions, Pose, RationalMotion, TimedPose},
+};
 
 /// Poses in a plane, at times 0, 1, 2, ..., that turn by up to 100 degrees from one to the next.
 fn planar() -> Vec<TimedPose> {

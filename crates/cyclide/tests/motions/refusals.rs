@@ -1,7 +1,10 @@
 //! Poses that are degenerate, or badly scaled.
 
 use crate::data::{apart, timed};
-use cyclide::{DualQuat, Pose, Quat, RationalMotion, ScrewMotion, StudyPoint, TimedPose, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    motion::{DualQuat, Pose, RationalMotion, ScrewMotion, StudyPoint, TimedPose},
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

@@ -1,6 +1,9 @@
 //! Poses that are written with few digits.
 
-use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    motion::{Motion, Pose, RationalMotion, TimedPose},
+};
 use proptest::prelude::*;
 
 use crate::data::{apart, pose, timed};

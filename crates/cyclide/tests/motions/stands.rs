@@ -1,8 +1,12 @@
 //! Paths and surfaces of bodies that come to a stand are measured by their limits there, not by the rounding of a speed that is zero.
 
 use cyclide::{
-    Arc, CurveObject, ParamCurve as _, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3,
-    extreme_curvature, fairness, joints, surface_joints, tight_places,
+    Point3, Quat, Vec3,
+    construct::SweptSurface,
+    curve::{Arc, ParamCurve as _, extreme_curvature, fairness, joints, tight_places},
+    model::CurveObject,
+    motion::{Pose, RationalMotion, TimedPose},
+    topology::surface_joints,
 };
 use std::f64::consts::PI;
 
@@ -29,7 +33,7 @@ fn a_straight_path_that_rests_is_straight() {
         let rounding = 1e-13 * (1.0 + far);
         assert!(joint.angle < rounding && joint.curvature_jump < 1e4 * rounding, "{far} {joint:?}");
         assert!(tight_places(&path, 1.0).unwrap().is_empty(), "{far}");
-        assert_eq!(cyclide::cusps(&path), []);
+        assert_eq!(cyclide::curve::cusps(&path), []);
         let measured = fairness(&path);
         assert_eq!((measured.corners, measured.cusps, measured.jumps), (0, 0, 0), "{far}");
         if far < 1e5 {

@@ -2,8 +2,13 @@
 
 use crate::data::timed;
 use cyclide::{
-    Arc, EdgeCurve, NetWarning, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3,
-    Warning,
+    Point3, Quat, Vec3, Warning,
+    construct::SweptSurface,
+    curve::Arc,
+    motion::{Pose, RationalMotion, TimedPose},
+    surface::ParamSurface,
+    topology::EdgeCurve,
+    warning::NetWarning,
 };
 use proptest::prelude::*;
 

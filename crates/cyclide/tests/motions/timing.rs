@@ -2,7 +2,8 @@
 
 use crate::data::{motions, timed};
 use cyclide::{
-    Motion, MotionJet, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3,
+    Point3, Quat, Vec3,
+    motion::{Motion, MotionJet, MovingBody, Pose, RationalMotion, ScrewMotion, TimeLaw, TimedPose, Timing},
 };
 use proptest::prelude::*;
 

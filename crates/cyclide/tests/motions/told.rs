@@ -1,8 +1,10 @@
 //! What is refused or told of motions that would harm a machine: turns on the spot, rests, reversals, half turns.
 
 use cyclide::{
-    Error, Motion, MotionError, MotionWarning, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, SpeedKind,
-    SwingPart, TimeLaw, TimedPose, Timing, Vec3, Warning,
+    Error, Point3, Quat, Vec3, Warning,
+    error::MotionError,
+    motion::{Motion, MovingBody, Pose, RationalMotion, ScrewMotion, SpeedKind, TimeLaw, TimedPose, Timing},
+    warning::{MotionWarning, SwingPart},
 };
 
 const BY_WAY: [TimeLaw; 2] = [TimeLaw::ConstantSpeed, TimeLaw::Eased];

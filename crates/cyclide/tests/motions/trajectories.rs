@@ -1,7 +1,11 @@
 //! Paths of points: the exact rational form is the path.
 
 use crate::data::{motions, timed};
-use cyclide::{Motion, ParamCurve, Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    curve::ParamCurve,
+    motion::{Motion, Pose, RationalMotion, TimedPose},
+};
 use proptest::prelude::*;
 
 proptest! {

@@ -1,6 +1,10 @@
 //! Nets to test, and measures of them.
 
-use cyclide::{CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    conformal::Mobius,
+    surface::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface, QuadGrid},
+};
 use std::f64::consts::TAU;
 
 /// Parameters `(a, c, mu)`: rings near every limit, a torus, horns, spindles, both with one node.

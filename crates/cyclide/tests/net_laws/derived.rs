@@ -2,8 +2,11 @@
 
 use crate::data::{PLACES, cyclide_grid, gap, generic_grid, inverted, kink, nets};
 use cyclide::{
-    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, PartError, PatchError, Point3, Quat,
-    Shell, Vec3, surface_joints,
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    error::{PartError, PatchError},
+    surface::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface},
+    topology::{Body, Shell, surface_joints},
 };
 use proptest::prelude::*;
 use std::ops::Range;

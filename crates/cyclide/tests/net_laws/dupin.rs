@@ -2,7 +2,10 @@
 
 use crate::data::{HORNS, PLACES, RINGS, SPINDLES, gap, kink};
 use cyclide::{
-    Conformal, CyclideKind, CyclidePatch, DupinCyclide, Frame, Mobius, ParamSurface, Point3, Quat, Vec3, surface_joints,
+    Frame, Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclideKind, CyclidePatch, DupinCyclide, ParamSurface},
+    topology::surface_joints,
 };
 use std::f64::consts::PI;
 

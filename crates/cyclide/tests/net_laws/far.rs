@@ -1,7 +1,11 @@
 //! Nets and shells far from the origin, and their images there.
 
 use super::data::{PLACES, cyclide_grid, generic_grid, kink};
-use cyclide::{Conformal, CyclidicNet, DupinCyclide, Frame, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
+use cyclide::{
+    Frame, Point3, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclidicNet, DupinCyclide, NetFrame, ParamSurface, QuadGrid},
+};
 
 const DISTANCES: [f64; 3] = [1.0, 1e3, 1e6];
 

@@ -2,9 +2,14 @@
 
 use super::data::cyclide_grid;
 use cyclide::{
-    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Error, Frame, MOST_PIECES, Mobius, NetFrame,
-    NumberError, Point3, PointError, QuadGrid, Quat, Shell, SurfaceObject, Vec3, flatten_within, tessellate,
-    tessellate_within,
+    Error, Frame, Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::Circle,
+    error::{NumberError, PointError},
+    mesh::{MOST_PIECES, flatten_within, tessellate, tessellate_within},
+    model::SurfaceObject,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, QuadGrid},
+    topology::Shell,
 };
 
 fn at(distance: f64) -> Point3 {

@@ -4,7 +4,10 @@
 use crate::data::{PLACES, kink};
 use crate::derived::layer;
 use cyclide::{
-    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Mobius, NetFrame, PatchKind, Point3, QuadGrid, Vec3,
+    Point3, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::Circle,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, PatchKind, QuadGrid},
 };
 
 /// Four rings of four vertices on circles of the radii 13, 9, 8.5 and 11.07, each the image of the last under an

@@ -1,7 +1,10 @@
 //! Nets of grids: frames, joints, errors.
 
 use crate::data::{PLACES, cyclide_grid, gap, generic_grid, kink, nets};
-use cyclide::{CyclidicNet, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    surface::{CyclidicNet, NetFrame, ParamSurface, QuadGrid},
+};
 
 #[test]
 fn neighbors_agree_pointwise_with_a_common_normal() {

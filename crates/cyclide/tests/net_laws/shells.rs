@@ -1,7 +1,10 @@
 //! Shells of nets, and what is no shell.
 
 use crate::data::nets;
-use cyclide::{DupinCyclide, FaceGeometry as _, Shell, ShellEdge, Side};
+use cyclide::{
+    surface::DupinCyclide,
+    topology::{FaceGeometry as _, Shell, ShellEdge, Side},
+};
 
 #[test]
 fn every_inner_edge_has_two_faces() {
@@ -43,7 +46,7 @@ fn what_is_no_shell_is_refused() {
     // Twice the speed ratio: the same points with another parameter.
     let ShellEdge { start, end, ref curve } = e[0];
     let arc = *curve.arc().unwrap();
-    let arc = cyclide::Arc::from_weight_ratio(arc.start(), arc.end(), arc.weight_ratio() * 2.0).unwrap();
+    let arc = cyclide::curve::Arc::from_weight_ratio(arc.start(), arc.end(), arc.weight_ratio() * 2.0).unwrap();
     e[0] = ShellEdge { start, end, curve: arc.into() };
     refused((v, e, f), "face", 0);
     let (v, e, mut f) = parts();

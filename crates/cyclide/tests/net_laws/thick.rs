@@ -2,8 +2,11 @@
 
 use crate::derived::layer;
 use cyclide::{
-    Body, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Shell,
-    SurfaceObject, Vec3,
+    Point3, Vec3,
+    conformal::{Conformal, Mobius},
+    model::SurfaceObject,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, ParamSurface, QuadGrid},
+    topology::{Body, Shell},
 };
 use std::f64::consts::PI;
 

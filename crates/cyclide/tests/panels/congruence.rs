@@ -1,9 +1,14 @@
 use crate::shapes::{Random, exchanged, general, mirrored, renumbered, ring, torus};
-use cyclide::{Conformal, Congruences, CyclidePatch, ParamSurface, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    conformal::Conformal,
+    panel::Congruences,
+    surface::{CyclidePatch, ParamSurface},
+};
 
 /// Classes as sets of panels.
 fn sets(found: &Congruences, name: impl Fn(usize) -> usize) -> Vec<Vec<usize>> {
-    let of = |class: &cyclide::CongruenceClass| {
+    let of = |class: &cyclide::panel::CongruenceClass| {
         let mut panels: Vec<usize> = class.panels.iter().map(|member| name(member.panel)).collect();
         panels.sort_unstable();
         panels

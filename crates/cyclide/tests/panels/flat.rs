@@ -1,6 +1,11 @@
 use crate::shapes::{Random, cone, cylinder, general, narrow_cone, plane, sphere, torus};
 use cyclide::{
-    Conformal, CyclidePatch, FlatPattern, PanelMeasures, ParamCurve, ParamSurface, PatchKind, Point3, Side, Vec3,
+    Point3, Vec3,
+    conformal::Conformal,
+    curve::ParamCurve,
+    panel::{FlatPattern, PanelMeasures},
+    surface::{CyclidePatch, ParamSurface, PatchKind},
+    topology::Side,
 };
 
 #[test]

@@ -1,5 +1,11 @@
 use crate::shapes::{Random, cylinder, general, plane, torus};
-use cyclide::{Conformal, PanelMeasures, PanelSideForm, ParamSurface, Point3, Side, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    conformal::Conformal,
+    panel::{PanelMeasures, PanelSideForm},
+    surface::ParamSurface,
+    topology::Side,
+};
 
 #[test]
 fn measures_of_a_part_of_a_torus() {
@@ -92,7 +98,7 @@ fn straight_sides_have_that_name() {
         assert!(sides[2].radius.is_none() && sides[2].normal.is_none() && sides[2].sweep.abs() <= 0.0);
     }
     let octant = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::Z].map(|v| Point3::ORIGIN + v);
-    let octant = cyclide::CyclidePatch::from_corners_and_frame(octant, Vec3::Y, Vec3::Z).unwrap();
+    let octant = cyclide::surface::CyclidePatch::from_corners_and_frame(octant, Vec3::Y, Vec3::Z).unwrap();
     let measures = PanelMeasures::new(&octant).unwrap();
     assert_eq!(measures.sides[1].form, PanelSideForm::Point);
     assert!((measures.area - std::f64::consts::FRAC_PI_2).abs() < 1e-12);

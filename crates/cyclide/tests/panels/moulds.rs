@@ -1,5 +1,9 @@
 use crate::shapes::{Random, cone, cylinder, general, grid_distance, narrow_cone, plane, radii, ring, sphere, torus};
-use cyclide::{Conformal, CyclidePatch, MouldShape, Moulds, PatchKind};
+use cyclide::{
+    conformal::Conformal,
+    panel::{MouldShape, Moulds},
+    surface::{CyclidePatch, PatchKind},
+};
 
 /// The numbers of a mould's form.
 fn form(shape: &MouldShape) -> [f64; 2] {
@@ -35,7 +39,7 @@ fn check(panels: &[CyclidePatch], moulds: &Moulds, tolerance: f64) {
 
 /// The groups as sets of panels.
 fn groups(moulds: &Moulds, name: impl Fn(usize) -> usize) -> Vec<Vec<usize>> {
-    let of = |mould: &cyclide::Mould| {
+    let of = |mould: &cyclide::panel::Mould| {
         let mut panels: Vec<usize> = mould.members.iter().map(|member| name(member.panel)).collect();
         panels.sort_unstable();
         panels

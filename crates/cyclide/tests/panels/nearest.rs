@@ -1,5 +1,10 @@
 use crate::shapes::{Random, cone, cylinder, general, grid_distance, plane, radii, rank, ring, sphere, torus};
-use cyclide::{Conformal, CyclidePatch, Frame, NearSurface, NearestSurfaces, ParamSurface, PatchKind, Point3, Vec3};
+use cyclide::{
+    Frame, Point3, Vec3,
+    conformal::Conformal,
+    panel::{NearSurface, NearestSurfaces},
+    surface::{CyclidePatch, ParamSurface, PatchKind},
+};
 
 fn all(near: &NearestSurfaces) -> Vec<NearSurface> {
     [Some(near.plane), near.cylinder, near.cone, near.sphere, near.torus].into_iter().flatten().collect()

@@ -1,6 +1,10 @@
 //! Panels of known surfaces, and the ways they are moved, renumbered and mirrored.
 
-use cyclide::{Conformal, CyclidePatch, DupinCyclide, Mobius, ParamSurface, PatchKind, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclidePatch, DupinCyclide, ParamSurface, PatchKind},
+};
 
 /// Numbers without a pattern in [0, 1).
 pub struct Random(u64);

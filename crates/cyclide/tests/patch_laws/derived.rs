@@ -1,7 +1,11 @@
 //! Offsets, Möbius images, implicit equation and point location of random patches.
 
 use super::PLACES;
-use cyclide::{Conformal, CyclidePatch, Mobius, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclidePatch, ParamSurface},
+};
 use cyclide_testkit::generators::direction;
 use cyclide_testkit::patches::{PatchCase, patch, tame_patch};
 use proptest::prelude::*;

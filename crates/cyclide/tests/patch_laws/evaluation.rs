@@ -1,7 +1,10 @@
 //! Points, derivatives, curvatures and the forms of one patch agree with each other.
 
 use super::{PLACES, cross_ratio_defect};
-use cyclide::{CyclidePatch, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    surface::{CyclidePatch, ParamSurface},
+};
 use cyclide_testkit::patches::{patch, tame_patch, triangular_patch};
 use proptest::prelude::*;
 

@@ -1,7 +1,12 @@
 //! Far from the origin: the map of the translated is the translated map, to the rounding of coordinates.
 
 use super::PLACES;
-use cyclide::{Arc, Conformal, CyclidePatch, Mobius, ParamCurve, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    curve::{Arc, ParamCurve},
+    surface::{CyclidePatch, ParamSurface},
+};
 
 /// Translations, in sizes of the objects; on whole numbers, so that the objects translate without rounding.
 const DISTANCES: [f64; 3] = [1.0, 1e3, 1e6];

@@ -1,6 +1,10 @@
 //! Planes, spheres, cylinders, cones and tori are found, with their placement; other cyclides are none of them.
 
-use cyclide::{Conformal, CyclidePatch, Mobius, ParamSurface, PatchKind, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclidePatch, ParamSurface, PatchKind},
+};
 
 /// Part of a surface of revolution about z: a meridian from `(r0, z0)` to `(r1, z1)` that starts in direction
 /// `(dr, dz)`, turned from angle `u0` to `u1` (`docs/math/revolution-and-pipes.md#patches-of-revolution`).

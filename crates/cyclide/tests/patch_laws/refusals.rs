@@ -1,6 +1,10 @@
 //! What is no patch is refused by name, in a fixed order, and nothing panics.
 
-use cyclide::{Conformal, CyclidePatch, Mobius, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, Mobius},
+    surface::{CyclidePatch, ParamSurface},
+};
 use cyclide_testkit::generators::{wild, wild_point, wild_vector};
 use proptest::prelude::*;
 

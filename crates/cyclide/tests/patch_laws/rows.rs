@@ -1,6 +1,6 @@
 //! Rows agree with the scalar path within the bound that they state.
 
-use cyclide::ParamSurface;
+use cyclide::surface::ParamSurface;
 use cyclide_testkit::patches::patch;
 use proptest::prelude::*;
 

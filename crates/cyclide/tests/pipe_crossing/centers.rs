@@ -2,8 +2,10 @@
 
 use super::{ANGLES, CASES, END, askew, crossing, made, off_axes};
 use cyclide::{
-    CrossingPipe, CrossingSide, MadeCrossing, NaturalQuadric, NurbsCurve, PipeCrossing, Point2, Point3, QuadricPair,
-    SkewCylinders, Vec3,
+    Point2, Point3, Vec3,
+    construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing},
+    rational::NurbsCurve,
+    surface::{NaturalQuadric, QuadricPair, SkewCylinders},
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -2,8 +2,11 @@
 
 use super::{canals, normal};
 use cyclide::{
-    BallError, Body, CrossingError, CrossingPipe, CrossingSide, Error, MadeCrossing, NumberError, ParamSurface,
-    PipeCrossing, PipeError, Point3, TeeEnds, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing, TeeEnds},
+    error::{BallError, CrossingError, NumberError, PipeError},
+    surface::ParamSurface,
+    topology::{Body, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -3,8 +3,11 @@
 
 use super::{askew, canals, crossing, normal, off_axes};
 use cyclide::{
-    Body, CrossingError, CrossingPipe, CrossingSide, Error, MadeCrossing, ParamSurface, PipeCrossing, Point3,
-    PointError, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing},
+    error::{CrossingError, PointError},
+    surface::ParamSurface,
+    topology::{Body, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

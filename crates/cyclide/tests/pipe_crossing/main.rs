@@ -7,8 +7,11 @@ mod cones;
 mod laws;
 
 use cyclide::{
-    BallError, Body, CrossingError, CrossingPipe, CrossingSide, Error, FaceSurface, FoldRemedy, MadeCrossing,
-    PipeCrossing, Point3, RationalBezierSurface, ShellFace, TeeEnds, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    construct::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing, TeeEnds},
+    error::{BallError, CrossingError, FoldRemedy},
+    rational::RationalBezierSurface,
+    topology::{Body, FaceSurface, ShellFace, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -2,8 +2,9 @@
 
 use crate::data::PARAMETERS;
 use cyclide::{
-    CurveJet, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode, QbSpline,
-    Vec3,
+    CurveJet, Point3, Vec3,
+    construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode},
+    curve::{ParamCurve, QbCurve, QbSpline},
 };
 use cyclide_testkit::generators::{three_points, wild, wild_point, wild_vector};
 use proptest::prelude::*;
@@ -19,7 +20,7 @@ fn is_sound(curve: &dyn ParamCurve) -> Result<(), TestCaseError> {
     for t in PARAMETERS {
         prop_assert!(finite(&curve.jet(t)), "{curve:?} at {t}: {:?}", curve.jet(t));
     }
-    let bounds = cyclide::bounds(curve);
+    let bounds = cyclide::curve::bounds(curve);
     prop_assert!(bounds.min.is_finite() && bounds.max.is_finite(), "{curve:?}: {bounds:?}");
     Ok(())
 }

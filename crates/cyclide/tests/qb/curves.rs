@@ -1,7 +1,11 @@
 //! Laws of single curves, on invariant spans whose derivatives point forward: their weights are positive, so they keep their digits.
 
 use crate::data::{PARAMETERS, forward, outside_inversion};
-use cyclide::{Conformal, HPoint, ParamCurve, Point3, QbCurve, Quat, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::{Conformal, HPoint},
+    curve::{ParamCurve, QbCurve},
+};
 use proptest::prelude::*;
 
 /// Points of curves in the cube whose pairs differ in size by 25² at most, a few dozen operations, each rounded once.
@@ -135,8 +139,8 @@ fn arcs_are_of_degree_one() {
     let ends = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
     let turn = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
     let quarter = QbCurve::new(&[HPoint::weighted(ends[0], Quat::ONE), HPoint::weighted(ends[1], turn)]).unwrap();
-    assert!(matches!(quarter.piece_form(0), cyclide::PieceForm::Arc(_)));
-    assert!((cyclide::length(&quarter) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    assert!(matches!(quarter.piece_form(0), cyclide::curve::PieceForm::Arc(_)));
+    assert!((cyclide::curve::length(&quarter) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     // The span with the derivatives of an arc is the arc.
     let jets = [quarter.jet(0.0).d1, quarter.jet(1.0).d1];
     let span = QbCurve::invariant_span(ends, jets).unwrap();

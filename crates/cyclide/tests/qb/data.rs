@@ -1,6 +1,11 @@
 //! Random data, and curves of which the digits are known.
 
-use cyclide::{Mobius, NodeParameters, Point3, QbCurve, QbInterpolation, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    conformal::Mobius,
+    construct::{NodeParameters, QbInterpolation},
+    curve::QbCurve,
+};
 use cyclide_testkit::generators::{direction, point};
 use proptest::prelude::*;
 

@@ -2,8 +2,11 @@
 
 use crate::data::PARAMETERS;
 use cyclide::{
-    Error, HPoint, InterpolationError, MoebiusSplineOptions, NodeParameters, NurbsError, ParamCurve, Point3, QbCurve,
-    QbInterpolation, QbNode, QbSpline, Quat, Vec3, circle_tangents,
+    Error, Point3, Quat, Vec3,
+    conformal::HPoint,
+    construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents},
+    curve::{ParamCurve, QbCurve, QbSpline},
+    error::{InterpolationError, NurbsError},
 };
 
 fn five() -> [Point3; 5] {

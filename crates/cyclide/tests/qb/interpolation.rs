@@ -1,7 +1,13 @@
 //! Laws of curves through points.
 
 use crate::data::{PARAMETERS, forward, odd_points, outside_inversion, spread, tame};
-use cyclide::{Conformal, CurveWarning, NodeParameters, Point3, QbCurve, QbInterpolation, QbNode, Vec3, Warning};
+use cyclide::{
+    Point3, Vec3, Warning,
+    conformal::Conformal,
+    construct::{NodeParameters, QbInterpolation, QbNode},
+    curve::QbCurve,
+    warning::CurveWarning,
+};
 use proptest::prelude::*;
 
 /// Points in the cube at curves that run at most 3 radii away and leave 1e-2 of its weight to every point: four digits of sixteen
@@ -237,11 +243,11 @@ fn ends_at_rest_are_measured_by_their_limits() {
         assert!(circle.jet(t).tangent().is_none(), "{t}");
     }
     // A right angle at the point in the middle: the other two are a diameter apart.
-    assert!((cyclide::extreme_curvature(&circle).max - 2.0 / 5_f64.sqrt()).abs() < 1e-7);
-    let measured = cyclide::fairness(&circle);
+    assert!((cyclide::curve::extreme_curvature(&circle).max - 2.0 / 5_f64.sqrt()).abs() < 1e-7);
+    let measured = cyclide::curve::fairness(&circle);
     assert!(measured.cusps == 0 && measured.variation.is_some_and(|variation| variation < 1e-6), "{measured:?}");
     let bent = curve(&[node(0.0, a, false), node(0.3, b, false), node(0.7, c, false), node(1.0, d, true)]);
     assert!(bent.jet(1.0).tangent().is_none());
-    let most = cyclide::extreme_curvature(&bent);
+    let most = cyclide::curve::extreme_curvature(&bent);
     assert!(most.max.is_infinite() && (most.t - 1.0).abs() < 1e-12);
 }

@@ -1,7 +1,11 @@
 //! What curves keep of their data: the lune of a span, the order of points on a line, planes, circles and lines.
 
 use crate::data::{forward, odd_points, spread, tame};
-use cyclide::{MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbSpline, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    construct::{MoebiusSplineOptions, NodeParameters},
+    curve::{ParamCurve, QbCurve, QbSpline},
+};
 use cyclide_testkit::generators::{direction, point};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -2,8 +2,12 @@
 
 use crate::data::{PARAMETERS, outside_inversion};
 use cyclide::{
-    CircleSpline, CircleSplineOptions, Conformal, CurveObject, Lower, MoebiusSplineOptions, NodeParameters, NurbsCurve,
-    ParamCurve, Point3, QbInterpolation, QbNode, QbSpline, Vec3, bounds, closest_point, joints,
+    Point3, Vec3,
+    conformal::Conformal,
+    construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode},
+    curve::{CircleSpline, CircleSplineOptions, ParamCurve, QbSpline, bounds, closest_point, joints},
+    model::{CurveObject, Lower},
+    rational::NurbsCurve,
 };
 use cyclide_testkit::generators::point;
 use proptest::prelude::*;
@@ -290,9 +294,11 @@ fn cuts_next_to_an_end_are_at_the_end() {
     for closed in [false, true] {
         for n in 3..=7 {
             let spline = QbSpline::through_points(&points[..n], &options(closed)).unwrap();
-            let arcs =
-                cyclide::ArcPath::spline(&points[..n], &cyclide::ArcSplineOptions { closed, ..Default::default() })
-                    .unwrap();
+            let arcs = cyclide::curve::ArcPath::spline(
+                &points[..n],
+                &cyclide::construct::ArcSplineOptions { closed, ..Default::default() },
+            )
+            .unwrap();
             let circles =
                 CircleSpline::from_points(&points[..n], &CircleSplineOptions { closed, ..Default::default() }).unwrap();
             let nurbs = spline.to_nurbs_runs().unwrap().remove(0);

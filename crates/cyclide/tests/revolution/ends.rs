@@ -2,8 +2,13 @@
 
 use super::{chain, p, segment, whole};
 use cyclide::{
-    Arc, ArcPath, Body, CurveObject, EdgeCurve, ParamCurve as _, ParamSurface as _, Point3, RationalBezier, Revolution,
-    Shell, SurfaceObject, Vec3, surface_joints,
+    Point3, Vec3,
+    construct::Revolution,
+    curve::{Arc, ArcPath, ParamCurve as _},
+    model::{CurveObject, SurfaceObject},
+    rational::RationalBezier,
+    surface::ParamSurface as _,
+    topology::{Body, EdgeCurve, Shell, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -5,8 +5,16 @@
 mod ends;
 
 use cyclide::{
-    Arc, Body, BodyWarning, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
-    ProfileError, RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
+    Error, Point3, Vec3, Warning,
+    construct::Revolution,
+    curve::{Arc, Circle},
+    error::ProfileError,
+    mesh::tessellate,
+    model::{CurveObject, SurfaceObject},
+    rational::RationalBezier,
+    surface::{ParamSurface as _, PatchKind},
+    topology::{Body, EdgeCurve, FaceSurface, Shell, surface_joints},
+    warning::BodyWarning,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -47,7 +55,7 @@ fn the_exact_form_is_the_turned_profile() {
 
 /// Kinds of all faces of a body, each once.
 fn kinds(body: &Body) -> Vec<&'static str> {
-    let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::CyclidePatch::recognize) {
+    let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::surface::CyclidePatch::recognize) {
         None => "rational",
         Some(PatchKind::Plane { .. }) => "plane",
         Some(PatchKind::Cylinder { .. }) => "cylinder",
@@ -518,7 +526,7 @@ fn parts_of_turns_have_end_faces() {
             assert!(body.is_solid(), "{angle}");
             let volume = body.outer.known_volume().unwrap();
             assert!((volume / whole_volume * TAU / angle.abs() - 1.0).abs() < 1e-11, "{angle}: {volume}");
-            let flat = |face: &cyclide::ShellFace| {
+            let flat = |face: &cyclide::topology::ShellFace| {
                 let at = face.surface.point(0.3, 0.4);
                 let normal = face.outer_normal(0.3, 0.4).unwrap();
                 let ends = [0.0, angle].map(|at| Vec3::new(-f64::sin(at), f64::cos(at), 0.0) * angle.signum());

@@ -3,7 +3,7 @@
 
 use crate::laws::smooth;
 use crate::shapes;
-use cyclide::{Point3, SmoothMesh, Vec3};
+use cyclide::{Point3, Vec3, surface::SmoothMesh};
 
 /// The cubic Bézier triangle of the PN scheme: control points by the corners they belong to.
 struct Pn([Point3; 3], [Vec3; 3]);

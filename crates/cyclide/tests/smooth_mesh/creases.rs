@@ -1,7 +1,12 @@
 //! Edges that are kept sharp.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{MeshFace, Mobius, NormalWeights, Point3, SmoothMesh, TriangleSurface, Vec3, VertexNormals};
+use cyclide::{
+    Point3, Vec3,
+    conformal::Mobius,
+    mesh::MeshFace,
+    surface::{NormalWeights, SmoothMesh, TriangleSurface, VertexNormals},
+};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 fn creased(mesh: &Mesh, angle: f64) -> SmoothMesh {

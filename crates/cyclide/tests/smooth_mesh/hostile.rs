@@ -1,7 +1,10 @@
 //! Meshes that are none, and random ones: named errors, nothing else.
 
 use crate::shapes;
-use cyclide::{NormalWeights, Point3, SmoothMesh, SmoothTriangle, Vec3, VertexNormals};
+use cyclide::{
+    Point3, Vec3,
+    surface::{NormalWeights, SmoothMesh, SmoothTriangle, VertexNormals},
+};
 use proptest::prelude::*;
 
 fn refused(points: &[Point3], triangles: &[[usize; 3]]) -> cyclide::Error {

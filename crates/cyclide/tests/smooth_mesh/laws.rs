@@ -1,7 +1,11 @@
 //! Points, normals, boundaries, measures.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{Mobius, Point3, Quat, SmoothMesh, SmoothTriangle, Vec3, VertexNormals};
+use cyclide::{
+    Point3, Quat, Vec3,
+    conformal::Mobius,
+    surface::{SmoothMesh, SmoothTriangle, VertexNormals},
+};
 use std::f64::consts::PI;
 
 pub(crate) fn smooth(mesh: &Mesh) -> SmoothMesh {
@@ -255,7 +259,7 @@ fn measures_agree_with_fine_meshes() {
         let surface = smooth(&mesh);
         let measure = surface.measure().unwrap();
         let [coarse, fine] = [12, 24].map(|n| surface.tessellate(n).unwrap());
-        let extrapolated = |f: &dyn Fn(&cyclide::SurfaceMesh) -> f64| (4.0 * f(&fine) - f(&coarse)) / 3.0;
+        let extrapolated = |f: &dyn Fn(&cyclide::mesh::SurfaceMesh) -> f64| (4.0 * f(&fine) - f(&coarse)) / 3.0;
         let area = extrapolated(&|m| m.area());
         // The error of meshes is not a pure square beside the corners, where second derivatives jump.
         assert!((area / measure.area - 1.0).abs() < 3e-4, "{name}: {area} {measure:?}");

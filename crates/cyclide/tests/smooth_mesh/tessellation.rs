@@ -2,7 +2,10 @@
 
 use crate::laws::smooth;
 use crate::shapes;
-use cyclide::{MOST_PIECES, MeshFace, Point3, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MOST_PIECES, MeshFace, SurfaceMesh},
+};
 use std::collections::HashMap;
 
 /// How often each directed edge between positions is used, by the bits of its ends.

@@ -1,7 +1,11 @@
 //! What surfaces are warned of: folds, edges smoothed away, borders that lie on each other.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{MeshWarning, NormalWeights, Point3, SmoothMesh, VertexNormals, Warning};
+use cyclide::{
+    Point3, Warning,
+    surface::{NormalWeights, SmoothMesh, VertexNormals},
+    warning::MeshWarning,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn warnings(mesh: &Mesh, normals: VertexNormals) -> Vec<Warning> {

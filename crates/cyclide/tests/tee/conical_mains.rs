@@ -2,7 +2,7 @@
 
 use super::crosses::{on_side, sum_of_tees, volume};
 use super::*;
-use cyclide::PipeError;
+use cyclide::error::PipeError;
 
 fn cone(taper: f64) -> TeeMain {
     TeeMain { taper, ..MAIN }

@@ -1,7 +1,7 @@
 //! Branches beside each other on the main pipe: crosses, rows of branches, equal crosses.
 
 use super::*;
-use cyclide::TeeError;
+use cyclide::error::TeeError;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

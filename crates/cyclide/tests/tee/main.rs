@@ -6,8 +6,12 @@ mod conical_mains;
 mod crosses;
 
 use cyclide::{
-    Body, Error, FaceSurface, MadeTee, ParamCurve as _, PartError, PipeTee, Point3, RationalBezierSurface, ShellFace,
-    TeeBlend, TeeBranch, TeeEnds, TeeError, TeeMain, Vec3, surface_joints,
+    Error, Point3, Vec3,
+    construct::{MadeTee, PipeTee, TeeBlend, TeeBranch, TeeEnds, TeeMain},
+    curve::ParamCurve as _,
+    error::{PartError, TeeError},
+    rational::RationalBezierSurface,
+    topology::{Body, FaceSurface, ShellFace, surface_joints},
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -494,7 +498,7 @@ fn radii_are_proved_to_be_positive() {
     assert_eq!((error.reason(), error.index()), ("radius-not-positive", Some(1)));
     let error = made(MAIN, vec![TeeBranch::upright(2.0, 12.0, -1.0)], None, TeeEnds::Flat).expect_err("no tee");
     assert!(
-        matches!(error, Error::Part(PartError::InBranch { branch: 0, what: cyclide::ErrorItem::Blend, .. })),
+        matches!(error, Error::Part(PartError::InBranch { branch: 0, what: cyclide::error::ErrorItem::Blend, .. })),
         "{error}"
     );
 }

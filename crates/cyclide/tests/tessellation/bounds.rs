@@ -1,7 +1,10 @@
 //! Boxes of patches.
 
 use super::data;
-use cyclide::{Aabb, CyclidePatch, ParamSurface, Point3};
+use cyclide::{
+    Aabb, Point3,
+    surface::{CyclidePatch, ParamSurface},
+};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,11 @@
 //! What every mesh must be.
 
-use cyclide::{Body, MeshFace, ParamSurface, Point3, Shell, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshFace, SurfaceMesh},
+    surface::ParamSurface,
+    topology::{Body, Shell},
+};
 use std::collections::HashMap;
 
 /// The corners' positions.

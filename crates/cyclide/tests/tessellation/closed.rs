@@ -2,8 +2,11 @@
 
 use super::checks::{deviation, edges, sound};
 use cyclide::{
-    Body, Conformal, CyclidicNet, DupinCyclide, LineKind, Mobius, NetFrame, Point3, QuadGrid, SurfaceMesh,
-    parameter_lines, tessellate,
+    Point3,
+    conformal::{Conformal, Mobius},
+    mesh::{LineKind, SurfaceMesh, parameter_lines, tessellate},
+    surface::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid},
+    topology::Body,
 };
 use std::f64::consts::PI;
 
@@ -127,7 +130,7 @@ fn hollow_bodies_have_the_volume_between_their_skins() {
     assert_eq!(body.voids.len(), 1);
     let mesh = check("hollow ring", &body, 1e-3);
     // The closed form of the volume between the offsets is not needed: that of the faces is.
-    let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+    let volume: f64 = body.shells().map(cyclide::topology::Shell::volume).sum();
     assert!(volume > 0.0 && (mesh.volume() / volume - 1.0).abs() < 0.1);
 }
 

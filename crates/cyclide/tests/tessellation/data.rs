@@ -1,6 +1,6 @@
 //! Patches to tessellate: random ones, surfaces of revolution, awkward ones.
 
-use cyclide::{CyclidePatch, Point3, Vec3};
+use cyclide::{Point3, Vec3, surface::CyclidePatch};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -2,7 +2,12 @@
 
 use super::checks::{descent_distance, edges, polygon, polygon_distance};
 use cyclide::{
-    Body, FaceSurface, PatchKind, PipeTee, Point3, RationalBezierSurface, SurfaceMesh, TeeBranch, TeeMain, tessellate,
+    Point3,
+    construct::{PipeTee, TeeBranch, TeeMain},
+    mesh::{SurfaceMesh, tessellate},
+    rational::RationalBezierSurface,
+    surface::PatchKind,
+    topology::{Body, FaceSurface},
 };
 
 fn tee(angle: f64, offset: f64) -> Body {

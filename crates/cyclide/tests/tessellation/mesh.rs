@@ -2,7 +2,12 @@
 
 use super::checks::{deviation, edges, sound, sound_of};
 use super::data;
-use cyclide::{Body, CyclidePatch, Point3, Shell, tessellate, tessellate_all};
+use cyclide::{
+    Point3,
+    mesh::{tessellate, tessellate_all},
+    surface::CyclidePatch,
+    topology::{Body, Shell},
+};
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,7 +1,12 @@
 //! Biarcs on the projective line, quartic biarcs of one type and of two.
 
 use crate::data::{places, reach, tori};
-use cyclide::{CircleFamily, ParamCurve, Point2, ProjectiveBiarc, QuarticType, TorusSpline, TwoTypeBiarc, Vec2};
+use cyclide::{
+    Point2, Vec2,
+    construct::{ProjectiveBiarc, TwoTypeBiarc},
+    curve::ParamCurve,
+    surface::{CircleFamily, QuarticType, TorusSpline},
+};
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::{faults, off_torus};
 

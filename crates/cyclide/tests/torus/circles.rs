@@ -1,7 +1,11 @@
 //! The four families of circles, and arcs of them; types and switches.
 
 use crate::data::{places, reach, tori};
-use cyclide::{CircleFamily, ParamCurve, Point2, QuarticType, TorusClasses, Vec2};
+use cyclide::{
+    Point2, Vec2,
+    curve::ParamCurve,
+    surface::{CircleFamily, QuarticType, TorusClasses},
+};
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::off_torus;
 

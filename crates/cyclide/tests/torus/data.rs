@@ -1,6 +1,6 @@
 //! Tori and places for the tests.
 
-use cyclide::{Frame, Point2, Point3, Torus, Vec2, Vec3};
+use cyclide::{Frame, Point2, Point3, Vec2, Vec3, surface::Torus};
 use cyclide_testkit::attack::Random;
 
 /// Thick, thin and nearly closed tori of several sizes, some placed askew.

@@ -1,7 +1,11 @@
 //! Torus knots.
 
 use crate::data::{reach, tori};
-use cyclide::{CircleFamily, ParamCurve, Point2, QuarticType, Torus, TorusSpline, joints, length};
+use cyclide::{
+    Point2,
+    curve::{ParamCurve, joints, length},
+    surface::{CircleFamily, QuarticType, Torus, TorusSpline},
+};
 use cyclide_testkit::torus_splines::{faults, winding};
 
 #[test]

@@ -1,7 +1,9 @@
 //! Splines on tori run backwards, moved and mirrored; rotations about the axis.
 
 use crate::data::reach;
-use cyclide::{Mobius, ParamCurve, Point2, Quat, TorusSpline, TorusTangent, Vec2, Vec3};
+use cyclide::{
+    Point2, Quat, Vec2, Vec3, conformal::Mobius, construct::TorusTangent, curve::ParamCurve, surface::TorusSpline,
+};
 use cyclide_testkit::torus_splines::{Problem, faults, winding};
 
 fn splines() -> Vec<(Problem, TorusSpline)> {
@@ -80,7 +82,7 @@ fn mirrored_data_give_mirrored_splines() {
             let image = |v: Vec2| Vec2::new(signs[0] * v.x, signs[1] * v.y);
             let mut moved = problem.clone();
             // A cusp is rounded to one side, a point opposite to the step goes round one way: not symmetric.
-            if spline.segments().iter().any(|s| s.method == cyclide::SegmentMethod::Detour) {
+            if spline.segments().iter().any(|s| s.method == cyclide::surface::SegmentMethod::Detour) {
                 continue;
             }
             for place in &mut moved.places {
@@ -92,11 +94,11 @@ fn mirrored_data_give_mirrored_splines() {
                 }
             }
             moved.options.winding = match moved.options.winding {
-                cyclide::TorusWinding::Shortest => cyclide::TorusWinding::Shortest,
-                cyclide::TorusWinding::Total([n, m]) => {
-                    cyclide::TorusWinding::Total([n * signs[0] as i32, m * signs[1] as i32])
+                cyclide::construct::TorusWinding::Shortest => cyclide::construct::TorusWinding::Shortest,
+                cyclide::construct::TorusWinding::Total([n, m]) => {
+                    cyclide::construct::TorusWinding::Total([n * signs[0] as i32, m * signs[1] as i32])
                 }
-                cyclide::TorusWinding::PerSegment(list) => cyclide::TorusWinding::PerSegment(
+                cyclide::construct::TorusWinding::PerSegment(list) => cyclide::construct::TorusWinding::PerSegment(
                     list.into_iter().map(|[n, m]| [n * signs[0] as i32, m * signs[1] as i32]).collect(),
                 ),
             };

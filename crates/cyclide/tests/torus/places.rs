@@ -1,7 +1,11 @@
 //! The plane of a torus: points, normals, tangents, the inverse, complex coordinates.
 
 use crate::data::{modulo, places, rates, reach, tori};
-use cyclide::{Mobius, ParamSurface, Point2, Point3, Quat, TorusClasses, Vec2, Vec3};
+use cyclide::{
+    Point2, Point3, Quat, Vec2, Vec3,
+    conformal::Mobius,
+    surface::{ParamSurface, TorusClasses},
+};
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::off_torus;
 
@@ -213,7 +217,7 @@ fn similarities_move_the_torus_and_keep_places() {
 /// The meridian angle at `b/a` next to 1: the nearest point to the middle of the hole keeps its digits.
 #[test]
 fn nearly_closed_tori_keep_the_outer_side() {
-    let torus = cyclide::Torus::new(cyclide::Frame::WORLD, 1.0, 1.0 - 2.0_f64.powi(-40)).unwrap();
+    let torus = cyclide::surface::Torus::new(cyclide::Frame::WORLD, 1.0, 1.0 - 2.0_f64.powi(-40)).unwrap();
     for b in [0.0, 1e-9, 1e-7, 1e-6, 1e-3, 0.5] {
         let p = torus.point(Point2::new(0.4, b));
         assert!(off_torus(&torus, p) < 1e-14, "{b}");

@@ -1,6 +1,10 @@
 //! Random awkward problems: all are solved, and every solution obeys every law.
 
-use cyclide::{Frame, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding, Vec2};
+use cyclide::{
+    Frame, Point2, Vec2,
+    construct::{TorusSplineOptions, TorusTangent, TorusWinding},
+    surface::{SegmentMethod, Torus, TorusSpline},
+};
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::Problem;
 

@@ -2,8 +2,9 @@
 
 use crate::data;
 use cyclide::{
-    CircleFamily, Frame, Point2, Point3, ProjectiveBiarc, QuarticType, Torus, TorusClasses, TorusSpline,
-    TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, Vec2,
+    Frame, Point2, Point3, Vec2,
+    construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc},
+    surface::{CircleFamily, QuarticType, Torus, TorusClasses, TorusSpline},
 };
 use cyclide_testkit::generators::wild;
 use proptest::prelude::*;

@@ -2,8 +2,11 @@
 
 use crate::data::tori;
 use cyclide::{
-    ArcLength, Error, ErrorItem, Frame, NumberError, ParamCurve, Point2, Point3, Torus, TorusError, TorusSeam,
-    TorusSpline, TorusSplineOptions, length,
+    Error, Frame, Point2, Point3,
+    construct::{TorusSeam, TorusSplineOptions},
+    curve::{ArcLength, ParamCurve, length},
+    error::{ErrorItem, NumberError, TorusError},
+    surface::{Torus, TorusSpline},
 };
 use std::f64::consts::PI;
 

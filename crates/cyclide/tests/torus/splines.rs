@@ -2,8 +2,12 @@
 
 use crate::data::{modulo, places, reach, tori};
 use cyclide::{
-    Exactness, Lower, ParamCurve, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent,
-    TorusWinding, Vec2, bounds, flatten, joints,
+    Point2, Vec2,
+    construct::{TorusSplineOptions, TorusTangent, TorusWinding},
+    curve::{ParamCurve, bounds, joints},
+    mesh::flatten,
+    model::{Exactness, Lower},
+    surface::{SegmentMethod, Torus, TorusSpline},
 };
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::{faults, off_torus, winding};
@@ -11,7 +15,7 @@ use cyclide_testkit::torus_splines::{faults, off_torus, winding};
 #[test]
 fn points_on_a_circle_give_that_circle() {
     for torus in tori() {
-        for family in cyclide::CircleFamily::ALL {
+        for family in cyclide::surface::CircleFamily::ALL {
             let at = |k: f64| Point2::new(0.2, 0.5) + family.direction() * (0.4 * k);
             let circle = torus.circle(family, at(0.0)).unwrap();
             let places: Vec<Point2> = [0.0, 1.0, 2.5, 3.0].map(at).to_vec();
@@ -216,7 +220,7 @@ fn it_leaves_the_kernel_exactly_or_as_arcs() {
                 let p = spline.point(f64::from(k) / 2000.0);
                 assert!(arcs.form.closest_point(p).distance <= tolerance);
             }
-            let index = cyclide::CurveIndex::new(&spline);
+            let index = cyclide::curve::CurveIndex::new(&spline);
             for k in 0..=400 {
                 let p = arcs.form.point(f64::from(k) / 400.0);
                 assert!(index.closest_point(p).distance <= tolerance);
@@ -225,6 +229,6 @@ fn it_leaves_the_kernel_exactly_or_as_arcs() {
     }
     let circle = TorusSpline::knot(&tori()[0], [1, -1], Point2::default()).unwrap().lower_to_arcs(1e-3).unwrap();
     assert_eq!((circle.exactness, circle.form.is_closed()), (Exactness::Exact, true));
-    let radius = |arc: &cyclide::Arc| (arc.radius().unwrap() - 3.0).abs();
+    let radius = |arc: &cyclide::curve::Arc| (arc.radius().unwrap() - 3.0).abs();
     assert!(circle.form.arcs().iter().all(|arc| radius(arc) < 1e-12));
 }

@@ -2,8 +2,10 @@
 
 use crate::data::{reach, tori};
 use cyclide::{
-    ArcPath, Frame, ParamCurve, Point2, Point3, Torus, TorusMap, TorusSpline, TorusSplineOptions, UnrollOptions,
-    closest_point, length,
+    Frame, Point2, Point3,
+    construct::{TorusMap, TorusSplineOptions, UnrollOptions},
+    curve::{ArcPath, ParamCurve, closest_point, length},
+    surface::{Torus, TorusSpline},
 };
 use std::f64::consts::{PI, TAU};
 

@@ -7,7 +7,7 @@
 //! short as that stride too), noise on a base that is curved in any direction the second. (Own derivation.)
 
 use crate::circular_mesh::neighbors::{along, around, clamped, pair, place, vertices};
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 use cyclide::{Point3, Vec3};
 
 /// Second differences that agree by less than this are noise: smooth shapes of four quads to a wave have 0.

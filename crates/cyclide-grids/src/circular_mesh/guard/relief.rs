@@ -27,7 +27,7 @@ use crate::circular_mesh::curvature::Curvature;
 use crate::circular_mesh::input_surface::Foot;
 use crate::circular_mesh::neighbors::{along, clamped, vertices};
 use cyclide::Point3;
-use cyclide::QuadGrid;
+use cyclide::surface::QuadGrid;
 
 /// Relief below this part of the median edge does not count: at a fiftieth the steepening of a paraboloid counts, at a
 /// twenty-sixth ripples of four hundredths of the radius of a tube do not any more.

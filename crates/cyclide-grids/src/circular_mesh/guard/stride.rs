@@ -1,8 +1,8 @@
 //! Normals over strides: bending and spread.
 
 use crate::circular_mesh::neighbors::{along, vertices};
-use cyclide::QuadGrid;
 use cyclide::Vec3;
+use cyclide::surface::QuadGrid;
 
 /// Parts of the shorter direction over which bending is measured.
 const PARTS: usize = 5;

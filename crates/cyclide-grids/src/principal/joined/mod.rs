@@ -16,8 +16,11 @@ use super::pieces::{far_from, seeds};
 use super::sheet::Sheet;
 use super::walker::Walker;
 use cyclide::Point3;
-use cyclide::QuadLayout;
-use cyclide::{Error, GridError, JoinFault, LayoutFault};
+use cyclide::surface::QuadLayout;
+use cyclide::{
+    Error,
+    error::{GridError, JoinFault, LayoutFault},
+};
 use quad_walk::{Centre, QuadWalk};
 use slits::Slit;
 use umbilic_quads::QuadMesh;

@@ -5,7 +5,7 @@
 //! the square once if and only if what adds up at each place is what the square has there, so that neither a gap nor an
 //! overlap, nor one of each with equal areas, is passed over. Cells share the doubles of their cuts.
 
-use cyclide::MeshSource;
+use cyclide::mesh::MeshSource;
 
 /// A corner by the bits of its parameters, with what it adds.
 type Corner = ([u64; 2], i32);

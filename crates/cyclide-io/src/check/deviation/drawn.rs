@@ -11,7 +11,7 @@ use crate::drawing::plane_regions::drawn_edges;
 use crate::export::drawn_line::{LinePlace, ShellLine};
 use crate::export::exported::DrawnLine;
 use crate::export::parts::BodyOf;
-use cyclide::{CurveChain, EdgeCurve};
+use cyclide::{model::CurveChain, topology::EdgeCurve};
 
 /// Points of a line that is not drawn.
 const PLACES: u32 = 9;
@@ -83,7 +83,12 @@ fn extent_in_plan(curve: &EdgeCurve) -> f64 {
 mod tests {
     use super::*;
     use crate::export::exported::Promise;
-    use cyclide::{ArcPath, Body, Correspondence, CyclidePatch, Point3, Shell, Vec3};
+    use cyclide::{
+        Point3, Vec3,
+        curve::{ArcPath, Correspondence},
+        surface::CyclidePatch,
+        topology::{Body, Shell},
+    };
 
     #[test]
     fn lines_are_those_of_the_model() {

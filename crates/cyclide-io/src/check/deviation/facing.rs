@@ -1,6 +1,11 @@
 //! Which way the polygons of a cell and their normals look, against `f_s × f_t` of the patch and the sense of its face.
 
-use cyclide::{FaceGeometry as _, FaceSurface, MeshSource, ParamSurface as _, Point3, ShellFace, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::MeshSource,
+    surface::ParamSurface as _,
+    topology::{FaceGeometry as _, FaceSurface, ShellFace},
+};
 
 /// Normals of faces that meet within 1e-6 radians are one in the mesh; the rest is their rounding to single precision.
 pub(super) const NORMAL_LIMIT: f64 = 1.2e-6;

@@ -5,7 +5,10 @@
 //! are found out, and no search over the whole curve can lose its way. The work is linear in the number of parts.
 
 use super::track::Track;
-use cyclide::{Correspondence, CurvePlace, ParamCurve, Point3};
+use cyclide::{
+    Point3,
+    curve::{Correspondence, CurvePlace, ParamCurve},
+};
 
 /// Inner samples of a window, as parts of it.
 const SAMPLES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
@@ -184,8 +187,11 @@ fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
 mod tests {
     use super::*;
     use cyclide::{
-        Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, HPoint, Lower as _, Lowered, QbCurve,
-        QbInterpolation, QbNode, Quat, Vec3,
+        Quat, Vec3,
+        conformal::HPoint,
+        construct::{QbInterpolation, QbNode},
+        curve::{Arc, ArcPath, CircleSpline, CircleSplineOptions, QbCurve},
+        model::{CurveChain, Lower as _, Lowered},
     };
 
     /// Two half circles and two sides, with the arcs in some order.
@@ -193,7 +199,7 @@ mod tests {
         let at = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [8.0, 6.0, 0.0], [0.0, 6.0, 0.0]].map(Point3::from);
         let piece =
             |i: usize| Arc::from_bulge(at[i], at[(i + 1) % 4], Vec3::Z, if i.is_multiple_of(2) { 0.0 } else { 1.0 });
-        let pieces = order.map(|i| cyclide::ChainPiece::Arc(piece(i).unwrap())).to_vec();
+        let pieces = order.map(|i| cyclide::model::ChainPiece::Arc(piece(i).unwrap())).to_vec();
         CurveChain::new(pieces, true, f64::INFINITY).unwrap()
     }
 
@@ -225,8 +231,11 @@ mod tests {
         let path = ArcPath::new(vec![segment(0.0, 1.0), segment(1.0, 1.25), segment(1.25, 2.0)], false).unwrap();
         let form = ArcPath::new(vec![segment(0.0, 1.0), segment(1.25, 2.0)], false);
         assert!(form.is_err(), "it does not hang together");
-        let form =
-            CurveChain::new([segment(0.0, 1.0), segment(1.25, 2.0)].map(cyclide::ChainPiece::Arc).to_vec(), false, 1.0);
+        let form = CurveChain::new(
+            [segment(0.0, 1.0), segment(1.25, 2.0)].map(cyclide::model::ChainPiece::Arc).to_vec(),
+            false,
+            1.0,
+        );
         let parts = Correspondence::one_to_one(3).recounted([1, 0, 1]);
         let distance = apart(&path, &form.unwrap(), &parts, false);
         assert!((distance - 0.25).abs() < 1e-15, "{distance}");
@@ -255,7 +264,7 @@ mod tests {
         for t in [1.0 / (1.0 + 2.0_f64.powf(0.25)), 0.4, 0.6] {
             let nodes = [node(0.0, 0.0, 0.0, &[Vec3::ZERO]), node(t, 1.0, 0.0, &[]), node(1.0, 0.0, 1.0, &[Vec3::Y])];
             let through = QbInterpolation::through_nodes(&nodes).unwrap();
-            let curve = cyclide::QbSpline::from_curve(through.curve().clone()).unwrap();
+            let curve = cyclide::curve::QbSpline::from_curve(through.curve().clone()).unwrap();
             let Lowered { form, correspondence, .. } = curve.lower_to_chain(1e-3).unwrap();
             // The weights of the form differ by a thousand: so many roundings of its coordinates.
             assert!(apart(&curve, &form, &correspondence, false) < 1e-12, "{t}");
@@ -277,7 +286,7 @@ mod tests {
             }
             // And nothing is wrong with the exact form, which is cut at other places.
             let Lowered { form, correspondence, .. } =
-                cyclide::QbSpline::from_curve(curve.clone()).unwrap().lower_to_chain(1e-3).unwrap();
+                cyclide::curve::QbSpline::from_curve(curve.clone()).unwrap().lower_to_chain(1e-3).unwrap();
             // Pairs next to a common zero: their denominators are 1e-4 of what they are sums of.
             assert!(apart(&curve, &form, &correspondence, false) < 1e-11);
         }

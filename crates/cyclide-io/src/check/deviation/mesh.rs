@@ -21,8 +21,10 @@ use crate::export::parts::BodyOf;
 use crate::export::side_use::{SideUse, side_use};
 use crate::export::triangle_cells::are_whole;
 use cyclide::{
-    FaceGeometry as _, FaceSurface, MeshCorner, MeshSource, ParamSurface as _, PatchKind, Point3, ShellFace,
-    SurfaceJet, SurfaceMesh, TriangleSurface, Vec3,
+    Point3, SurfaceJet, Vec3,
+    mesh::{MeshCorner, MeshSource, SurfaceMesh},
+    surface::{ParamSurface as _, PatchKind, TriangleSurface},
+    topology::{FaceGeometry as _, FaceSurface, ShellFace},
 };
 
 /// Points of a cell in each direction.
@@ -381,7 +383,11 @@ fn step(jet: &SurfaceJet, offset: Vec3) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{Body, CyclidePatch, MeshFace, Shell, tessellate};
+    use cyclide::{
+        mesh::{MeshFace, tessellate},
+        surface::CyclidePatch,
+        topology::{Body, Shell},
+    };
 
     /// The octant of the unit sphere as triangles and quads, with a plan.
     fn octant() -> (BodyOf<'static>, SurfaceMesh, MeshPlan) {

@@ -5,7 +5,7 @@ use crate::drawing::patch_edges::patch_edges;
 use crate::drawing::plane_regions::plane_regions;
 use crate::export::mesh_plan::{Cell, MeshPlan};
 use crate::export::parts::BodyOf;
-use cyclide::{MeshFace, SurfaceMesh};
+use cyclide::mesh::{MeshFace, SurfaceMesh};
 use std::collections::HashSet;
 
 /// A vertex as readers know it: the bits of its coordinates.

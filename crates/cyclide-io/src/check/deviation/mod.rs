@@ -31,7 +31,11 @@ mod triangle_surface;
 use crate::check::read_error::ReadError;
 use crate::export::exported::{WrittenCurve, knots_of};
 use crate::export::parts::contours;
-use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve, Vec3};
+use cyclide::{
+    Vec3,
+    curve::{Correspondence, CurvePlace, ParamCurve},
+    model::{CurveChain, Model},
+};
 pub(crate) use drawn::lines_deviation;
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;

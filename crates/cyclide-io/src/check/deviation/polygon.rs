@@ -2,7 +2,10 @@
 
 use super::triangle::Triangle;
 use crate::export::mesh::triangles;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+};
 
 /// The normals that a format has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use crate::check::file_sample::FileSample;
 use crate::check::read_error::ReadError;
 use crate::export::exported::WrittenCurve;
 use crate::export::parts::{Contour, contours};
-use cyclide::{Correspondence, Model};
+use cyclide::{curve::Correspondence, model::Model};
 
 /// Holds parameter, tangent and curvature of every point against the model's curve, row by row as they are read: a list of
 /// them would be a third of the file. Numbers read back are the doubles that were written, and a curve is evaluated to

@@ -1,6 +1,9 @@
 //! A part of a curve cut into tame windows, with the foot of a point on each.
 
-use cyclide::{Arc, CurvePlace, ParamCurve, PieceForm, PieceHull, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, CurvePlace, ParamCurve, PieceForm, PieceHull},
+};
 
 /// Windows of a whole piece before the turn is looked at: of an arc one would be taken for a point where it is a
 /// circle, of anything else two for a line where it is an S.

@@ -15,7 +15,10 @@ use crate::check::read_error::ReadError;
 use crate::export::mesh_plan::{BodyPlan, Cell};
 use crate::export::parts::BodyOf;
 use crate::export::triangle_cells::{Part, TriangleCell};
-use cyclide::{Point3, TrianglePatch, TriangleSurface, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    surface::{TrianglePatch, TriangleSurface},
+};
 
 /// Steps to the foot of a point.
 const STEPS: usize = 6;

@@ -1,6 +1,11 @@
 //! A circular arc or straight segment.
 
-use cyclide::{Arc, ArcError, CurveObject, NumberError, PointError, Quat, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    curve::Arc,
+    error::{ArcError, NumberError, PointError},
+    model::CurveObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -26,7 +31,7 @@ const EVEN_RATIO: f64 = 1e3;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "arc", "through": [[1, 0], [0, 1], [-1, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
@@ -81,7 +86,7 @@ impl Kind for ArcSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         match error {
             E::Number(NumberError::NotFinite { what: I::Tangent, .. })
             | E::Point(PointError::ZeroTangent { .. })

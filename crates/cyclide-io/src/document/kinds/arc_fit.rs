@@ -1,8 +1,13 @@
 //! The fewest arcs near points, tangent-continuous.
 
 use cyclide::{
-    Arc, ArcFit, ArcFitOptions, CurveObject, CurvePlace, Effort, FitCertificate, FitError, FitTarget, FitWarning,
-    NumberError, ParamCurve, Point3, ShortNumber, Warning, WaverRemedy, flatten_within,
+    Point3, ShortNumber, Warning,
+    construct::{ArcFit, ArcFitOptions, Effort, FitCertificate, FitTarget},
+    curve::{Arc, CurvePlace, ParamCurve},
+    error::{FitError, NumberError},
+    mesh::flatten_within,
+    model::CurveObject,
+    warning::{FitWarning, WaverRemedy},
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,6 +1,13 @@
 //! Arcs through points, tangent-continuous.
 
-use cyclide::{ArcPath, ArcSplineOptions, BiarcRule, CurveObject, ErrorItem, NumberError, Vec3, WaverRemedy};
+use cyclide::{
+    Vec3,
+    construct::{ArcSplineOptions, BiarcRule},
+    curve::ArcPath,
+    error::{ErrorItem, NumberError},
+    model::CurveObject,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -21,7 +28,7 @@ use crate::error::Result;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "arc-spline", "points": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// let curve = built[0].item.curves()[0].as_curve();
-/// assert!(cyclide::joints(curve).iter().all(|joint| joint.angle < 1e-12));
+/// assert!(cyclide::curve::joints(curve).iter().all(|joint| joint.angle < 1e-12));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

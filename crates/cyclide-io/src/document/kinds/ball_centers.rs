@@ -1,6 +1,6 @@
 //! The paths of the centers of the balls of blends.
 
-use cyclide::{BallCenters, CurveObject};
+use cyclide::{construct::BallCenters, model::CurveObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,10 @@
 //! Two arcs between two points with given directions.
 
-use cyclide::{ArcError, Biarc, BiarcRule, CurveObject, NumberError, PointError};
+use cyclide::{
+    construct::{Biarc, BiarcRule},
+    error::{ArcError, NumberError, PointError},
+    model::CurveObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -54,7 +58,7 @@ impl Kind for BiarcSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         let (E::Number(NumberError::NotFinite { what: I::Tangent, index })
         | E::Point(PointError::ZeroTangent { index })
         | E::Arc(ArcError::TangentOpposesChord { index, .. })) = *error

@@ -1,6 +1,10 @@
 //! The surface of the centers of all balls that touch two pipes.
 
-use cyclide::{Body, CrossingError, Shell, SurfaceObject};
+use cyclide::{
+    error::CrossingError,
+    model::SurfaceObject,
+    topology::{Body, Shell},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! A full circle.
 
-use cyclide::{ArcError, Circle, CurveObject, Vec3};
+use cyclide::{Vec3, curve::Circle, error::ArcError, model::CurveObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -17,7 +17,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]

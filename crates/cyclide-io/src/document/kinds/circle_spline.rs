@@ -1,6 +1,11 @@
 //! A smooth curve through points, blended from circles.
 
-use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, CurveObject, Point3, SplineEnds, WaverRemedy};
+use cyclide::{
+    Point3,
+    curve::{BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds},
+    model::CurveObject,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -26,7 +31,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -1,6 +1,11 @@
 //! Arcs between two curves.
 
-use cyclide::{ArcError, BridgeError, NumberError, PointError, RailSurface, ShortNumber, SurfaceObject, Vec3};
+use cyclide::{
+    ShortNumber, Vec3,
+    construct::RailSurface,
+    error::{ArcError, BridgeError, NumberError, PointError},
+    model::SurfaceObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,8 +1,10 @@
 //! A cylinder or cone joined to a sphere or a plate by a rolling-ball fillet.
 
 use cyclide::{
-    BlendBase, BlendRing, BlendTube, BridgeError, ContactBlend, ContactError, NeckSide, NumberError, PipeError,
-    PlateShape, RingBlend, SurfaceObject, TeeEnds, Vec3,
+    Vec3,
+    construct::{BlendBase, BlendRing, BlendTube, ContactBlend, NeckSide, PlateShape, RingBlend, TeeEnds},
+    error::{BridgeError, ContactError, NumberError, PipeError},
+    model::SurfaceObject,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -231,7 +233,7 @@ fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<C
 
 /// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
 pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     match error {
         E::Number(NumberError::NotFinite { what: I::Radius, index: 1 })
         | E::Contact(ContactError::BlendFolds { .. })

@@ -1,6 +1,6 @@
 //! Surfaces inside blocks.
 
-use cyclide::{Body, CyclideVolume, SurfaceObject};
+use cyclide::{model::SurfaceObject, topology::Body, volume::CyclideVolume};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,10 @@
 //! A whole Dupin cyclide.
 
-use cyclide::{DupinCyclide, PointError, SurfaceObject, Torus};
+use cyclide::{
+    error::PointError,
+    model::SurfaceObject,
+    surface::{DupinCyclide, Torus},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

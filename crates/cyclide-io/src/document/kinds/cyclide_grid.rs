@@ -1,6 +1,10 @@
 //! Blocks in a grid.
 
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, PartError, PatchError, PoseError};
+use cyclide::{
+    error::{PartError, PatchError, PoseError},
+    surface::DupinCyclide,
+    volume::{CyclideGrid, CyclideVolume},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,10 @@
 //! One patch of a Dupin cyclide, bounded by four circular arcs.
 
-use cyclide::{CyclidePatch, NumberError, PatchError, PointError, SurfaceObject};
+use cyclide::{
+    error::{NumberError, PatchError, PointError},
+    model::SurfaceObject,
+    surface::CyclidePatch,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -52,7 +56,7 @@ impl Kind for CyclidePatchSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         match *error {
             E::Patch(PatchError::NotConcircular { .. } | PatchError::CrossingQuad { .. }) => {
                 Some(Blame::Entry("corners", 3))

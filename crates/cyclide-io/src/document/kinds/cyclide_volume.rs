@@ -1,6 +1,10 @@
 //! A block between cyclides that intersect at right angles.
 
-use cyclide::{CyclideVolume, ErrorItem, NumberError, Point3, PointError, SphericalCube};
+use cyclide::{
+    Point3,
+    error::{ErrorItem, NumberError, PointError},
+    volume::{CyclideVolume, SphericalCube},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,11 @@
 //! An ellipse or an elliptical arc.
 
-use cyclide::{CurveObject, Ellipse, NumberError, PointError, Vec3};
+use cyclide::{
+    Vec3,
+    construct::Ellipse,
+    error::{NumberError, PointError},
+    model::CurveObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! Half circles between two ellipses.
 
-use cyclide::{EllipseBridge, PointError, ShortNumber, SurfaceObject};
+use cyclide::{ShortNumber, construct::EllipseBridge, error::PointError, model::SurfaceObject};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

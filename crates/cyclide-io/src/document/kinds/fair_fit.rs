@@ -1,6 +1,10 @@
 //! The fairest smooth curve near points.
 
-use cyclide::{CurveObject, FairFit, FairFitOptions, Heights, Noise, Outliers, WaverRemedy};
+use cyclide::{
+    construct::{FairFit, FairFitOptions, Heights, Noise, Outliers},
+    model::CurveObject,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,11 @@
 //! The fairest smooth curve through points.
 
-use cyclide::{CircleSpline, CurveObject, FairEnd, FairSplineOptions, WaverRemedy};
+use cyclide::{
+    construct::{FairEnd, FairSplineOptions},
+    curve::CircleSpline,
+    model::CurveObject,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -32,7 +37,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-9);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

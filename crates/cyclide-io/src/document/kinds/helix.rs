@@ -1,6 +1,6 @@
 //! A helix.
 
-use cyclide::{CurveObject, Helix, Point3, Vec3};
+use cyclide::{Point3, Vec3, construct::Helix, model::CurveObject};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,10 @@
 //! Blocks in layers over a net.
 
-use cyclide::{CyclideGrid, CyclideVolume, CyclidicNet, SurfaceObject};
+use cyclide::{
+    model::SurfaceObject,
+    surface::CyclidicNet,
+    volume::{CyclideGrid, CyclideVolume},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

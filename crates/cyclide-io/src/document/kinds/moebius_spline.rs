@@ -1,8 +1,12 @@
 //! A local smooth curve through points, of a kind that Möbius maps preserve.
 
 use cyclide::{
-    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, NumberError, NurbsError,
-    PoseError, QbSpline, Vec3, WaverRemedy,
+    Vec3,
+    construct::MoebiusSplineOptions,
+    curve::{CircleSpline, CircleSplineOptions, QbSpline},
+    error::{ErrorItem, NumberError, NurbsError, PoseError},
+    model::CurveObject,
+    warning::WaverRemedy,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -34,7 +38,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "moebius-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -111,7 +115,7 @@ impl Kind for MoebiusSplineSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         match *error {
             E::Pose(PoseError::ParametersNotIncreasing { index, .. })
             | E::Number(NumberError::NotFinite { what: I::Knot, index }) => Some(Blame::Entry("knots", index)),

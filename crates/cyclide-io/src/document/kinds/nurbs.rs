@@ -1,6 +1,12 @@
 //! A rational B-spline curve.
 
-use cyclide::{CurveError, CurveObject, NumberError, NurbsCurve, NurbsError, Point3, ShortNumber, WaverRemedy};
+use cyclide::{
+    Point3, ShortNumber,
+    error::{CurveError, NumberError, NurbsError},
+    model::CurveObject,
+    rational::NurbsCurve,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -42,7 +48,7 @@ use crate::error::Result;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "nurbs", "degree": 2, "knots": [0, 0, 0, 1, 1, 1],
 ///     "control_points": [[1, 0], [1, 1], [0, 1]], "weights": [1, 0.7071067811865476, 1]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let quarter = cyclide::length(built[0].item.curves()[0].as_curve());
+/// let quarter = cyclide::curve::length(built[0].item.curves()[0].as_curve());
 /// assert!((quarter - 0.5 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -126,8 +132,10 @@ fn are_clamped(spec: &NurbsSpec) -> bool {
 
 /// What helps where the count of knots does not fit.
 pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String> {
-    let is_count =
-        matches!(error, cyclide::Error::Number(NumberError::CountDiffers { what: cyclide::ErrorItem::Knot, .. }));
+    let is_count = matches!(
+        error,
+        cyclide::Error::Number(NumberError::CountDiffers { what: cyclide::error::ErrorItem::Knot, .. })
+    );
     is_count.then(|| {
         format!(
             "{error}: the number of knots is that of the control points + degree + 1 (if a program omits the first and the last knot, repeat them)"
@@ -137,7 +145,7 @@ pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String>
 
 /// Which value of a `nurbs` an error of the kernel is about.
 pub(in crate::document) fn blame_nurbs(error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     match *error {
         E::Number(NumberError::ParameterOutOfRange { name: I::Degree, .. }) => Blame::Field("degree"),
         E::Nurbs(NurbsError::WeightNotPositive { index, .. } | NurbsError::WeightsUneven { second: index, .. }) => {

@@ -1,8 +1,12 @@
 //! A parallel surface, or the solid between it and the original.
 
 use cyclide::{
-    Body, CurveObject, CyclidePatch, NetWarning, NumberError, PartError, PatchError, Shell, ShellError, ShellFace,
-    SurfaceObject, Torus, Warning,
+    Warning,
+    error::{NumberError, PartError, PatchError, ShellError},
+    model::{CurveObject, SurfaceObject},
+    surface::{CyclidePatch, Torus},
+    topology::{Body, Shell, ShellFace},
+    warning::NetWarning,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -65,14 +69,14 @@ impl Kind for OffsetSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }))
             || is_of_distance(error);
         is_of_distance.then_some(Blame::Field("distance"))
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }));
         (is_of_distance && self.distance == 0.0)
             .then(|| "a solid between a surface and its offset requires a nonzero distance".to_owned())

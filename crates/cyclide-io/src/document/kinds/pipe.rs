@@ -1,8 +1,11 @@
 //! A tube of constant radius about a curve of arcs and segments.
 
 use cyclide::{
-    CurveObject, FairFit, FairFitOptions, Lower as _, ParamCurve as _, Pipe, PipeEnds, PipeError, Point3, ShortNumber,
-    SurfaceObject,
+    Point3, ShortNumber,
+    construct::{FairFit, FairFitOptions, Pipe, PipeEnds},
+    curve::ParamCurve as _,
+    error::PipeError,
+    model::{CurveObject, Lower as _, SurfaceObject},
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -116,12 +119,12 @@ impl Builder<'_> {
     pub(in crate::document) fn fit_for_pipe(&self, curve: &CurveObject, pipe: &Pipe, radius: f64) -> Option<String> {
         let CurveObject::ArcPath(path) = curve else { return None };
         let arcs = path.arcs();
-        if arcs.len() > MOST_TRIED || !arcs.iter().all(cyclide::Arc::is_straight) {
+        if arcs.len() > MOST_TRIED || !arcs.iter().all(cyclide::curve::Arc::is_straight) {
             return None;
         }
         let closed = curve.as_curve().is_closed();
-        let mut points: Vec<Point3> = arcs.iter().map(cyclide::Arc::start).collect();
-        points.extend(arcs.last().filter(|_| !closed).map(cyclide::Arc::end));
+        let mut points: Vec<Point3> = arcs.iter().map(cyclide::curve::Arc::start).collect();
+        points.extend(arcs.last().filter(|_| !closed).map(cyclide::curve::Arc::end));
         let name = &self.sources.first()?.item.name;
         TOLERANCES.into_iter().find_map(|part| {
             let tolerance = rounded_down(part * radius);

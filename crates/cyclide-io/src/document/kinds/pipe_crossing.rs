@@ -3,8 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use cyclide::{
-    BallError, CrossingError, CrossingPipe, CrossingSide, NumberError, PipeCrossing, PipeError, PointError,
-    SurfaceObject, TeeEnds,
+    construct::{CrossingPipe, CrossingSide, PipeCrossing, TeeEnds},
+    error::{BallError, CrossingError, NumberError, PipeError, PointError},
+    model::SurfaceObject,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -234,7 +235,7 @@ fn crossing(spec: &PipeCrossingSpec, values: &[[f64; 2]]) -> cyclide::Result<Pip
 
 /// As [`blame`], of crossings of pipes.
 pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     match error {
         E::Pipe(PipeError::EndsReversed { pipe, .. })
         | E::Crossing(

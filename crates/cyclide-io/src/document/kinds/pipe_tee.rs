@@ -3,7 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use cyclide::{
-    NumberError, PartError, PipeError, PipeTee, SurfaceObject, TeeBlend, TeeBranch, TeeEnds, TeeError, TeeMain,
+    construct::{PipeTee, TeeBlend, TeeBranch, TeeEnds, TeeMain},
+    error::{NumberError, PartError, PipeError, TeeError},
+    model::SurfaceObject,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -290,7 +292,7 @@ impl Builder<'_> {
 
 /// As [`blame`], of tees.
 pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     match error {
         E::Tee(
             TeeError::BranchTooWide { branch, .. }

@@ -1,6 +1,10 @@
 //! A pipe on a plate with a rounded neck.
 
-use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, NumberError, PipeError, PlateShape, SurfaceObject};
+use cyclide::{
+    construct::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape},
+    error::{NumberError, PipeError},
+    model::SurfaceObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

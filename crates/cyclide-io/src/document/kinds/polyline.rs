@@ -1,6 +1,10 @@
 //! Segments through points, with corners rounded by arcs.
 
-use cyclide::{ArcPath, CurveObject, ErrorItem, NumberError};
+use cyclide::{
+    curve::ArcPath,
+    error::{ErrorItem, NumberError},
+    model::CurveObject,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -19,7 +23,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - (16.0 + std::f64::consts::PI)).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[0].item.curves()[0].as_curve()) - (16.0 + std::f64::consts::PI)).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -1,6 +1,13 @@
 //! A rational curve of lowest degree through points.
 
-use cyclide::{CurveObject, ErrorItem, NumberError, PointError, QbInterpolation, QbNode, QbSpline, Vec3, WaverRemedy};
+use cyclide::{
+    Vec3,
+    construct::{QbInterpolation, QbNode},
+    curve::QbSpline,
+    error::{ErrorItem, NumberError, PointError},
+    model::CurveObject,
+    warning::WaverRemedy,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -80,7 +87,7 @@ impl Kind for QbInterpolationSpec {
     }
 
     fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         match error {
             E::Number(NumberError::CountDiffers { what: I::Parameter, .. }) => None,
             E::Number(NumberError::CountDiffers { .. } | NumberError::NotFinite { what: I::Tangent, .. }) => {

@@ -1,6 +1,11 @@
 //! The surface or solid swept by a curve that turns about an axis.
 
-use cyclide::{CurveObject, NumberError, PointError, Revolution, ShortNumber, SurfaceObject, Vec3};
+use cyclide::{
+    ShortNumber, Vec3,
+    construct::Revolution,
+    error::{NumberError, PointError},
+    model::{CurveObject, SurfaceObject},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,8 +1,11 @@
 //! A smooth surface through the vertices of a triangle mesh.
 
 use cyclide::{
-    Error as KernelError, ErrorItem, MeshError, MeshWarning, NormalWeights, NumberError, PartError, ShortNumber,
-    SmoothMesh, SurfaceObject, VertexNormals, Warning,
+    Error as KernelError, ShortNumber, Warning,
+    error::{ErrorItem, MeshError, NumberError, PartError},
+    model::SurfaceObject,
+    surface::{NormalWeights, SmoothMesh, VertexNormals},
+    warning::MeshWarning,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,8 +1,10 @@
 //! A convex polyhedron with its edges and corners rounded.
 
 use cyclide::{
-    ConvexPolyhedron, Error as KernelError, ErrorItem, NumberError, Point3, PointError, PolyhedronError, ShortNumber,
-    SurfaceObject,
+    Error as KernelError, Point3, ShortNumber,
+    construct::ConvexPolyhedron,
+    error::{ErrorItem, NumberError, PointError, PolyhedronError},
+    model::SurfaceObject,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

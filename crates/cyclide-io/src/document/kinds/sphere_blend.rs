@@ -1,8 +1,10 @@
 //! A smooth patch over one triangle, shaped by three spheres.
 
 use cyclide::{
-    Error as KernelError, ErrorItem, MeshError, NumberError, PartError, PatchError, SphereBlend, SurfaceObject,
-    TriangleError, TriangleSurface,
+    Error as KernelError,
+    error::{ErrorItem, MeshError, NumberError, PartError, PatchError, TriangleError},
+    model::SurfaceObject,
+    surface::{SphereBlend, TriangleSurface},
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

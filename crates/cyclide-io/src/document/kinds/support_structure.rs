@@ -1,6 +1,6 @@
 //! The edges of a surface as arcs.
 
-use cyclide::{CurveObject, SurfaceObject};
+use cyclide::model::{CurveObject, SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -16,7 +16,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}, "e": {"type": "support-structure", "of": "p"}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 2.0).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[1].item.curves()[0].as_curve()) - 2.0).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -1,8 +1,11 @@
 //! A plane section moved along a path.
 
 use cyclide::{
-    CurveError, CurveObject, EdgeCurve, NumberError, PipeError, ProfileError, ShortNumber, SurfaceObject, Sweep,
-    SweepFrame, SweepOptions, TubeError,
+    ShortNumber,
+    construct::{Sweep, SweepFrame, SweepOptions},
+    error::{CurveError, NumberError, PipeError, ProfileError, TubeError},
+    model::{CurveObject, SurfaceObject},
+    topology::EdgeCurve,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

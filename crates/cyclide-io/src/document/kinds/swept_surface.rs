@@ -1,7 +1,12 @@
 //! The surface swept by a curve of a moving body.
 
 use cyclide::{
-    CurveObject, MotionError, Point3, RationalMotion, ShortNumber, SurfaceObject, SweptSurface, Vec3, bounds,
+    Point3, ShortNumber, Vec3,
+    construct::SweptSurface,
+    curve::bounds,
+    error::MotionError,
+    model::{CurveObject, SurfaceObject},
+    motion::RationalMotion,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

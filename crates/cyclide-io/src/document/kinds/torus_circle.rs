@@ -1,6 +1,12 @@
 //! A circle on a torus.
 
-use cyclide::{Circle, CircleFamily, CurveObject, Point2, Torus, TorusError, TorusSpline};
+use cyclide::{
+    Point2,
+    curve::Circle,
+    error::TorusError,
+    model::CurveObject,
+    surface::{CircleFamily, Torus, TorusSpline},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +27,7 @@ use crate::error::Result;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "at": [0, 0]}}}"#.parse()?;
 /// let built = document.build()?;
 /// // Villarceau circles are as large as the middle of the tube.
-/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// let length = cyclide::curve::length(built[0].item.curves()[0].as_curve());
 /// assert!((length - 80.0 * std::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -63,7 +69,7 @@ pub struct TorusCircleSpec {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "family": "meridian", "at": [0, 0]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// let length = cyclide::curve::length(built[0].item.curves()[0].as_curve());
 /// assert!((length - 30.0 * std::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -1,6 +1,6 @@
 //! A curve that winds evenly around the axis and the tube of a torus.
 
-use cyclide::{CurveObject, Point2, TorusSpline};
+use cyclide::{Point2, model::CurveObject, surface::TorusSpline};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

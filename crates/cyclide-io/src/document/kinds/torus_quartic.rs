@@ -1,7 +1,10 @@
 //! A closed quartic of one type on a torus.
 
 use cyclide::{
-    CircleFamily, CurveObject, Error as E, ErrorItem as I, NumberError, Point2, QuarticType, TorusError, TorusSpline,
+    Error as E, Point2,
+    error::{ErrorItem as I, NumberError, TorusError},
+    model::CurveObject,
+    surface::{CircleFamily, QuarticType, TorusSpline},
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,8 +1,11 @@
 //! A raised or sunk seam along a curve on a torus.
 
 use cyclide::{
-    Body, CurveError, Error as E, ErrorItem as I, NumberError, NurbsError, PointError, ShortNumber, SurfaceObject,
-    TorusError, TorusSeam,
+    Error as E, ShortNumber,
+    construct::TorusSeam,
+    error::{CurveError, ErrorItem as I, NumberError, NurbsError, PointError, TorusError},
+    model::SurfaceObject,
+    topology::Body,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

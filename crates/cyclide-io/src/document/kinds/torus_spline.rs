@@ -3,8 +3,12 @@
 use std::fmt;
 
 use cyclide::{
-    CurveObject, ErrorItem as I, Lower as _, NumberError, Point2, PointError, Torus, TorusSpline, TorusSplineOptions,
-    TorusTangent, TorusWinding, WaverRemedy,
+    Point2,
+    construct::{TorusSplineOptions, TorusTangent, TorusWinding},
+    error::{ErrorItem as I, NumberError, PointError},
+    model::{CurveObject, Lower as _},
+    surface::{Torus, TorusSpline},
+    warning::WaverRemedy,
 };
 use schemars::JsonSchema;
 use serde::de::value::SeqAccessDeserializer;

@@ -1,6 +1,6 @@
 //! The path of a point of a moving body.
 
-use cyclide::{CurveObject, MotionError, ShortNumber, bounds};
+use cyclide::{ShortNumber, curve::bounds, error::MotionError, model::CurveObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

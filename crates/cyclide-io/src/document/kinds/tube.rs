@@ -3,8 +3,11 @@
 use std::fmt;
 
 use cyclide::{
-    ArcError, Ball, Body, CurveError, CurveObject, Exactness, Lower as _, NumberError, PipeEnds, PipeError, Point3,
-    RadiusLaw, ShortNumber, SurfaceObject, TaperedTube, Tube, TubeError,
+    Point3, ShortNumber,
+    construct::{Ball, PipeEnds, RadiusLaw, TaperedTube, Tube},
+    error::{ArcError, CurveError, NumberError, PipeError, TubeError},
+    model::{CurveObject, Exactness, Lower as _, SurfaceObject},
+    topology::Body,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -363,7 +366,7 @@ pub(in crate::document) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Id
 
 /// As [`blame`], of tubes.
 pub(in crate::document) fn blame_tube(spec: &TubeSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     let through = spec.balls.is_some();
     match error {
         E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. }) => {

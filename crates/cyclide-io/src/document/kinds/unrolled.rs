@@ -1,6 +1,11 @@
 //! A curve on a torus, laid flat.
 
-use cyclide::{ArcPath, CurveObject, Torus, TorusMap, UnrollOptions};
+use cyclide::{
+    construct::{TorusMap, UnrollOptions},
+    curve::ArcPath,
+    model::CurveObject,
+    surface::Torus,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

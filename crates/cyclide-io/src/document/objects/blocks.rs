@@ -1,6 +1,10 @@
 //! Blocks: how many there may be, their bodies and frames.
 
-use cyclide::{Body, CyclideVolume, NumberError, PatchError};
+use cyclide::{
+    error::{NumberError, PatchError},
+    topology::Body,
+    volume::CyclideVolume,
+};
 
 use crate::document::kinds::fields::cells::CellsSpec;
 use crate::document::kinds::fields::frame::{FrameSpec, frame_words};

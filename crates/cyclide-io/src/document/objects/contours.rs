@@ -1,7 +1,12 @@
 //! Contours: their points after merging, and what is known of the curve that is made of them.
 
 use cyclide::{
-    CurveObject, ErrorItem, FairFitCertificate, FitCertificate, NumberError, Torus, Warning, corners_by_angle,
+    Warning,
+    construct::{FairFitCertificate, FitCertificate},
+    curve::corners_by_angle,
+    error::{ErrorItem, NumberError},
+    model::CurveObject,
+    surface::Torus,
 };
 
 use crate::document::angle::Angle;

@@ -1,6 +1,11 @@
 //! Curves so small and so far from the origin that rounding is their shape.
 
-use cyclide::{Arc, BlendSegment, CurveObject, ErrorItem, PointError, Vec3, bounds};
+use cyclide::{
+    Vec3,
+    curve::{Arc, BlendSegment, bounds},
+    error::{ErrorItem, PointError},
+    model::CurveObject,
+};
 
 use crate::document::objects::Builder;
 use crate::error::Result;

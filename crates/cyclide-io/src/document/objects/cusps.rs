@@ -1,6 +1,11 @@
 //! Curves that come to a stand by their data.
 
-use cyclide::{CurveCusp, CurveObject, CurveWarning, ParamCurve, Warning, cusps};
+use cyclide::{
+    Warning,
+    curve::{CurveCusp, ParamCurve, cusps},
+    model::CurveObject,
+    warning::CurveWarning,
+};
 
 use crate::document::objects::Builder;
 use crate::document::objects::contours::ContourFacts;

@@ -1,8 +1,11 @@
 //! What is known of objects of single kinds besides their geometry.
 
 use cyclide::{
-    BallCenters, ConvexPolyhedron, CurveObject, Exactness, Grading, GridQuality, Mobius, QuadGrid, Seam, TeeBlendFacts,
-    TorusMap,
+    conformal::Mobius,
+    construct::{BallCenters, ConvexPolyhedron, TeeBlendFacts, TorusMap},
+    model::{CurveObject, Exactness},
+    surface::{QuadGrid, Seam},
+    volume::{Grading, GridQuality},
 };
 use cyclide_grids::{CircularMeshReport, PrincipalGridReport};
 use schemars::JsonSchema;
@@ -200,7 +203,7 @@ pub struct SmoothChoice {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert_eq!(built[0].facts.tubes().expect("it is one")[0].within, cyclide::Exactness::Exact);
+/// assert_eq!(built[0].facts.tubes().expect("it is one")[0].within, cyclide::model::Exactness::Exact);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,10 @@
 //! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
 //! a construction does with a field.
 
-use cyclide::{CurveObject, bounds, corners_by_angle};
+use cyclide::{
+    curve::{bounds, corners_by_angle},
+    model::CurveObject,
+};
 
 use crate::document::angle::Angle;
 use crate::document::locate::Step;

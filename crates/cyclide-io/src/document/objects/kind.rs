@@ -1,6 +1,12 @@
 //! What a kind of object says of itself: all that the rest of the program asks about it.
 
-use cyclide::{Body, CurveObject, CyclideVolume, GridObject, MovingBody, SurfaceObject, Torus, TorusSpline};
+use cyclide::{
+    model::{CurveObject, GridObject, SurfaceObject},
+    motion::MovingBody,
+    surface::{Torus, TorusSpline},
+    topology::Body,
+    volume::CyclideVolume,
+};
 
 use crate::document::angle::Angle;
 use crate::document::coordinates::PointSource;

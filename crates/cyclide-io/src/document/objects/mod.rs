@@ -19,7 +19,11 @@ pub(in crate::document) mod wavers;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Body, CurveObject, Geometry, Item, Point3, SurfaceObject};
+use cyclide::{
+    Point3,
+    model::{CurveObject, Geometry, Item, SurfaceObject},
+    topology::Body,
+};
 
 use super::Document;
 use super::locate::{Step, path_text, span_of};
@@ -78,7 +82,7 @@ pub struct BuiltObject {
 /// let document: Document = text.parse()?;
 /// let read = |_: &Path| Ok(b"x,y\n0,0\n3,4\n".to_vec());
 /// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
-/// assert!((cyclide::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 pub struct ModelBuilder<'a> {

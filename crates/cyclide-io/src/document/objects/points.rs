@@ -1,6 +1,10 @@
 //! The points of an object: read, merged, and handed to its construction contour by contour.
 
-use cyclide::{CurveObject, CurveWarning, Units, Warning};
+use cyclide::{
+    Warning,
+    model::{CurveObject, Units},
+    warning::CurveWarning,
+};
 
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};

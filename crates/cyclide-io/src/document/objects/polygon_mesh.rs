@@ -1,6 +1,6 @@
 //! Meshes in files, whatever their format.
 
-use cyclide::{Point3, ShortNumber, Units};
+use cyclide::{Point3, ShortNumber, model::Units};
 
 use crate::document::kinds::fields::polygon_mesh_file::PolygonMeshFile;
 use crate::document::objects::Builder;

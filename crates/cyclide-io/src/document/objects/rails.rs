@@ -1,6 +1,11 @@
 //! Surfaces between two curves.
 
-use cyclide::{Circle, CurveObject, EdgeCurve, RailSurface, SurfaceObject};
+use cyclide::{
+    construct::RailSurface,
+    curve::Circle,
+    model::{CurveObject, SurfaceObject},
+    topology::EdgeCurve,
+};
 
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::{Error, Result};

@@ -1,8 +1,11 @@
 //! What the kernel refused, shown at the point or field it is about.
 
 use cyclide::{
-    ArcError, CurveError, ErrorItem, GridError, InterpolationError, NumberError, PatchError, PipeError, Point3,
-    PointError, PointWarning, ShortNumber, Warning,
+    Point3, ShortNumber, Warning,
+    error::{
+        ArcError, CurveError, ErrorItem, GridError, InterpolationError, NumberError, PatchError, PipeError, PointError,
+    },
+    warning::PointWarning,
 };
 
 use super::kind::Blame;
@@ -151,7 +154,7 @@ fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
 /// Which value of an object an error of the kernel is about.
 pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Blame {
     kind.blame(error).or_else(|| blame_by_word(error)).or_else(|| kind.blame_otherwise()).unwrap_or_else(|| {
-        use cyclide::{Error as E, ErrorItem as I};
+        use cyclide::{Error as E, error::ErrorItem as I};
         match *error {
             E::Point(PointError::ZeroAxis { .. }) => Blame::Field("normal"),
             E::Number(NumberError::ParameterOutOfRange { name: I::SegmentsAlongS, .. }) => Blame::Entry("segments", 0),
@@ -167,7 +170,7 @@ pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Bla
 
 /// The value that an error is about by what it names, whatever the kind.
 fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     Some(match *error {
         E::Interpolation(InterpolationError::RepeatedParameter { second, .. }) => Blame::Entry("parameters", second),
         E::Number(NumberError::NotFinite { what: I::Parameter, index }) => Blame::Entry("parameters", index),
@@ -198,7 +201,7 @@ fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
 
 /// Sizes that are fields of their own.
 pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     match error {
         E::Number(NumberError::ParameterOutOfRange {
             name: name @ (I::Height | I::Thickness | I::Wall | I::Depth),
@@ -210,7 +213,7 @@ pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
 
 /// Directions of a curve with `ends`.
 pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, ErrorItem as I};
+    use cyclide::{Error as E, error::ErrorItem as I};
     let is_tangent = matches!(
         error,
         E::Number(NumberError::NotFinite { what: I::Tangent, .. })

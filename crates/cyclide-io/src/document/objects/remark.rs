@@ -1,6 +1,6 @@
 //! What the user should know of an object: warnings of the kernel with their place, and what reading and making it remarked.
 
-use cyclide::{ShortNumber, Units, Warning};
+use cyclide::{ShortNumber, Warning, model::Units};
 
 use crate::document::locate::{Step, path_text};
 use crate::document::objects::Builder;

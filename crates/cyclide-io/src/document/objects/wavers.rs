@@ -1,7 +1,10 @@
 //! Curves that bend to and fro more often than their data: one rule for every kind.
 
 use cyclide::{
-    CurveObject, CurveWarning, Point3, RoundedTurns, Warning, WaverRemedy, Wavering, wavering, wavering_against,
+    Point3, Warning,
+    curve::{RoundedTurns, Wavering, wavering, wavering_against},
+    model::CurveObject,
+    warning::{CurveWarning, WaverRemedy},
 };
 
 use crate::document::objects::Builder;

@@ -26,7 +26,12 @@ use crate::export::lowered::Forms;
 use crate::export::options::DxfVersion;
 use crate::export::parts::{Contour, contours};
 use crate::formats::entry::{Entry, Kind, Reading};
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Lowered, Model, NurbsCurve, ParamCurve as _, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, ArcPath, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Lowered, Model},
+    rational::NurbsCurve,
+};
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;

@@ -1,6 +1,6 @@
 //! Planes of DXF entities: the object coordinate system that belongs to an extrusion direction.
 
-use cyclide::{Arc, Point3, Vec3};
+use cyclide::{Point3, Vec3, curve::Arc};
 
 /// Points this close to a plane, relative to the model's size, lie in it: rounding of the construction.
 const PLANE_LIMIT: f64 = 1e-12;

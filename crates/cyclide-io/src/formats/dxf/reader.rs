@@ -8,7 +8,12 @@ use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName, push_counted};
 use crate::check::read_error::ReadError;
 use crate::export::options::DxfVersion;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Model, NurbsCurve, ParamCurve as _, Point3, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, ArcPath, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Model, Units},
+    rational::NurbsCurve,
+};
 use std::collections::HashMap;
 
 /// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of center

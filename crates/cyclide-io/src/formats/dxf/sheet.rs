@@ -10,7 +10,11 @@ use super::{Entities, LAYER, at_most_half_turns};
 use crate::check::read_error::ReadError;
 use crate::export::exported::{Promise, Written};
 use crate::export::options::DxfVersion;
-use cyclide::{Aabb, Arc, ArcPath, ChainPiece, ParamCurve as _, Point3, Units, Vec3};
+use cyclide::{
+    Aabb, Point3, Vec3,
+    curve::{Arc, ArcPath, ParamCurve as _},
+    model::{ChainPiece, Units},
+};
 
 /// What is read may differ from what was drawn by this part of the largest coordinate: arcs that turn by less than 5e-8 are
 /// straight in the file, which is a hundred-millionth of their length.

@@ -2,7 +2,7 @@
 
 use super::tags::Tags;
 use crate::export::options::DxfVersion;
-use cyclide::{Aabb, Point3, Units};
+use cyclide::{Aabb, Point3, model::Units};
 
 /// Handles of the fixed records; entities get theirs from [`FIRST_FREE`] on.
 mod handles {

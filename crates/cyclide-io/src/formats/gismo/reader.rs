@@ -8,7 +8,7 @@ use crate::check::spline_patches::add_patches;
 use crate::export::rational_cells::{MOST_TAG, RationalCell, Tags};
 use crate::export::spline_patches::{Knots, SplinePatch};
 use crate::text::xml::attribute;
-use cyclide::Units;
+use cyclide::model::Units;
 use std::str::FromStr;
 
 /// What the names are those of.

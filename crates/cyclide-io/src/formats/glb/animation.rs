@@ -11,7 +11,11 @@ use crate::export::exported::Promise;
 use crate::export::mesh::single;
 use crate::export::moving::MovingRoom;
 use crate::export::ready::ReadyModel;
-use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, ShortNumber, TimeLaw, Vec3};
+use cyclide::{
+    Point3, ShortNumber, Vec3,
+    model::{Item, Model},
+    motion::{BodyMesh, MovingBody, Schedule, TimeLaw},
+};
 use serde_json::{Value, json};
 
 /// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.

@@ -2,7 +2,7 @@
 
 use crate::check::read_error::ReadError;
 use crate::drawing::palette;
-use cyclide::Item;
+use cyclide::model::Item;
 use serde_json::{Value, json};
 use std::fmt;
 

@@ -37,7 +37,13 @@ use crate::formats::entry::{Entry, Reading};
 use crate::formats::mesh_entry::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use animation::Clip;
 use buffer::Buffer;
-use cyclide::{Aabb, Item, MeshCorner, MovingBody, Point3, SurfaceMesh, bounds};
+use cyclide::{
+    Aabb, Point3,
+    curve::bounds,
+    mesh::{MeshCorner, SurfaceMesh},
+    model::Item,
+    motion::MovingBody,
+};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
 

@@ -7,7 +7,10 @@ use crate::check::file_content::FileContent;
 use crate::check::labels::{FileName, push_counted};
 use crate::check::polyline::chain;
 use crate::check::read_error::ReadError;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+};
 use serde_json::Value;
 use std::cell::Cell;
 

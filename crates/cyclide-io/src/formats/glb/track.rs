@@ -8,7 +8,10 @@
 //! does much in a moment.
 
 use crate::export::mesh::single;
-use cyclide::{Point3, Pose, Quat, Schedule, Vec3};
+use cyclide::{
+    Point3, Quat, Vec3,
+    motion::{Pose, Schedule},
+};
 
 /// Part of the tolerance that is used between the places looked at.
 const SHARE: f64 = 0.5;

@@ -35,7 +35,12 @@ use crate::export::parts::Contour;
 use crate::export::ready::ReadyModel;
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
-use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, NurbsCurve, ParamCurve as _, Point3};
+use cyclide::{
+    Point3,
+    curve::{DEFAULT_PIECE_ANGLE, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Exactness, Lowered},
+    rational::NurbsCurve,
+};
 use serde_json::Value;
 
 use reader::read;

@@ -7,7 +7,11 @@ use crate::check::bodies::FilePatch;
 use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
-use cyclide::{ChainPiece, CurveChain, NurbsCurve, Point3, RationalBezierSurface, Units};
+use cyclide::{
+    Point3,
+    model::{ChainPiece, CurveChain, Units},
+    rational::{NurbsCurve, RationalBezierSurface},
+};
 use indexmap::IndexMap;
 use serde::Deserialize;
 

@@ -5,7 +5,10 @@ use crate::export::error::ExportError;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{CutShell, FaceGeometry as _, RationalBezierSurface, Shell};
+use cyclide::{
+    rational::RationalBezierSurface,
+    topology::{CutShell, FaceGeometry as _, Shell},
+};
 
 /// Writes a body as one element of the list `surfaces`: patches whose weights are not all positive are cut. Gives what its
 /// patches stand for.
@@ -56,7 +59,7 @@ mod tests {
     use crate::export::options::ExportOptions;
     use crate::formats::json::read;
     use crate::formats::{Exporter, Format};
-    use cyclide::{CyclidePatch, FacePart, Model, Point3, Vec3};
+    use cyclide::{Point3, Vec3, model::Model, surface::CyclidePatch, topology::FacePart};
 
     /// Half of a plane ring, which is cut into two patches, after something was changed in what is told of them.
     fn checked(change: impl FnOnce(&mut Vec<FacePart>)) -> Result<f64, String> {

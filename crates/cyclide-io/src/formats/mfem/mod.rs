@@ -22,7 +22,7 @@ use crate::export::spline_patches::{SplinePatch, push_curves, push_surfaces_and_
 use crate::formats::entry::{Entry, Reading};
 use crate::text::lines::on_a_line;
 use crate::text::number::push_spaced;
-use cyclide::{Geometry, Item, Model};
+use cyclide::model::{Geometry, Item, Model};
 use reader::read;
 use std::fmt::Write as _;
 use topology::Topology;

@@ -2,7 +2,11 @@
 
 use std::collections::HashMap;
 
-use cyclide::{Error, GridError, LayoutFault, QuadGrid, QuadLayout};
+use cyclide::{
+    Error,
+    error::{GridError, LayoutFault},
+    surface::{QuadGrid, QuadLayout},
+};
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::input::exported_faces::{doubled, turned_over};
@@ -420,7 +424,7 @@ impl<'a> Mesh<'a> {
     /// The kernel's refusal of a part of a rectangle.
     fn refused_in_steps(&self, error: &Error) -> Box<Diagnostic> {
         let message = match error {
-            Error::Grid(GridError::CellsUnfit { fault: cyclide::GridCellFault::Enclosed, .. }) => {
+            Error::Grid(GridError::CellsUnfit { fault: cyclide::error::GridCellFault::Enclosed, .. }) => {
                 "the mesh has a hole: fill it with quads and list them in `openings` of the net".to_owned()
             }
             _ => error.to_string(),

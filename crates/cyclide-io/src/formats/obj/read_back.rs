@@ -5,7 +5,11 @@ use crate::check::file_content::FileContent;
 use crate::check::labels::FileName;
 use crate::check::polyline::chain;
 use crate::check::read_error::ReadError;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+    model::Units,
+};
 
 /// Reads every group as one mesh or one polyline.
 pub(crate) fn read_back(bytes: &[u8]) -> Result<FileContent, ReadError> {

@@ -1,5 +1,5 @@
 use super::*;
-use cyclide::{GridCell, Point3};
+use cyclide::{Point3, surface::GridCell};
 
 fn read(text: &str) -> Result<ObjGrid, String> {
     read_quad_grid("m.obj", text.as_bytes()).map_err(|d| d.to_string())

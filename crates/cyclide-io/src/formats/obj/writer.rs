@@ -12,7 +12,7 @@ use crate::export::mesh::{BodyMesh, between, body_meshes, polyline};
 use crate::export::parts::{BodyOf, contours_of};
 use crate::text::lines::on_a_line;
 use crate::text::number::push_plain;
-use cyclide::{CurvePlace, Model, Point3, SurfaceMesh};
+use cyclide::{Point3, curve::CurvePlace, mesh::SurfaceMesh, model::Model};
 use std::fmt::Write as _;
 
 /// How the comment with the unit starts.

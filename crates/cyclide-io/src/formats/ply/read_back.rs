@@ -5,7 +5,11 @@ use super::{OBJECT, UNITS};
 use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+    model::Units,
+};
 
 /// Names of the numbers of a vertex.
 const VERTEX: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];

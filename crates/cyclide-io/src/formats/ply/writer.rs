@@ -12,7 +12,7 @@ use crate::export::job::Job;
 use crate::export::mesh::{MeshVertices, body_meshes, polygons, single};
 use crate::export::parts::BodyOf;
 use crate::text::lines::printable;
-use cyclide::{Model, Units};
+use cyclide::model::{Model, Units};
 use std::fmt::Write as _;
 
 /// Bytes of a vertex and of a quad.

@@ -7,7 +7,7 @@ use super::lettering;
 use super::sheet::{ROW, Sheet, TEXT};
 use crate::export::error::ExportError;
 use crate::export::job::Job;
-use cyclide::{ShortNumber, Units};
+use cyclide::{ShortNumber, model::Units};
 
 /// The part of a picture of a given height that belongs to the drawing, at least.
 const LEAST_DRAWING: f64 = 0.3;

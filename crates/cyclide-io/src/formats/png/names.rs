@@ -15,7 +15,7 @@ impl Names {
     /// Names in letters that can be drawn, else `object 3`, the third of the model.
     pub(super) fn new(job: &Job<'_>) -> Self {
         let mut notes = Vec::new();
-        let mut shown = |(index, item): (usize, &cyclide::Item)| {
+        let mut shown = |(index, item): (usize, &cyclide::model::Item)| {
             if item.motion().is_some() {
                 return String::new();
             }

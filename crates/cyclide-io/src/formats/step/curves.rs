@@ -4,7 +4,11 @@ use super::data::{Data, push_list, push_reference, real, string};
 use crate::export::exported::{PieceNotes, SMALLEST_RADIUS};
 use crate::export::scaled_weights::scaled_weights;
 use crate::text::number::push_step;
-use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
+use cyclide::{
+    curve::{Arc, Circle, ParamCurve},
+    model::{ChainPiece, CurveChain},
+    rational::NurbsCurve,
+};
 use std::fmt::Write as _;
 
 /// Beyond this radius, relative to the chord, to the model and absolute (readers join ends that are 1e-7 apart), a
@@ -69,7 +73,7 @@ fn bounded_arc(data: &mut Data, arc: &Arc, size: f64, pieces: &mut PieceNotes) -
         pieces.counts.push(1);
         return curve;
     }
-    match arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE) {
+    match arc.to_nurbs(cyclide::curve::DEFAULT_PIECE_ANGLE) {
         Ok(curve) if !arc.is_straight() => {
             pieces.arc_as_spline(&curve);
             b_spline(data, curve)

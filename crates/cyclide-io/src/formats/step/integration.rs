@@ -9,7 +9,7 @@
 //! integrate are halved. For rational faces of a higher degree the rule has more nodes, and nothing is known of the poles:
 //! their area elements are integrated as they are.
 
-use cyclide::{CyclidePatch, FaceSurface};
+use cyclide::{surface::CyclidePatch, topology::FaceSurface};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::PI;
@@ -121,7 +121,7 @@ fn quadratic([a, b, c]: [f64; 3], x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{ParamSurface as _, Point3, Vec3};
+    use cyclide::{Point3, Vec3, surface::ParamSurface as _};
 
     /// A patch of a ring about the third axis, turned by an angle along s.
     fn ring(angle: f64) -> CyclidePatch {

@@ -39,7 +39,11 @@ use crate::export::lowered::Forms;
 use crate::export::options::{StepFaces, StepProducts};
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
-use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, Shell, ShortNumber, Units};
+use cyclide::{
+    ShortNumber,
+    model::{ChainPiece, CurveChain, CurveObject, Lowered, Units},
+    topology::Shell,
+};
 use data::Data;
 use part::Part;
 use topology::Entity;
@@ -177,7 +181,7 @@ fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize 
 fn shortest_piece(chain: &CurveChain) -> f64 {
     let extent = |piece: &ChainPiece| match piece {
         ChainPiece::Arc(arc) => arc.length(),
-        ChainPiece::Spline(curve) => cyclide::bounds(curve).diagonal(),
+        ChainPiece::Spline(curve) => cyclide::curve::bounds(curve).diagonal(),
     };
     chain.pieces().iter().map(extent).fold(f64::INFINITY, f64::min)
 }

@@ -19,7 +19,10 @@
 
 use super::data::{Data, push_list, push_reference};
 use crate::text::number::push_step;
-use cyclide::{Arc, FaceEdge, Side};
+use cyclide::{
+    curve::Arc,
+    topology::{FaceEdge, Side},
+};
 use std::fmt::Write as _;
 use std::sync::LazyLock;
 
@@ -160,7 +163,7 @@ fn product(values: &[f64], [a, b]: [f64; 2]) -> Vec<f64> {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use cyclide::{NurbsCurve, Point3, Quat};
+    use cyclide::{Point3, Quat, rational::NurbsCurve};
 
     /// An arc that turns by an angle, with uneven weights.
     fn arc(angle: f64, m: f64) -> Arc {

@@ -10,7 +10,7 @@
 use super::data::Data;
 use super::layout::place;
 use super::parameter_curves::{LARGEST_DEGREE, bernstein, degree, series, spline};
-use cyclide::{Arc, Frame, PatchKind, Point3, RationalBezier};
+use cyclide::{Frame, Point3, curve::Arc, rational::RationalBezier, surface::PatchKind};
 use std::f64::consts::TAU;
 
 /// Part of the model's size by which the curve in the parameters may leave the edge.
@@ -99,7 +99,7 @@ fn largest_radius(frame: &Frame, edge: &RationalBezier) -> f64 {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use cyclide::{NurbsCurve, Vec3};
+    use cyclide::{Vec3, rational::NurbsCurve};
 
     const RADIUS: f64 = 2.0;
 

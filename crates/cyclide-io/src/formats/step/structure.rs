@@ -8,7 +8,7 @@ use super::conversion;
 use super::data::{Data, fold, real, references, string};
 use super::part::Part;
 use super::styles;
-use cyclide::{Point3, Units, Vec3};
+use cyclide::{Point3, Vec3, model::Units};
 
 /// The whole file around the instances, in whose text it is put.
 pub(super) fn file(data: Data, title: &str) -> String {

@@ -15,8 +15,12 @@ use crate::export::options::StepEdges;
 use crate::export::scaled_weights::scaled_weights;
 use crate::text::number::push_step;
 use cyclide::{
-    Arc, CyclidePatch, EdgeCurve, FaceSurface, Frame, NurbsError, ParamSurface as _, PatchKind, Point3,
-    RationalBezierSurface, Result, Shell, ShellFace, Vec3,
+    Frame, Point3, Result, Vec3,
+    curve::Arc,
+    error::NurbsError,
+    rational::RationalBezierSurface,
+    surface::{CyclidePatch, ParamSurface as _, PatchKind},
+    topology::{EdgeCurve, FaceSurface, Shell, ShellFace},
 };
 use std::fmt::Write as _;
 

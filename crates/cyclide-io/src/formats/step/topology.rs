@@ -12,7 +12,11 @@ use super::surfaces;
 use crate::export::face_plan::{FacePlan, ShellPlan};
 use crate::export::options::{StepEdges, StepFaces};
 use cyclide::{
-    Arc, Body, CutShell, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side,
+    Point3, Result,
+    curve::Arc,
+    rational::NurbsCurve,
+    surface::PatchKind,
+    topology::{Body, CutShell, EdgeCurve, FaceSurface, Shell, ShellFace, Side},
 };
 use std::fmt::Write as _;
 
@@ -373,7 +377,7 @@ impl<'a> Writer<'a> {
                 }
                 return Ok(SpaceCurve::Joined(curves::b_spline(
                     self.data,
-                    arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?,
+                    arc.to_nurbs(cyclide::curve::DEFAULT_PIECE_ANGLE)?,
                 )));
             }
         };

@@ -21,7 +21,7 @@ use crate::export::single_mesh::SingleMesh;
 use crate::formats::entry::{Entry, Kind, Reading};
 use crate::formats::mesh_entry::{MeshEntry, ReadMesh};
 use crate::text::lines::printable;
-use cyclide::{Point3, Units};
+use cyclide::{Point3, model::Units};
 
 use reader::read;
 use triangles::read_triangles;

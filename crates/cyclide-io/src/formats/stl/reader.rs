@@ -4,7 +4,11 @@ use super::{HEAD, RECORD, SEPARATOR, TITLE, UNITS};
 use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+    model::Units,
+};
 
 /// Reads the triangles.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {

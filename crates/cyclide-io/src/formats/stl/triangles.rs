@@ -1,6 +1,6 @@
 //! Triangles of STL files of any program, binary or text.
 
-use cyclide::{MeshFace, Point3};
+use cyclide::{Point3, mesh::MeshFace};
 
 use super::{HEAD, RECORD, read};
 use crate::input::points::MOST_POINTS;

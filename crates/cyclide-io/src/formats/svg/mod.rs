@@ -27,7 +27,11 @@ use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
 use crate::text::xml::escaped;
-use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Lowered, Point3, Units, Vec3};
+use cyclide::{
+    Aabb, Point3, Vec3,
+    curve::{Arc, Correspondence, CurvePlace},
+    model::{Lowered, Units},
+};
 use path::Path;
 use plan::Plan;
 use reader::{DESCRIPTION, TITLE};

@@ -2,7 +2,7 @@
 
 use crate::export::exported::straightened;
 use crate::text::number::push_plain;
-use cyclide::{Aabb, Arc, Exactness, Point3};
+use cyclide::{Aabb, Point3, curve::Arc, model::Exactness};
 
 /// Largest angle of one `A` command: near half a turn readers find the center badly.
 const LARGEST_SWEEP: f64 = 150.0 * std::f64::consts::PI / 180.0;

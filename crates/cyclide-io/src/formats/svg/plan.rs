@@ -14,7 +14,11 @@ use crate::export::exported::{DrawnLine, Promise, WrittenCurve};
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, FaceGeometry as _, Shell, ShellFace};
+use cyclide::{
+    Aabb,
+    curve::{Arc, Correspondence},
+    topology::{EdgeCurve, FaceGeometry as _, Shell, ShellFace},
+};
 /// Distance of the inner circles, about, relative to the model's size.
 const SPACING: f64 = 0.02;
 /// Width of edges and of inner circles, relative to that of a curve.

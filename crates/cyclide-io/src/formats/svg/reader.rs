@@ -3,7 +3,11 @@
 use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
-use cyclide::{Arc, ArcPath, CurveChain, Point3, ShortNumber, Units, Vec3};
+use cyclide::{
+    Point3, ShortNumber, Vec3,
+    curve::{Arc, ArcPath},
+    model::{CurveChain, Units},
+};
 
 /// How the element of a contour starts.
 pub(super) const CONTOUR: &str = "<path class=\"contour\" d=\"";

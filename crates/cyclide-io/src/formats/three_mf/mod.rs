@@ -21,7 +21,7 @@ use crate::export::side_use::side_use;
 use crate::export::single_mesh::SingleMesh;
 use crate::formats::entry::{Entry, Kind, Reading};
 use crate::text::xml::escaped_in_quotes;
-use cyclide::Units;
+use cyclide::model::Units;
 use reader::read;
 use std::collections::HashMap;
 use std::fmt::Write as _;

@@ -5,7 +5,10 @@ use crate::check::file_content::FileContent;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
 use crate::text::xml::attribute;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh};
+use cyclide::{
+    Point3,
+    mesh::{MeshCorner, MeshFace, SurfaceMesh},
+};
 
 /// Reads the meshes.
 pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {

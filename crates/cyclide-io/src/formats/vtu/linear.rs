@@ -13,7 +13,11 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::provenance::Provenances;
 use crate::export::rational_cells::block_of;
-use cyclide::{CellQuality, Model, Point3, StructuredGrid};
+use cyclide::{
+    Point3,
+    model::Model,
+    volume::{CellQuality, StructuredGrid},
+};
 use std::collections::HashMap;
 
 const NO_BLOCKS: &str = "linear cells require blocks, and the model has none: write Bézier cells";

@@ -4,7 +4,7 @@
 //! g: a rational tricubic. Where its 64 weights are positive it is a mean of the quotients of its coefficients, so that none of its places is farther than the
 //! farthest of these. Parts of cells for which that says much more than was met at their places are halved in all directions.
 
-use cyclide::{CyclideVolume, Point3};
+use cyclide::{Point3, volume::CyclideVolume};
 
 /// What is proved may be so many times the largest distance that was met.
 const SLACK: f64 = 1.5;
@@ -142,7 +142,11 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use super::*;
-    use cyclide::{Conformal as _, Mobius, ParamVolume as _, SphericalCube, Vec3, VolumeFrame};
+    use cyclide::{
+        Vec3,
+        conformal::{Conformal as _, Mobius},
+        volume::{ParamVolume as _, SphericalCube, VolumeFrame},
+    };
 
     /// A unit box beside the center of an inversion: its speed varies a hundred times and more.
     fn uneven(center: [f64; 3]) -> CyclideVolume {

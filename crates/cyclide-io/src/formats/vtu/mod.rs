@@ -27,7 +27,11 @@ use crate::export::rational_cells::{Halving, Node, RationalCell, Tags, push_bodi
 use crate::export::ready::ReadyModel;
 use crate::formats::entry::{Entry, Reading};
 use arrays::{Arrays, Number};
-use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Lowered, NurbsCurve, ParamCurve as _, RationalBezier};
+use cyclide::{
+    curve::{DEFAULT_PIECE_ANGLE, ParamCurve as _},
+    model::{ChainPiece, CurveChain, Lowered},
+    rational::{NurbsCurve, RationalBezier},
+};
 pub use multi_block::vtk_multi_block;
 use order::nodes;
 use quality::{NAMES, Quality, qualities};

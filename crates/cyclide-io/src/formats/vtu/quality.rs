@@ -2,7 +2,7 @@
 
 use crate::export::parts::BodyOf;
 use crate::export::rational_cells::block_of;
-use cyclide::{CyclideVolume, Model, Vec3};
+use cyclide::{Vec3, model::Model, volume::CyclideVolume};
 
 /// Names of the numbers.
 pub(super) const NAMES: [&str; 5] = ["orthogonality", "scaled_jacobian", "aspect_ratio", "shortest_side", "jacobian"];

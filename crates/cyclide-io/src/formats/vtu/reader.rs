@@ -11,7 +11,10 @@ use crate::check::rational_cells::{add_bodies, add_curves};
 use crate::check::read_error::ReadError;
 use crate::export::rational_cells::{Degrees, RationalCell, Tags};
 use crate::text::xml::attribute;
-use cyclide::{RationalBezier, RationalBezierVolume, Units};
+use cyclide::{
+    model::Units,
+    rational::{RationalBezier, RationalBezierVolume},
+};
 use std::collections::HashMap;
 
 /// Names of the arrays.

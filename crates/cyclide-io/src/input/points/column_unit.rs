@@ -1,6 +1,6 @@
 //! The unit that a whole file says by the names of its columns.
 
-use cyclide::Units;
+use cyclide::model::Units;
 
 use super::columns::Chosen;
 use super::point_table::PointColumns;
@@ -13,7 +13,7 @@ use crate::text::place::Source;
 /// ```
 /// use cyclide_io::{PointColumns, unit_of_columns};
 /// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
-/// assert!(found.is_some_and(|found| found.unit == cyclide::Units::Metre));
+/// assert!(found.is_some_and(|found| found.unit == cyclide::model::Units::Metre));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnUnit {
@@ -29,7 +29,7 @@ pub struct ColumnUnit {
 /// ```
 /// use cyclide_io::{PointColumns, unit_of_columns};
 /// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
-/// assert!(found.is_some_and(|found| found.unit == cyclide::Units::Metre));
+/// assert!(found.is_some_and(|found| found.unit == cyclide::model::Units::Metre));
 /// ```
 #[must_use]
 pub fn unit_of_columns(head: &[u8], columns: &PointColumns) -> Option<ColumnUnit> {

@@ -1,6 +1,6 @@
 //! Which columns are coordinates: those asked for, else those whose names say so, else the only numbers there are.
 
-use cyclide::Units;
+use cyclide::model::Units;
 
 use super::fields::is_number;
 use super::find::found;

@@ -1,7 +1,7 @@
 //! Repeated points: neighbors that coincide, and a closed contour's last point that repeats its first.
 
 use super::point_table::PointList;
-use cyclide::{Aabb, PointWarning, Warning};
+use cyclide::{Aabb, Warning, warning::PointWarning};
 
 /// Neighbors closer than this part of the contour's size are one point: the rounding of coordinates that were
 /// computed (`cos` and `sin` of a full turn differ from the start by about this), far below any intended feature.
@@ -102,7 +102,7 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{Point3, PointWarning};
+    use cyclide::{Point3, warning::PointWarning};
 
     fn list(xy: &[[f64; 2]], corners: &[usize]) -> PointList {
         PointList {

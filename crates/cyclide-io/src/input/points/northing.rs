@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use cyclide::Units;
+use cyclide::model::Units;
 
 use super::sampled::Sampled;
 use super::table::Table;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use cyclide::{Point3, Units};
+use cyclide::{Point3, model::Units};
 
 /// Which columns to read.
 ///

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use cyclide::{Pose, Vec3};
+use cyclide::{Vec3, motion::Pose};
 
 use super::poses::{PoseTable, read_poses};
 

@@ -1,6 +1,6 @@
 //! Tables of poses: columns by their names.
 
-use cyclide::{Error, Pose, PoseError, Quat, Units, Vec3};
+use cyclide::{Error, Quat, Vec3, error::PoseError, model::Units, motion::Pose};
 use std::f64::consts::{PI, TAU};
 
 use super::clock::Clock;

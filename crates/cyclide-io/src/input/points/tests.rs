@@ -1,5 +1,5 @@
 use super::*;
-use cyclide::Units;
+use cyclide::model::Units;
 
 fn read(text: &str) -> Result<PointTable, String> {
     read_points("p.csv", text.as_bytes(), &PointColumns::default()).map_err(|d| d.to_string())

@@ -1,6 +1,6 @@
 //! The unit that the name of a column speaks of, by its words.
 
-use cyclide::Units;
+use cyclide::model::Units;
 
 use super::words::by_capitals;
 

@@ -47,7 +47,7 @@ fn unit_said(line: &str) -> Option<UnitWord> {
 
 #[cfg(test)]
 mod tests {
-    use cyclide::Units;
+    use cyclide::model::Units;
 
     use super::*;
 

@@ -13,7 +13,7 @@ const HALVINGS: u32 = 12;
 /// Where the centers of the balls of a blend are.
 ///
 /// ```
-/// use cyclide::{CrossingPipe, PipeCrossing};
+/// use cyclide::construct::{CrossingPipe, PipeCrossing};
 /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// let made = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.made()?;
 /// let path = &made.centers.paths()[0];

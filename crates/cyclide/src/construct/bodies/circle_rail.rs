@@ -27,7 +27,7 @@ impl RailSurface {
     /// A curve that runs the other way gets the same joints in the order of the circle.
     ///
     /// ```
-    /// use cyclide::{Circle, EdgeCurve, Ellipse, Point3, RailSurface, Vec3};
+    /// use cyclide::{Point3, Vec3, construct::{Ellipse, RailSurface}, curve::Circle, topology::EdgeCurve};
     /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 20.0)?;
     /// let oval = Ellipse::new(Point3::new(0.0, 0.0, 40.0), Vec3::Z, None, [25.0, 12.0])?.to_nurbs(0.0, std::f64::consts::TAU)?;
     /// let oval: Vec<EdgeCurve> = oval.to_beziers().into_iter().map(EdgeCurve::from).collect();

@@ -35,7 +35,7 @@ const MOST_HALVINGS: usize = 40;
 /// The bridge between two ellipses about the origin with axes along x and y.
 ///
 /// ```
-/// use cyclide::EllipseBridge;
+/// use cyclide::construct::EllipseBridge;
 /// let bridge = EllipseBridge::new([3.0, 2.0], [4.0, 2.5])?;
 /// assert!((bridge.arc(0.0)?.length() - 0.5 * std::f64::consts::PI).abs() < 1e-12); // a half circle over a gap of 1
 /// assert!(bridge.body(Some(1.0))?.is_solid());
@@ -147,7 +147,7 @@ impl EllipseBridge {
     /// faces are parts of a torus.
     ///
     /// ```
-    /// use cyclide::EllipseBridge;
+    /// use cyclide::construct::EllipseBridge;
     /// use std::f64::consts::PI;
     /// let torus = EllipseBridge::new([3.0, 3.0], [5.0, 5.0])?.whole_circles()?;
     /// assert!(torus.is_solid() && (torus.outer.volume() - 8.0 * PI * PI).abs() < 1e-9);

@@ -7,7 +7,7 @@ use crate::warning::Warning;
 /// want the body alone take [`Body::ruled`] and [`Body::circular`].
 ///
 /// ```
-/// use cyclide::{Arc, Point3, RailSurface};
+/// use cyclide::{Point3, construct::RailSurface, curve::Arc};
 /// // One rail runs through its middle joint at the same speed, the other one three times as fast behind it.
 /// let rail = |y: f64, ends: [f64; 3]| {
 ///     let [a, b, c] = ends.map(|x| Point3::new(x, y, y * x));

@@ -18,7 +18,7 @@ const LEAST_REST: f64 = 1e-3;
 /// A ring about the z axis: a torus with a hole.
 ///
 /// ```
-/// use cyclide::BlendRing;
+/// use cyclide::construct::BlendRing;
 /// let ring = BlendRing { radius: 30.0, tube: 8.0, height: 5.0 };
 /// assert!(ring.tube < ring.radius);
 /// ```
@@ -46,7 +46,7 @@ enum RingBase {
 /// All faces are parts of planes, cylinders, spheres and tori, tangent along circles.
 ///
 /// ```
-/// use cyclide::{BlendRing, RingBlend};
+/// use cyclide::construct::{BlendRing, RingBlend};
 /// let ring = BlendRing { radius: 30.0, tube: 8.0, height: 5.0 };
 /// let made = RingBlend::on_plate(ring, 60.0, 4.0)?.with_thickness(6.0)?.made()?;
 /// assert!(made.body.is_solid());

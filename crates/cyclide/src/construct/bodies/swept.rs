@@ -40,7 +40,7 @@ const FLAT: f64 = 1e-9;
 /// The surface that a curve of a moving body runs over, with what should be known of it.
 ///
 /// ```
-/// use cyclide::{Arc, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, construct::SweptSurface, curve::Arc, motion::{Pose, RationalMotion, TimedPose}};
 /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
 /// let slide = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 5.0)])?;
 /// let blade = Arc::segment(Point3::ORIGIN, Point3::new(0.0, 2.0, 0.0))?;

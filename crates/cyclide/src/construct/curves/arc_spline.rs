@@ -22,7 +22,7 @@ const CUSP_LIMIT: f64 = 1e-9;
 /// Options of [`ArcPath::spline`].
 ///
 /// ```
-/// use cyclide::{ArcPath, ArcSplineOptions, Point3, joints};
+/// use cyclide::{Point3, construct::ArcSplineOptions, curve::{ArcPath, joints}};
 /// let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::spline(&square, &ArcSplineOptions { closed: true, ..Default::default() })?;
 /// assert!(joints(&path).iter().all(|joint| joint.angle < 1e-12)); // arcs, and no kinks
@@ -109,7 +109,7 @@ impl ArcPath {
 /// use cyclide::Point3;
 /// // Those of the circle through three points.
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
-/// let tangents = cyclide::estimate_tangents(&points, false)?;
+/// let tangents = cyclide::construct::estimate_tangents(&points, false)?;
 /// assert!(tangents.iter().zip(points).all(|(tangent, p)| tangent.dot(p.to_vec()).abs() < 1e-12));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

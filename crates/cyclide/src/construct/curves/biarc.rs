@@ -44,7 +44,7 @@ const LENGTH_TIE: f64 = 1e-12;
 /// clearly better where equal legs fail, are more than twice as long, or have a leg shorter than a hundredth of the chord.
 ///
 /// ```
-/// use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{Biarc, BiarcRule}};
 /// let (a, b) = (Point3::ORIGIN, Point3::new(2.0, 0.0, 0.0));
 /// let length = |rule| Biarc::new(a, Vec3::Y, b, -Vec3::Y, rule).map(|biarc| biarc.length());
 /// assert!((length(BiarcRule::EqualD)? - std::f64::consts::PI).abs() < 1e-12); // two quarters of a circle
@@ -70,7 +70,7 @@ pub enum BiarcRule {
 /// Two arcs from one point and direction to another, tangent-continuous at the joint.
 ///
 /// ```
-/// use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{Biarc, BiarcRule}};
 /// let biarc = Biarc::new(Point3::ORIGIN, Vec3::X, Point3::new(2.0, 1.0, 0.0), Vec3::X, BiarcRule::EqualD)?;
 /// assert!(biarc.joint().distance(Point3::new(1.0, 0.5, 0.0)) < 1e-15);
 /// # Ok::<(), cyclide::Error>(())

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// An ellipse.
 ///
 /// ```
-/// use cyclide::{Ellipse, Point3, Vec3, length};
+/// use cyclide::{Point3, Vec3, construct::Ellipse, curve::length};
 /// let ellipse = Ellipse::new(Point3::ORIGIN, Vec3::Z, None, [5.0, 3.0])?;
 /// let curve = ellipse.to_nurbs(0.0, std::f64::consts::TAU)?;
 /// assert!(curve.degree() == 2 && ellipse.point(0.0) == Point3::new(5.0, 0.0, 0.0));

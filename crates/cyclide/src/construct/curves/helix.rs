@@ -19,7 +19,7 @@ const PLACES: usize = 64;
 /// A helix about an axis.
 ///
 /// ```
-/// use cyclide::{Helix, Point3, Vec3, length};
+/// use cyclide::{Point3, Vec3, construct::Helix, curve::length};
 /// let spring = Helix::new(Point3::ORIGIN, Vec3::Z, None, 10.0, 5.0, 4.0)?;
 /// let (curve, bound) = spring.to_nurbs(1e-6)?;
 /// assert!(bound <= 1e-6 && (length(&curve) - spring.length()).abs() < 1e-6);

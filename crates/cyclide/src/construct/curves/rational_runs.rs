@@ -11,7 +11,7 @@ use std::ops::Range;
 /// A smooth run of a circle spline in its rational form.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, RationalRun};
+/// use cyclide::{Point3, construct::RationalRun, curve::{CircleSpline, CircleSplineOptions}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let (runs, bound) = CircleSpline::from_points(&points, &CircleSplineOptions::default())?.to_rational_runs(1e-6)?;
 /// assert!(bound == 0.0 && runs.iter().any(|run| matches!(run, RationalRun::Spline(_))));

@@ -8,7 +8,7 @@ use crate::base::vector::{Point3, Vec3};
 /// The point of a curve nearest to a given point.
 ///
 /// ```
-/// use cyclide::{Circle, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::Circle};
 /// let found = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?.closest_point(Point3::new(5.0, 0.0, 0.0));
 /// assert_eq!((found.point, found.distance), (Point3::new(2.0, 0.0, 0.0), 3.0));
 /// # Ok::<(), cyclide::Error>(())

@@ -34,10 +34,10 @@ const POLE_LIMIT: f64 = 8.0 * f64::EPSILON;
 
 /// A circular arc or straight segment in space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
-/// Never a full circle (its ends would coincide): see [`Circle`](crate::Circle).
+/// Never a full circle (its ends would coincide): see [`Circle`](crate::curve::Circle).
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
 /// assert!((arc.angle() - std::f64::consts::PI).abs() < 1e-15 && arc.midpoint().distance(b) < 1e-15);

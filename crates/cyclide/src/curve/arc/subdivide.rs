@@ -9,10 +9,10 @@ use crate::rational::NurbsCurve;
 /// Largest angle of one rational piece that is always safe: weights stay at least `cos(pi/4)`.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let nurbs = arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?;
+/// let nurbs = arc.to_nurbs(cyclide::curve::DEFAULT_PIECE_ANGLE)?;
 /// assert_eq!((nurbs.degree(), nurbs.span_count()), (2, 2));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

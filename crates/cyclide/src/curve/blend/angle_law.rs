@@ -11,7 +11,7 @@ pub(crate) const MAX_ORDER: u32 = 4;
 /// trigonometric one has the angle `f_k(l) theta` with the smooth step `f_k`: the lowest extreme curvature, but no exact rational form.
 ///
 /// ```
-/// use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, Point3};
+/// use cyclide::{Point3, curve::{BlendVariant, CircleSpline, CircleSplineOptions}, model::{Exactness, Lower}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let options = |variant| CircleSplineOptions { variant, ..Default::default() };
 /// let exactness = |variant| CircleSpline::from_points(&points, &options(variant)).and_then(|spline| spline.to_chain(1e-4));
@@ -37,7 +37,7 @@ pub enum BlendVariant {
 /// The angle law of a segment with its parameter.
 ///
 /// ```
-/// use cyclide::{BlendSegment, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::BlendSegment};
 /// let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
 /// let fair = BlendSegment::fair(a, Vec3::Y, b, Vec3::new(1.0, 1.0, 1.0), 1.0)?;
 /// assert!(fair.law().order() >= 1);

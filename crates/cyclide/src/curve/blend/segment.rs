@@ -26,10 +26,10 @@ const OPPOSITE_BY_ROUNDING: f64 = 1e-6;
 /// A blend of two circular arcs over one chord, parameter `l` in `[0, 1]`.
 ///
 /// It starts like the first arc and ends like the second, touching each to the blend order. Made by
-/// [`CircleSpline`](crate::CircleSpline) from points, or on its own from four points or from ends and tangents.
+/// [`CircleSpline`](crate::curve::CircleSpline) from points, or on its own from four points or from ends and tangents.
 ///
 /// ```
-/// use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::{BlendSegment, BlendVariant}};
 /// let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
 /// let segment = BlendSegment::hermite(a, Vec3::Y, b, Vec3::Z, 2, BlendVariant::Rational)?;
 /// assert!((segment.start_tangent() - Vec3::Y).length() < 1e-15 && (segment.end_tangent() - Vec3::Z).length() < 1e-15);

@@ -110,7 +110,7 @@ impl BlendSegment {
 /// ```
 /// use cyclide::Point3;
 /// let points = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
-/// assert_eq!(cyclide::corners_by_angle(&points, false, 1.0), [1]);
+/// assert_eq!(cyclide::curve::corners_by_angle(&points, false, 1.0), [1]);
 /// ```
 #[must_use]
 pub fn corners_by_angle(points: &[Point3], closed: bool, limit: f64) -> Vec<usize> {

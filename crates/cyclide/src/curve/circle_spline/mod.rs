@@ -30,7 +30,7 @@ use std::ops::Range;
 /// How an open circle spline (and each run between two corners) ends.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, SplineEnds, Vec3};
+/// use cyclide::{Point3, Vec3, curve::{CircleSpline, CircleSplineOptions, SplineEnds}};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 0.5]].map(Point3::from);
 /// let ends = SplineEnds::Clamped { start: Some(Vec3::Y), end: None };
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { ends, ..Default::default() })?;
@@ -54,7 +54,7 @@ pub enum SplineEnds {
 /// How [`CircleSpline::from_points`] makes its curve.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions, ParamCurve}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, order: 3, ..Default::default() })?;
 /// assert!(spline.is_closed() && spline.piece_count() == 4);
@@ -93,7 +93,7 @@ impl Default for CircleSplineOptions {
 /// curve is C1; its joints are G^k, except at corners and cusps, where it is only connected.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions, ParamCurve}};
 /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
 /// assert_eq!(spline.point(0.25), points[1]);

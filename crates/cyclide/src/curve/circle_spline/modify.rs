@@ -30,7 +30,7 @@ impl CircleSpline {
     /// spline any more after other Möbius maps.)
     ///
     /// # Errors
-    /// `not-a-similarity`, or as [`BlendSegment::similar`](crate::BlendSegment::similar), wrapped with the segment.
+    /// `not-a-similarity`, or as [`BlendSegment::similar`](crate::curve::BlendSegment::similar), wrapped with the segment.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         let segments = self.segments.iter().enumerate().map(|(i, s)| s.similar(map).map_err(|e| e.in_span(i)));
         Ok(Self { segments: segments.collect::<Result<_>>()?, ..self.clone() })

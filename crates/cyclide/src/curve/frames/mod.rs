@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 1e-9;
 /// How the normals of frames are chosen.
 ///
 /// ```
-/// use cyclide::{Circle, CurveFrames, FrameRule, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::{Circle, CurveFrames, FrameRule}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// let banked = CurveFrames::new(&circle, &FrameRule::Up(Vec3::Z))?.at(0.25)?;
 /// assert!((banked.normal - Vec3::Z).length() < 1e-15); // up, and the binormal to the outer side
@@ -77,7 +77,7 @@ impl FrameRule {
 /// *holonomy*.
 ///
 /// ```
-/// assert_eq!(cyclide::ClosedTwist::default(), cyclide::ClosedTwist::Leave);
+/// assert_eq!(cyclide::curve::ClosedTwist::default(), cyclide::curve::ClosedTwist::Leave);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ClosedTwist {
@@ -91,7 +91,7 @@ pub enum ClosedTwist {
 /// A frame at a place of a curve: right-handed, first axis × normal = binormal.
 ///
 /// ```
-/// use cyclide::{Circle, CurveFrames, FrameRule, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, curve::{Circle, CurveFrames, FrameRule}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// let frame = CurveFrames::new(&circle, &FrameRule::Frenet)?.at(0.0)?;
 /// assert!((frame.binormal - Vec3::Z).length() < 1e-15 && (frame.normal.dot(frame.point.to_vec()) + 2.0).abs() < 1e-14);
@@ -117,7 +117,7 @@ pub struct CurveFrame {
 /// The frames of a curve by one rule, prepared for any number of places.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CurveFrames, FairSplineOptions, FrameRule, Point3};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::{CircleSpline, CurveFrames, FrameRule}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
 /// let frames = CurveFrames::new(&spline, &FrameRule::rotation_minimizing())?;

@@ -9,10 +9,10 @@ use crate::curve::{ParamCurve, PieceForm};
 /// are bracketed by an adaptive scan and refined, so that the box touches the curve to 1e-12 of its size.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let found = cyclide::bounds(&arc);
+/// let found = cyclide::curve::bounds(&arc);
 /// assert!((found.max - Point3::new(1.0, 1.0, 0.0)).length() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```

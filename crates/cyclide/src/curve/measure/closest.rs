@@ -38,10 +38,10 @@ const STRAY_MARGIN: f64 = 2.0;
 /// For many queries on one curve make a [`CurveIndex`].
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let found = cyclide::closest_point(&arc, Point3::new(0.0, 3.0, 0.0));
+/// let found = cyclide::curve::closest_point(&arc, Point3::new(0.0, 3.0, 0.0));
 /// assert!((found.distance - 2.0).abs() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -53,7 +53,7 @@ pub fn closest_point(curve: &dyn ParamCurve, p: Point3) -> ClosestPoint {
 /// A curve prepared for many closest-point queries.
 ///
 /// ```
-/// use cyclide::{CircleSpline, CircleSplineOptions, CurveIndex, Point3};
+/// use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions, CurveIndex}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions::default())?;
 /// let index = CurveIndex::new(&spline); // for many points of one curve

@@ -10,10 +10,10 @@ use crate::curve::ParamCurve;
 /// curvature at a joint shows as a step; `per_piece = 0` is taken as 1. Places without a tangent are left out.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let teeth = cyclide::curvature_comb(&arc, 4, 0.5);
+/// let teeth = cyclide::curve::curvature_comb(&arc, 4, 0.5);
 /// // Teeth as long as the curvature times the scale.
 /// assert!(teeth.iter().all(|(foot, tip)| (foot.distance(*tip) - 0.5).abs() < 1e-12));
 /// # Ok::<(), cyclide::Error>(())

@@ -6,7 +6,7 @@ use crate::curve::ParamCurve;
 /// How two consecutive pieces meet.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3, joints};
+/// use cyclide::{Point3, curve::{ArcPath, joints}};
 /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
 /// let sharp = ArcPath::rounded_polyline(&corner, false, &[0.0; 3])?;
 /// assert!((joints(&sharp)[0].angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
@@ -34,10 +34,10 @@ pub struct Joint {
 /// without any direction (all its points are one) is passed over, and its gaps are added to those of the joint.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3};
+/// use cyclide::{Point3, curve::ArcPath};
 /// let bend = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::rounded_polyline(&bend, false, &[0.0, 2.0, 0.0])?;
-/// assert!(cyclide::joints(&path).iter().all(|joint| joint.angle < 1e-12 && (joint.curvature_jump - 0.5).abs() < 1e-12));
+/// assert!(cyclide::curve::joints(&path).iter().all(|joint| joint.angle < 1e-12 && (joint.curvature_jump - 0.5).abs() < 1e-12));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]

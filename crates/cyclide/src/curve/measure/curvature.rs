@@ -10,7 +10,7 @@ use crate::curve::{ParamCurve, PieceForm};
 /// The largest curvature and where it is.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3, extreme_curvature};
+/// use cyclide::{Point3, curve::{ArcPath, extreme_curvature}};
 /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::rounded_polyline(&corner, false, &[0.0, 0.5, 0.0])?;
 /// assert!((extreme_curvature(&path).max - 2.0).abs() < 1e-12);
@@ -31,10 +31,10 @@ pub struct ExtremeCurvature {
 /// scan of each piece and refined to rounding.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// assert!((cyclide::extreme_curvature(&arc).max - 1.0).abs() < 1e-12);
+/// assert!((cyclide::curve::extreme_curvature(&arc).max - 1.0).abs() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]

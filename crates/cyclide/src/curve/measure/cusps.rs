@@ -33,7 +33,7 @@ const MOST_CELLS: usize = 512;
 /// A place where a curve comes to a stand and turns.
 ///
 /// ```
-/// use cyclide::{NurbsCurve, Point3, cusps};
+/// use cyclide::{Point3, curve::cusps, rational::NurbsCurve};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from).to_vec();
 /// let curve = NurbsCurve::new(3, vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0], points, vec![1.0; 4])?;
 /// let found = cusps(&curve);
@@ -53,7 +53,7 @@ pub struct CurveCusp {
 }
 
 /// The cusps of a curve within its pieces, and those of its joints at which both pieces come to a stand, in order. Joints at which the curve runs at
-/// a speed and turns are corners: see [`joints`](crate::joints).
+/// a speed and turns are corners: see [`joints`](crate::curve::joints).
 #[must_use]
 pub fn cusps(curve: &dyn ParamCurve) -> Vec<CurveCusp> {
     let n = curve.piece_count();

@@ -12,7 +12,7 @@ const SCAN: u32 = 16;
 /// cusp at one of 17 places, its ends among them.
 ///
 /// ```
-/// use cyclide::{Circle, Point3, Vec3, bending_energy};
+/// use cyclide::{Point3, Vec3, curve::{Circle, bending_energy}};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// assert!((bending_energy(&circle) - std::f64::consts::PI).abs() < 1e-14); // 2 pi/r
 /// # Ok::<(), cyclide::Error>(())

@@ -13,7 +13,7 @@ const ON_IT: f64 = 16.0 * f64::EPSILON;
 /// The place of a curve that is farthest from another one.
 ///
 /// ```
-/// use cyclide::{Arc, Point3, farthest_point};
+/// use cyclide::{Point3, curve::{Arc, farthest_point}};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let (arc, chord) = (Arc::from_three_points(a, b, c)?, Arc::segment(a, c)?);
 /// let found = farthest_point(&arc, &chord);
@@ -41,7 +41,7 @@ pub struct FarthestPoint {
 /// farthest come first, so that of curves through many points of a polygon few are searched.
 ///
 /// ```
-/// use cyclide::{ArcPath, NurbsCurve, Point3, farthest_point};
+/// use cyclide::{Point3, curve::{ArcPath, farthest_point}, rational::NurbsCurve};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
 /// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points.to_vec(), vec![1.0; 3])?;
 /// let legs = ArcPath::rounded_polyline(&points, false, &[0.0; 3])?;

@@ -7,10 +7,10 @@ use crate::curve::{ParamCurve, PieceForm};
 /// Length of the whole curve: closed form for arcs and circles, else each piece to 1e-12 of itself.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// assert!((cyclide::length(&arc) - std::f64::consts::PI).abs() < 1e-14);
+/// assert!((cyclide::curve::length(&arc) - std::f64::consts::PI).abs() < 1e-14);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]
@@ -22,10 +22,10 @@ pub fn length(curve: &dyn ParamCurve) -> f64 {
 /// is the first again).
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(a, b, c)?;
-/// let places = cyclide::resample(&arc, 3);
+/// let places = cyclide::curve::resample(&arc, 3);
 /// assert!((places[1].0 - 0.5).abs() < 1e-9);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -40,12 +40,12 @@ pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
 /// 8-point quadrature gives the length to rounding. Pieces of length zero are passed over.
 ///
 /// ```
-/// use cyclide::{ArcLength, CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// use cyclide::{Point3, curve::{ArcLength, CircleSpline, CircleSplineOptions, ParamCurve}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions::default())?;
 /// let index = ArcLength::new(&spline);
 /// let middle = index.parameter_at(0.5);
-/// assert!((cyclide::length(&spline.restricted(0.0, middle)?) - 0.5 * index.total()).abs() < 1e-9);
+/// assert!((cyclide::curve::length(&spline.restricted(0.0, middle)?) - 0.5 * index.total()).abs() < 1e-9);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug)]
@@ -99,7 +99,7 @@ impl<'a> ArcLength<'a> {
     /// of the length.
     ///
     /// ```
-    /// use cyclide::{ArcLength, Circle, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, curve::{ArcLength, Circle}};
     /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
     /// assert!((ArcLength::new(&circle).station(0.25) - std::f64::consts::PI).abs() < 1e-14);
     /// # Ok::<(), cyclide::Error>(())

@@ -1,6 +1,6 @@
-//! What can be measured on every curve, written once on [`ParamCurve`](crate::ParamCurve).
+//! What can be measured on every curve, written once on [`ParamCurve`](crate::curve::ParamCurve).
 //!
-//! Pieces that are arcs or circles ([`PieceForm`](crate::PieceForm)) are measured in closed form, all others by
+//! Pieces that are arcs or circles ([`PieceForm`](crate::curve::PieceForm)) are measured in closed form, all others by
 //! their jets to the tolerance each function states.
 
 mod bounds;

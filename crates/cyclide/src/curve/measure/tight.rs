@@ -23,7 +23,7 @@ const WIDTH: f64 = 1e-12;
 /// A part of a curve that is tighter than a radius, by its tightest point.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3, tight_places};
+/// use cyclide::{Point3, curve::{ArcPath, tight_places}};
 /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::rounded_polyline(&corner, false, &[0.0, 0.5, 0.0])?;
 /// let places = tight_places(&path, 1.0)?;
@@ -57,7 +57,7 @@ struct Part {
     curvature: f64,
 }
 
-/// The parts of a curve where its radius of curvature is below `radius` (by more than 1e-9 of it), corners and [cusps](crate::cusps) included, where also
+/// The parts of a curve where its radius of curvature is below `radius` (by more than 1e-9 of it), corners and [cusps](crate::curve::cusps) included, where also
 /// a straight curve turns back, in their order along it. Arcs and circles are exact; elsewhere each piece is looked at in 64 intervals and at its largest
 /// curvature, so that of other spikes narrower than that one may be missed.
 ///

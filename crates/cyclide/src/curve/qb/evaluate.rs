@@ -36,7 +36,7 @@ impl QbCurve {
     /// The derivatives of the orders 1 to `count` at `t`, by `t`.
     ///
     /// ```
-    /// # use cyclide::{HPoint, Point3, QbCurve, Quat, Vec3};
+    /// # use cyclide::{Point3, Quat, Vec3, conformal::HPoint, curve::QbCurve};
     /// let ends = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
     /// let turn = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
     /// let quarter = QbCurve::new(&[HPoint::weighted(ends[0], Quat::ONE), HPoint::weighted(ends[1], turn)])?;

@@ -16,7 +16,7 @@ impl QbSpline {
     /// Arcs and segments as a chain of QB curves of degree 1, over the knots of their lengths.
     ///
     /// ```
-    /// use cyclide::{ArcPath, ParamCurve, Point3, QbSpline};
+    /// use cyclide::{Point3, curve::{ArcPath, ParamCurve, QbSpline}};
     /// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
     /// let path = ArcPath::rounded_polyline(&corners, false, &[0.0, 1.0, 0.0])?;
     /// let same = QbSpline::from_arcs(&path);

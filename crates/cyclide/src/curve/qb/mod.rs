@@ -45,7 +45,7 @@ type Row = [f64; 8];
 /// A curve may pass through infinity, where its points are not finite: [`reach`](Self::reach) finds that.
 ///
 /// ```
-/// use cyclide::{HPoint, ParamCurve, Point3, QbCurve, Quat, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, conformal::HPoint, curve::{ParamCurve, QbCurve}};
 /// // A quarter of the unit circle: degree 1.
 /// let ends = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 /// let turn = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);

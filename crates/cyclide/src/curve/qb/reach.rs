@@ -32,7 +32,7 @@ const MOST_PARTS: usize = 20_000;
 /// What [`QbCurve::reach`] found.
 ///
 /// ```
-/// use cyclide::{HPoint, Point3, QbCurve, Quat};
+/// use cyclide::{Point3, Quat, conformal::HPoint, curve::QbCurve};
 /// // From 1 through infinity to -1 along the x-axis.
 /// let [a, b] = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let line = QbCurve::new(&[HPoint::weighted(a, Quat::ONE), HPoint::weighted(b, -Quat::ONE)])?;
@@ -76,7 +76,7 @@ impl QbCurve {
     /// until the Bernstein coefficients of `radius² W - |n - c d|²` are positive.
     ///
     /// ```
-    /// # use cyclide::{HPoint, Point3, QbCurve, Quat, Vec3};
+    /// # use cyclide::{Point3, Quat, Vec3, conformal::HPoint, curve::QbCurve};
     /// let ends = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
     /// let turn = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
     /// let quarter = QbCurve::new(&[HPoint::weighted(ends[0], Quat::ONE), HPoint::weighted(ends[1], turn)])?;

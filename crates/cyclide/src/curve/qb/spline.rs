@@ -19,10 +19,10 @@ use std::ops::Range;
 ///
 /// As a [`ParamCurve`] its pieces are the spans, each over an equal part of `[0, 1]`. What is smooth by the parameter of the
 /// [`knots`](Self::knots) is [`jet_at_knot`](Self::jet_at_knot). Möbius maps, inversions included, take it to a chain of the same kind
-/// with the same knots ([`Conformal`](crate::Conformal)).
+/// with the same knots ([`Conformal`](crate::conformal::Conformal)).
 ///
 /// ```
-/// use cyclide::{MoebiusSplineOptions, ParamCurve, Point3, QbSpline};
+/// use cyclide::{Point3, construct::MoebiusSplineOptions, curve::{ParamCurve, QbSpline}};
 /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
 /// let spline = QbSpline::through_points(&points, &MoebiusSplineOptions { closed: true, ..Default::default() })?;
 /// assert_eq!((spline.point(0.25), spline.spans().len()), (points[1], 4));
@@ -68,7 +68,7 @@ impl QbSpline {
     /// `None` of any other.
     ///
     /// ```
-    /// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3, QbSpline};
+    /// use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions, ParamCurve, QbSpline}};
     /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
     /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { order: 1, ..Default::default() })?;
     /// let same = QbSpline::from_circle_spline(&spline).expect("it is of order 1");

@@ -3,7 +3,7 @@
 //! # `pole-on-segment`
 //! The weights make an arc that passes through infinity.
 //! ```
-//! use cyclide::{Arc, Point3, Quat};
+//! use cyclide::{Point3, Quat, curve::Arc};
 //! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, -Quat::ONE).unwrap_err();
 //! assert_eq!(error.reason(), "pole-on-segment");
 //! ```
@@ -11,7 +11,7 @@
 //! # `nearly-full-circle`
 //! An arc turns by so nearly a full circle that its points lose precision.
 //! ```
-//! use cyclide::{Arc, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Arc};
 //! let error = Arc::from_bulge(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::Z, 1e9).unwrap_err();
 //! assert_eq!(error.reason(), "nearly-full-circle");
 //! ```
@@ -19,7 +19,7 @@
 //! # `not-in-im-h`
 //! A weight is not perpendicular to the chord: the arc would leave three-space.
 //! ```
-//! use cyclide::{Arc, Point3, Quat};
+//! use cyclide::{Point3, Quat, curve::Arc};
 //! let along = Quat::new(1.0, 1.0, 0.0, 0.0);
 //! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, along).unwrap_err();
 //! assert_eq!(error.reason(), "not-in-im-h");
@@ -28,7 +28,7 @@
 //! # `tangent-opposes-chord`
 //! A tangent points straight away from the other end.
 //! ```
-//! use cyclide::{Arc, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Arc};
 //! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), -Vec3::X).unwrap_err();
 //! assert_eq!(error.reason(), "tangent-opposes-chord");
 //! ```
@@ -36,7 +36,7 @@
 //! # `degenerate-circle`
 //! Three points on a line have no circle.
 //! ```
-//! use cyclide::{Circle, Point3};
+//! use cyclide::{Point3, curve::Circle};
 //! let line = [0.0, 1.0, 3.0].map(|x| Point3::new(x, 0.0, 0.0));
 //! assert_eq!(Circle::through_points(line).unwrap_err().reason(), "degenerate-circle");
 //! ```
@@ -44,7 +44,7 @@
 //! # `degenerate-sphere`
 //! Four points in a plane have no sphere.
 //! ```
-//! use cyclide::{Point3, Sphere};
+//! use cyclide::{Point3, conformal::Sphere};
 //! let plane = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 2.0, 0.0]].map(Point3::from);
 //! assert_eq!(Sphere::through_points(plane).unwrap_err().reason(), "degenerate-sphere");
 //! ```
@@ -52,7 +52,7 @@
 //! # `no-finite-biarc`
 //! No two arcs with a common tangent join the data.
 //! ```
-//! use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, construct::{Biarc, BiarcRule}};
 //! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
 //! let error = Biarc::new(a, -Vec3::X, b, -Vec3::X, BiarcRule::Auto).unwrap_err();
 //! assert_eq!(error.reason(), "no-finite-biarc");
@@ -61,7 +61,7 @@
 //! # `tangent-undefined`
 //! Points turn back on themselves, where no tangent can be estimated.
 //! ```
-//! use cyclide::{ArcPath, ArcSplineOptions, Point3};
+//! use cyclide::{Point3, construct::ArcSplineOptions, curve::ArcPath};
 //! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
 //! let error = ArcPath::spline(&points, &ArcSplineOptions::default()).unwrap_err();
 //! assert_eq!(error.reason(), "tangent-undefined");
@@ -70,7 +70,7 @@
 //! # `arc-through-infinity`
 //! A circle of a blend starts opposite to its chord.
 //! ```
-//! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::{BlendSegment, BlendVariant}};
 //! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
 //! let error = BlendSegment::hermite(a, -Vec3::X, b, Vec3::X, 2, BlendVariant::Rational).unwrap_err();
 //! assert_eq!(error.reason(), "arc-through-infinity");
@@ -79,7 +79,7 @@
 //! # `ambiguous-half-turn`
 //! Two circles have opposite tangents along the chord, except for rounding: the half-turn between them may go through any plane.
 //! ```
-//! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::{BlendSegment, BlendVariant}};
 //! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
 //! let (start, end) = (Vec3::new(1.0, 0.9999e-9, 0.0), Vec3::new(-1.0, 1.0001e-9, 0.0));
 //! let error = BlendSegment::hermite(a, start, b, end, 2, BlendVariant::Rational).unwrap_err();
@@ -89,7 +89,7 @@
 //! # `disconnected`
 //! A piece of a path does not start where the previous one ends.
 //! ```
-//! use cyclide::{Arc, ArcPath, Point3};
+//! use cyclide::{Point3, curve::{Arc, ArcPath}};
 //! let segment = |from: f64, to: f64| Arc::segment(Point3::new(from, 0.0, 0.0), Point3::new(to, 0.0, 0.0));
 //! let error = ArcPath::new(vec![segment(0.0, 1.0)?, segment(2.0, 3.0)?], false).unwrap_err();
 //! assert_eq!(error.reason(), "disconnected");
@@ -99,7 +99,7 @@
 //! # `knots-decrease`
 //! A knot is less than the previous one.
 //! ```
-//! use cyclide::{NurbsCurve, Point3};
+//! use cyclide::{Point3, rational::NurbsCurve};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let error = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 0.9, 1.0], points, vec![1.0; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "knots-decrease");
@@ -109,7 +109,7 @@
 //! # `knot-multiplicity`
 //! A knot has so high a multiplicity that the curve is disconnected there.
 //! ```
-//! use cyclide::{NurbsCurve, Point3};
+//! use cyclide::{Point3, rational::NurbsCurve};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let error = NurbsCurve::new(1, vec![0.0, 0.0, 0.5, 0.5, 1.0, 1.0], points, vec![1.0; 4]).unwrap_err();
 //! assert_eq!(error.reason(), "knot-multiplicity");
@@ -119,7 +119,7 @@
 //! # `not-a-spline`
 //! Knots, weights and points of a spline do not fit together: here the ends are not clamped.
 //! ```
-//! use cyclide::{NurbsCurve, Point3};
+//! use cyclide::{Point3, rational::NurbsCurve};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let error = NurbsCurve::new(2, vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0], points, vec![1.0; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-spline");
@@ -128,7 +128,7 @@
 //! # `not-within-tolerance`
 //! No chord, however short, is proved to be within the tolerance: it is below the rounding of the points.
 //! ```
-//! use cyclide::{NurbsCurve, Point3, flatten};
+//! use cyclide::{Point3, mesh::flatten, rational::NurbsCurve};
 //! let points = [[1e9, 0.0, 0.0], [1e9 + 1.0, 1.0, 0.0], [1e9 + 2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let far = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0, 2.0, 1.0])?;
 //! assert_eq!(flatten(&far, 1e-9).unwrap_err().reason(), "not-within-tolerance");
@@ -138,7 +138,7 @@
 //! # `no-frame`
 //! The direction that defines a frame vanishes: here the curvature of a straight line has no direction.
 //! ```
-//! use cyclide::{Arc, CurveFrames, FrameRule, Point3};
+//! use cyclide::{Point3, curve::{Arc, CurveFrames, FrameRule}};
 //! let line = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
 //! let error = CurveFrames::new(&line, &FrameRule::Frenet)?.at(0.5).unwrap_err();
 //! assert_eq!(error.reason(), "no-frame");
@@ -148,7 +148,7 @@
 //! # `no-g1-spline-in-tube`
 //! The search for tangent arcs within the tolerance of a polyline does not get past a vertex.
 //! ```
-//! use cyclide::{ArcFit, ArcFitOptions, FitTarget, Point3};
+//! use cyclide::{Point3, construct::{ArcFit, ArcFitOptions, FitTarget}};
 //! let points = [
 //!     [0.0, 0.0],
 //!     [0.001396136825860192, 0.0002658291767813673],
@@ -172,7 +172,7 @@
 //! A machine takes no arcs below some radius or length, and none other were found within the tolerance: here a half circle
 //! of radius 1.
 //! ```
-//! use cyclide::{ArcFit, ArcFitOptions, Point3};
+//! use cyclide::{Point3, construct::{ArcFit, ArcFitOptions}};
 //! let at = |k: i32| (0.1 * f64::from(k)).sin_cos();
 //! let half: Vec<Point3> = (0..=31).map(at).map(|(s, c)| Point3::new(c, s, 0.0)).collect();
 //! let error = ArcFit::new(&half, &ArcFitOptions { min_radius: Some(2.0), ..ArcFitOptions::new(0.01) }).unwrap_err();
@@ -182,7 +182,7 @@
 //! # `tolerance-not-reached`
 //! No fair curve within the tolerance was found: here points all over the place, none of which may be a corner.
 //! ```
-//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
 //! let at = |k: i32| Point3::new(f64::from(7 * k * k).sin(), f64::from(3 * k * k).cos(), 0.0);
 //! let cloud: Vec<Point3> = (0..60).map(at).collect();
 //! let options = FairFitOptions { corner_angle: Some(3.14), ..FairFitOptions::new(0.01) };
@@ -194,7 +194,7 @@
 //! A fair curve within the tolerance would leave the points between two of them, by far more than these are apart: here at a thin
 //! tooth that is not to have corners.
 //! ```
-//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
 //! let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 39.5], [103.0, 40.0], [100.0, 40.5], [100.0, 70.0], [0.0, 70.0_f64]];
 //! let side = |k: usize| {
 //!     let (a, b) = (corners[k], corners[(k + 1) % 7]);
@@ -211,7 +211,7 @@
 //! # `noise-not-smoothed`
 //! No curve follows the points without their noise: here waves that are hardly longer than their noise is wide.
 //! ```
-//! use cyclide::{FairFit, FairFitOptions, Noise, Point3};
+//! use cyclide::{Point3, construct::{FairFit, FairFitOptions, Noise}};
 //! let noise = |k: f64, f: f64| 2.0 * (f * k * k).sin();
 //! let wave = |k: f64| 12.0 * (120.0 * (k / 500.0).powi(2)).sin();
 //! let at = |k: f64| Point3::new(0.2 * k + noise(k, 9.1), wave(k) + noise(k, 5.3), 0.0);
@@ -223,7 +223,7 @@
 //! # `outliers`
 //! Points far from all other points keep a fair curve from reaching its tolerance.
 //! ```
-//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
 //! let at = |k: u32| {
 //!     let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 200.0).sin_cos();
 //!     let noise = [9.1, 5.3].map(|f| 0.05 * (f * f64::from(k * k)).sin());
@@ -241,7 +241,7 @@
 //! # `even-point-count`
 //! A curve of degree n needs 2n + 1 conditions.
 //! ```
-//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! use cyclide::{Point3, construct::{NodeParameters, QbInterpolation}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
 //! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
 //! assert_eq!(error.reason(), "even-point-count");
@@ -250,7 +250,7 @@
 //! # `repeated-parameter`
 //! Two points have the same parameter.
 //! ```
-//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! use cyclide::{Point3, construct::{NodeParameters, QbInterpolation}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
 //! let error = QbInterpolation::through_points(&points, &NodeParameters::Given(vec![0.0, 0.5, 0.5])).unwrap_err();
 //! assert_eq!(error.reason(), "repeated-parameter");
@@ -259,7 +259,7 @@
 //! # `unattainable-point`
 //! Four points lie evenly on a line, and so does the curve: it misses the fifth.
 //! ```
-//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! use cyclide::{Point3, construct::{NodeParameters, QbInterpolation}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
 //! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
 //! assert_eq!(error.index(), Some(2));
@@ -269,7 +269,7 @@
 //! # `curve-through-infinity`
 //! The points go there and back on a line, which a circle does through infinity.
 //! ```
-//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! use cyclide::{Point3, construct::{NodeParameters, QbInterpolation}};
 //! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
 //! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
 //! assert_eq!(error.reason(), "curve-through-infinity");
@@ -278,7 +278,7 @@
 //! # `opposite-arcs`
 //! Both tangents are perpendicular to the chord, on the same side.
 //! ```
-//! use cyclide::{Point3, QbCurve, Vec3};
+//! use cyclide::{Point3, Vec3, curve::QbCurve};
 //! let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
 //! assert_eq!(QbCurve::invariant_span(ends, [Vec3::Y; 2]).unwrap_err().reason(), "opposite-arcs");
 //! ```

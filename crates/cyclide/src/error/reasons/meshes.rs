@@ -3,7 +3,7 @@
 //! # `degenerate-triangle`
 //! The corners of a triangle lie on a line.
 //! ```
-//! use cyclide::{Point3, SphereBlend};
+//! use cyclide::{Point3, surface::SphereBlend};
 //! let line = [0.0, 1.0, 3.0].map(|x| Point3::new(x, 0.0, 0.0));
 //! let error = SphereBlend::from_control_points(line, [Point3::new(0.0, 1.0, 1.0); 3]).unwrap_err();
 //! assert_eq!(error.reason(), "degenerate-triangle");
@@ -12,7 +12,7 @@
 //! # `control-point-on-circumcircle`
 //! A control point lies on the circle through the corners, which all spheres through them share.
 //! ```
-//! use cyclide::{Point3, SphereBlend};
+//! use cyclide::{Point3, surface::SphereBlend};
 //! let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 //! let control = [[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 //! let error = SphereBlend::from_control_points(corners, control).unwrap_err();
@@ -22,7 +22,7 @@
 //! # `opposite-spheres`
 //! The spheres of two corners cancel halfway between them.
 //! ```
-//! use cyclide::{Point3, SphereBlend};
+//! use cyclide::{Point3, surface::SphereBlend};
 //! let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 //! let poles = [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 //! assert_eq!(SphereBlend::from_control_points(corners, poles)?.whole().unwrap_err().reason(), "opposite-spheres");
@@ -32,7 +32,7 @@
 //! # `normal-along-edge`
 //! A normal runs along an edge to which it should be perpendicular.
 //! ```
-//! use cyclide::{Point3, SmoothTriangle, Vec3};
+//! use cyclide::{Point3, Vec3, surface::SmoothTriangle};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 //! let error = SmoothTriangle::new(corners, [Vec3::X, Vec3::Z, Vec3::Z]).unwrap_err();
 //! assert_eq!(error.reason(), "normal-along-edge");
@@ -41,7 +41,7 @@
 //! # `opposite-normals`
 //! The normals at the ends of an edge cancel between them.
 //! ```
-//! use cyclide::{Point3, SmoothTriangle, Vec3};
+//! use cyclide::{Point3, Vec3, surface::SmoothTriangle};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 //! let error = SmoothTriangle::new(corners, [-Vec3::Z, Vec3::Z, Vec3::Z]).unwrap_err();
 //! assert_eq!(error.reason(), "opposite-normals");
@@ -50,7 +50,7 @@
 //! # `undefined-normal`
 //! A normal has no length, or the normals of the faces round a vertex cancel.
 //! ```
-//! use cyclide::{Point3, SmoothMesh, VertexNormals};
+//! use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 //! let error = SmoothMesh::new(&points, &[[0, 1, 2], [0, 2, 1]], VertexNormals::AngleWeighted).unwrap_err();
 //! assert_eq!(error.reason(), "undefined-normal");
@@ -59,7 +59,7 @@
 //! # `no-triangles`
 //! A mesh has no triangle.
 //! ```
-//! use cyclide::{Point3, SmoothMesh, VertexNormals};
+//! use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 //! let error = SmoothMesh::new(&[Point3::ORIGIN], &[], VertexNormals::AngleWeighted).unwrap_err();
 //! assert_eq!(error.reason(), "no-triangles");
 //! ```
@@ -67,7 +67,7 @@
 //! # `no-such-vertex`
 //! A triangle refers to a vertex that does not exist.
 //! ```
-//! use cyclide::{Point3, SmoothMesh, VertexNormals};
+//! use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 //! let error = SmoothMesh::new(&points, &[[0, 1, 3]], VertexNormals::AngleWeighted).unwrap_err();
 //! assert_eq!(error.reason(), "no-such-vertex");
@@ -76,7 +76,7 @@
 //! # `non-manifold-edge`
 //! Three triangles share an edge.
 //! ```
-//! use cyclide::{Point3, SmoothMesh, VertexNormals};
+//! use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 //! let fins = [[0, 1, 2], [1, 0, 3], [0, 1, 4]];
 //! let error = SmoothMesh::new(&points, &fins, VertexNormals::AngleWeighted).unwrap_err();
@@ -86,7 +86,7 @@
 //! # `inconsistent-orientation`
 //! Two neighboring triangles have opposite orientations.
 //! ```
-//! use cyclide::{Point3, SmoothMesh, VertexNormals};
+//! use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
 //! let error = SmoothMesh::new(&points, &[[0, 1, 2], [0, 1, 3]], VertexNormals::AngleWeighted).unwrap_err();
 //! assert_eq!(error.reason(), "inconsistent-orientation");
@@ -95,7 +95,7 @@
 //! # `cells-unfit`
 //! The quads of a grid go all round one that is outside.
 //! ```
-//! use cyclide::{GridCell, Point3, QuadGrid};
+//! use cyclide::{Point3, surface::{GridCell, QuadGrid}};
 //! let points = (0..16).map(|k| Point3::new(f64::from(k % 4), f64::from(k / 4), 0.0)).collect();
 //! let hole = |i, j| if (i, j) == (1, 1) { GridCell::Outside } else { GridCell::Patch };
 //! let error = QuadGrid::new(points, [4, 4], [false; 2])?.with_cells(hole).unwrap_err();
@@ -106,7 +106,7 @@
 //! # `not-a-quad-layout`
 //! The quads round an extraordinary vertex reach the border.
 //! ```
-//! use cyclide::{Point3, QuadLayout};
+//! use cyclide::{Point3, surface::QuadLayout};
 //! let points = (0..7).map(|k| Point3::new(f64::from(k), f64::from(k * k), 0.0)).collect();
 //! let error = QuadLayout::new(points, &[[0, 1, 2, 3], [0, 3, 4, 5], [0, 5, 6, 1]]).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-quad-layout");
@@ -116,7 +116,7 @@
 //! # `ring-does-not-close`
 //! Quads of a cube round its corner have circles, but the three sides are not one smooth surface.
 //! ```
-//! use cyclide::{NetLayout, Point3, QuadLayout};
+//! use cyclide::{Point3, surface::{NetLayout, QuadLayout}};
 //! let (mut points, mut quads) = (Vec::<[i32; 3]>::new(), Vec::new());
 //! for k in 0..27 {
 //!     let (i, a, b) = (k / 9, (k % 3) as i32, (k / 3 % 3) as i32);

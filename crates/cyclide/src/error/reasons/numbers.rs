@@ -3,7 +3,7 @@
 //! # `not-finite`
 //! A number is NaN or infinite.
 //! ```
-//! use cyclide::{Arc, Point3};
+//! use cyclide::{Point3, curve::Arc};
 //! let error = Arc::segment(Point3::ORIGIN, Point3::new(f64::NAN, 0.0, 0.0)).unwrap_err();
 //! assert_eq!(error.reason(), "not-finite");
 //! ```
@@ -11,7 +11,7 @@
 //! # `parameter-out-of-range`
 //! A number is outside its interval, which the message names.
 //! ```
-//! use cyclide::{Arc, Point3};
+//! use cyclide::{Point3, curve::Arc};
 //! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
 //! assert_eq!(arc.split(1.5).unwrap_err().reason(), "parameter-out-of-range");
 //! # Ok::<(), cyclide::Error>(())
@@ -20,7 +20,7 @@
 //! # `below-rounding-of-place`
 //! Something is so small at its location that the rounding of its coordinates destroys its shape.
 //! ```
-//! use cyclide::{Circle, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Circle};
 //! let error = Circle::from_radius(Point3::new(1e9, 0.0, 0.0), Vec3::Z, 1e-9).unwrap_err();
 //! assert_eq!(error.reason(), "below-rounding-of-place");
 //! ```
@@ -28,7 +28,7 @@
 //! # `tolerance-not-positive`
 //! A tolerance is zero, negative or NaN.
 //! ```
-//! use cyclide::{Arc, Point3, flatten};
+//! use cyclide::{Point3, curve::Arc, mesh::flatten};
 //! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
 //! assert_eq!(flatten(&arc, 0.0).unwrap_err().reason(), "tolerance-not-positive");
 //! # Ok::<(), cyclide::Error>(())
@@ -37,7 +37,7 @@
 //! # `too-few-points`
 //! A list has too few points for the construction.
 //! ```
-//! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
+//! use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions}};
 //! let error = CircleSpline::from_points(&[Point3::ORIGIN], &CircleSplineOptions::default()).unwrap_err();
 //! assert_eq!(error.reason(), "too-few-points");
 //! ```
@@ -45,7 +45,7 @@
 //! # `coincident-points`
 //! Two points that must differ are coincident.
 //! ```
-//! use cyclide::{Arc, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Arc};
 //! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::ORIGIN, Vec3::X).unwrap_err();
 //! assert_eq!(error.reason(), "coincident-points");
 //! ```
@@ -53,7 +53,7 @@
 //! # `count-differs`
 //! A list does not have one entry for each point or vertex.
 //! ```
-//! use cyclide::{ArcPath, Point3};
+//! use cyclide::{Point3, curve::ArcPath};
 //! let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
 //! let error = ArcPath::rounded_polyline(&corner, false, &[0.0, 1.0]).unwrap_err();
 //! assert_eq!(error.reason(), "count-differs");
@@ -62,7 +62,7 @@
 //! # `zero-tangent`
 //! A tangent or direction has no length.
 //! ```
-//! use cyclide::{Arc, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Arc};
 //! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
 //! assert_eq!(error.reason(), "zero-tangent");
 //! ```
@@ -70,7 +70,7 @@
 //! # `zero-axis`
 //! An axis or a normal has no length, or no part perpendicular to the chord.
 //! ```
-//! use cyclide::{Circle, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Circle};
 //! let error = Circle::from_radius(Point3::ORIGIN, Vec3::ZERO, 1.0).unwrap_err();
 //! assert_eq!(error.reason(), "zero-axis");
 //! ```
@@ -78,7 +78,7 @@
 //! # `zero-weight`
 //! A weight is the zero quaternion.
 //! ```
-//! use cyclide::{Arc, Point3, Quat};
+//! use cyclide::{Point3, Quat, curve::Arc};
 //! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, Quat::ZERO).unwrap_err();
 //! assert_eq!(error.reason(), "zero-weight");
 //! ```
@@ -86,7 +86,7 @@
 //! # `weight-not-positive`
 //! A weight of a rational curve or surface that must be positive is not.
 //! ```
-//! use cyclide::{NurbsCurve, Point3};
+//! use cyclide::{Point3, rational::NurbsCurve};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
 //! let error = NurbsCurve::new(2, knots, points, vec![1.0, -1.0, 1.0]).unwrap_err();
@@ -96,7 +96,7 @@
 //! # `weights-uneven`
 //! Weights of a rational curve differ so much that its points cannot be distinguished by their parameters.
 //! ```
-//! use cyclide::{NurbsCurve, Point3};
+//! use cyclide::{Point3, rational::NurbsCurve};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
 //! let error = NurbsCurve::new(2, knots, points, vec![1.0, 1e100, 1.0]).unwrap_err();
@@ -106,7 +106,7 @@
 //! # `zero-radius`
 //! The first point of a circle lies on its axis.
 //! ```
-//! use cyclide::{Circle, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Circle};
 //! let error = Circle::from_center(Point3::ORIGIN, Vec3::Z, Point3::new(0.0, 0.0, 3.0)).unwrap_err();
 //! assert_eq!(error.reason(), "zero-radius");
 //! ```
@@ -114,7 +114,7 @@
 //! # `radius-not-positive`
 //! A radius is zero, negative or NaN.
 //! ```
-//! use cyclide::{Circle, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Circle};
 //! let error = Circle::from_radius(Point3::ORIGIN, Vec3::Z, -1.0).unwrap_err();
 //! assert_eq!(error.reason(), "radius-not-positive");
 //! ```
@@ -122,14 +122,14 @@
 //! # `scale-not-positive`
 //! A similarity scales by zero or less.
 //! ```
-//! use cyclide::{Mobius, Quat, Vec3};
+//! use cyclide::{Quat, Vec3, conformal::Mobius};
 //! assert_eq!(Mobius::similarity(Quat::ONE, 0.0, Vec3::ZERO).unwrap_err().reason(), "scale-not-positive");
 //! ```
 //!
 //! # `order-out-of-range`
 //! The order of a blend is not supported.
 //! ```
-//! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
+//! use cyclide::{Point3, curve::{CircleSpline, CircleSplineOptions}};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 //! let error = CircleSpline::from_points(&points, &CircleSplineOptions { order: 9, ..Default::default() }).unwrap_err();
 //! assert_eq!(error.reason(), "order-out-of-range");
@@ -138,7 +138,7 @@
 //! # `sweep-out-of-range`
 //! An arc is to turn by a full circle or more.
 //! ```
-//! use cyclide::{Arc, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, curve::Arc};
 //! let error = Arc::from_center(Point3::ORIGIN, Vec3::Z, Point3::new(1.0, 0.0, 0.0), 7.0).unwrap_err();
 //! assert_eq!(error.reason(), "sweep-out-of-range");
 //! ```
@@ -146,14 +146,14 @@
 //! # `angle-out-of-range`
 //! A turn or a slope is outside the range of the construction.
 //! ```
-//! use cyclide::{Point3, Revolution, Vec3};
+//! use cyclide::{Point3, Vec3, construct::Revolution};
 //! assert_eq!(Revolution::new(Point3::ORIGIN, Vec3::Z, 7.0).unwrap_err().reason(), "angle-out-of-range");
 //! ```
 //!
 //! # `too-many-pieces`
 //! A refinement would need more pieces than its limit on work and memory.
 //! ```
-//! use cyclide::{Circle, Point3, Vec3, flatten_within};
+//! use cyclide::{Point3, Vec3, curve::Circle, mesh::flatten_within};
 //! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 //! assert_eq!(flatten_within(&circle, 1e-3, 10).unwrap_err().reason(), "too-many-pieces");
 //! # Ok::<(), cyclide::Error>(())
@@ -162,7 +162,7 @@
 //! # `point-at-infinity`
 //! A point lies where it would go to infinity, or a map takes it there.
 //! ```
-//! use cyclide::{Arc, Conformal, Mobius, Point3};
+//! use cyclide::{Point3, conformal::{Conformal, Mobius}, curve::Arc};
 //! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
 //! let inversion = Mobius::inversion(Point3::ORIGIN, 1.0)?;
 //! assert_eq!(arc.transformed(&inversion).unwrap_err().reason(), "point-at-infinity");
@@ -172,7 +172,7 @@
 //! # `not-mobius`
 //! A matrix of quaternions is singular or takes points out of space.
 //! ```
-//! use cyclide::{Mobius, Quat};
+//! use cyclide::{Quat, conformal::Mobius};
 //! let error = Mobius::from_matrix(Quat::ONE, Quat::ONE, Quat::ONE, Quat::ONE).unwrap_err();
 //! assert_eq!(error.reason(), "not-mobius");
 //! ```
@@ -180,7 +180,7 @@
 //! # `not-a-similarity`
 //! A map that is not a similarity would change the kind of the curve or surface.
 //! ```
-//! use cyclide::{Circle, Mobius, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, conformal::Mobius, curve::Circle};
 //! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
 //! let inversion = Mobius::inversion(Point3::new(5.0, 0.0, 0.0), 1.0)?;
 //! assert_eq!(circle.similar(&inversion).unwrap_err().reason(), "not-a-similarity");

@@ -3,7 +3,7 @@
 //! # `not-concircular`
 //! The corners of a quad do not lie on one circle.
 //! ```
-//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, surface::CyclidePatch};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.2]].map(Point3::from);
 //! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap_err();
 //! assert_eq!(error.reason(), "not-concircular");
@@ -12,7 +12,7 @@
 //! # `crossing-quad`
 //! The corners of a quad lie on a circle in the wrong order.
 //! ```
-//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, surface::CyclidePatch};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
 //! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap_err();
 //! assert_eq!(error.reason(), "crossing-quad");
@@ -21,7 +21,7 @@
 //! # `frame-not-orthonormal`
 //! The two directions of a frame are not perpendicular.
 //! ```
-//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, surface::CyclidePatch};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 //! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::new(0.1, 1.0, 0.0)).unwrap_err();
 //! assert_eq!(error.reason(), "frame-not-orthonormal");
@@ -30,7 +30,7 @@
 //! # `not-in-space`
 //! The weights of a patch take it out of space.
 //! ```
-//! use cyclide::{CyclidePatch, Point3, Quat, Vec3};
+//! use cyclide::{Point3, Quat, Vec3, surface::CyclidePatch};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 //! let mut weights = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?.weights();
 //! weights[3] = weights[3] * Quat::from_axis_angle(Vec3::X, 0.1);
@@ -42,7 +42,7 @@
 //! # `patch-through-infinity`
 //! A patch contains the point at infinity.
 //! ```
-//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! use cyclide::{Point3, Vec3, surface::CyclidePatch};
 //! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 //! let error = CyclidePatch::from_corners_and_frame(corners, -Vec3::X, -Vec3::Y).unwrap_err();
 //! assert_eq!(error.reason(), "patch-through-infinity");
@@ -51,7 +51,7 @@
 //! # `net-does-not-close`
 //! A frame carried round a closed net does not come back to itself: here round a ring of points and its inverse.
 //! ```
-//! use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid, Vec3};
+//! use cyclide::{Point3, Vec3, surface::{CyclidicNet, NetFrame, QuadGrid}};
 //! let ring = (0..8).map(|k| {
 //!     let phi = std::f64::consts::TAU * f64::from(k) / 8.0;
 //!     Vec3::new(phi.cos(), phi.sin(), 0.3 * (2.0 * phi).sin() + 0.2 * phi.cos())
@@ -66,7 +66,7 @@
 //! # `ambiguous-frame`
 //! No frame fits the edges of the net better than others: here they all lie on one line.
 //! ```
-//! use cyclide::{CyclidicNet, Error, NetFrame, PatchError, Point3, QuadGrid};
+//! use cyclide::{Error, Point3, error::PatchError, surface::{CyclidicNet, NetFrame, QuadGrid}};
 //! let line = [0.0, 1.0, 3.0, 2.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
 //! let grid = QuadGrid::new(line, [2, 2], [false, false])?;
 //! let error = CyclidicNet::new(grid, NetFrame::Auto).unwrap_err();
@@ -78,7 +78,7 @@
 //! # `collapsed-side`
 //! A side that a rim should stand on is one point.
 //! ```
-//! use cyclide::DupinCyclide;
+//! use cyclide::surface::DupinCyclide;
 //! let horn = DupinCyclide::new(1.0, 0.5, 0.2)?.nets([4, 4])?;
 //! assert_eq!(horn[0].thick(0.01).unwrap_err().reason(), "collapsed-side");
 //! # Ok::<(), cyclide::Error>(())
@@ -87,7 +87,7 @@
 //! # `offset-on-focal-set`
 //! An offset shrinks the surface to a curve or a point: here a torus by the radius of its tube.
 //! ```
-//! use cyclide::{DupinCyclide, Error, PatchError};
+//! use cyclide::{Error, error::PatchError, surface::DupinCyclide};
 //! let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?;
 //! let error = torus[0].patches().next().unwrap().offset(-1.0).unwrap_err();
 //! assert_eq!(error.reason(), "offset-on-focal-set");
@@ -98,7 +98,7 @@
 //! # `offset-not-regular`
 //! A solid between a surface and its offset would self-intersect.
 //! ```
-//! use cyclide::{DupinCyclide, Error, PartError, PatchError};
+//! use cyclide::{Error, error::{PartError, PatchError}, surface::DupinCyclide};
 //! let net = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?;
 //! let error = net[0].thick(-1.0).unwrap_err();
 //! assert_eq!(error.reason(), "offset-not-regular");
@@ -111,7 +111,7 @@
 //! # `not-a-shell`
 //! Vertices, edges and faces do not form a shell: here there are none.
 //! ```
-//! use cyclide::Shell;
+//! use cyclide::topology::Shell;
 //! let error = Shell::new(Vec::new(), Vec::new(), Vec::new()).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-shell");
 //! ```
@@ -119,7 +119,7 @@
 //! # `short-edge`
 //! An edge of a face is so short that other programs treat it as a point.
 //! ```
-//! use cyclide::DupinCyclide;
+//! use cyclide::surface::DupinCyclide;
 //! let nearly_singular = DupinCyclide::new(5.0, 4.999_999_9, 4.999_999_95)?.to_shell()?;
 //! assert_eq!(nearly_singular.with_positive_weights().unwrap_err().reason(), "short-edge");
 //! # Ok::<(), cyclide::Error>(())
@@ -128,7 +128,7 @@
 //! # `not-converged`
 //! Quads cannot be made circular: here the border leaves one vertex free for four of them.
 //! ```
-//! use cyclide::{Point3, QuadGrid};
+//! use cyclide::{Point3, surface::QuadGrid};
 //! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3) - 1.0, f64::from(k / 3) - 1.0));
 //! let points = points.map(|(u, v)| Point3::new(u, v + 0.2 * u * u, u * v * v)).collect();
@@ -142,7 +142,7 @@
 //! A grid made circular is another surface: here most of the bending of a wave is lost, whose curvature lines run across its
 //! grid lines.
 //! ```
-//! use cyclide::{Point3, QuadGrid};
+//! use cyclide::{Point3, surface::QuadGrid};
 //! use cyclide_grids::{CircularMeshOptions, make_circular};
 //! let places = (0..25 * 17).map(|k| (0.5 * f64::from(k % 25), 0.5 * f64::from(k / 25)));
 //! let wave = places.map(|(x, y)| Point3::new(x, y, 0.5 * (0.4 * x).sin() * (0.5 * y).cos())).collect();
@@ -155,7 +155,7 @@
 //! # `collapsed-on-curve`
 //! Vertices of a side coincide on the curve along which they slide: here all are nearest to its end.
 //! ```
-//! use cyclide::{Arc, Point3, QuadGrid};
+//! use cyclide::{Point3, curve::Arc, surface::QuadGrid};
 //! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
 //! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();
@@ -169,7 +169,7 @@
 //! # `border-curves-apart`
 //! Two curves do not meet near the corner of the grid that should be on both.
 //! ```
-//! use cyclide::{Arc, Point3, QuadGrid};
+//! use cyclide::{Point3, curve::Arc, surface::QuadGrid};
 //! use cyclide_grids::{Border, CircularMeshOptions, make_circular};
 //! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
 //! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();

@@ -3,7 +3,7 @@
 //! # `concircular-cube`
 //! The first corner and its three neighbors lie on one circle, so the eighth corner is not determined.
 //! ```
-//! use cyclide::{Error, Point3, SphericalCube, VolumeError};
+//! use cyclide::{Error, Point3, error::VolumeError, volume::SphericalCube};
 //! let flat = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.]].map(Point3::from);
 //! let error = SphericalCube::from_positions(flat, [0.5; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "concircular-cube");
@@ -13,7 +13,7 @@
 //! # `crossing-face`
 //! A face of a volume self-intersects: here the last corner is outside the triangle of the neighbors of the first.
 //! ```
-//! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeError, VolumeFrame};
+//! use cyclide::{Error, Point3, error::VolumeError, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 //! let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);
 //! let cube = SphericalCube::from_positions(corners, [0.9, 0.9, 0.5])?;
 //! let error = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap_err();
@@ -25,7 +25,7 @@
 //! # `volume-through-infinity`
 //! An inversion about a point inside a block takes that point to infinity.
 //! ```
-//! use cyclide::{Conformal, CyclideVolume, Mobius, Point3, SphericalCube, Vec3, VolumeFrame};
+//! use cyclide::{Point3, Vec3, conformal::{Conformal, Mobius}, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 //! let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 //! let block = CyclideVolume::new(&cube, VolumeFrame::Auto)?;
 //! let map = Mobius::inversion(Point3::new(0.3, 0.4, 0.6), 1.0)?;
@@ -36,7 +36,7 @@
 //! # `folded-volume`
 //! The outer boundary of a block folds because its frame is far from its sides.
 //! ```
-//! use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+//! use cyclide::{Point3, Vec3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 //! let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z])?;
 //! let block = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::Y, Vec3::Z))?;
 //! assert_eq!(CyclideVolume::outer_bodies(&[block]).unwrap_err().reason(), "folded-volume");

@@ -6,7 +6,7 @@ table! {
     /// Why an arc, a circle, a sphere or a blend of circles was refused.
     ///
     /// ```
-    /// use cyclide::{ArcError, Error};
+    /// use cyclide::{Error, error::ArcError};
     /// let error: Error = ArcError::ZeroWeight { index: 1 }.into();
     /// assert_eq!(error.reason(), "zero-weight");
     /// ```

@@ -6,7 +6,7 @@ table! {
     /// Why no ball rolls between two surfaces.
     ///
     /// ```
-    /// use cyclide::{BallError, Error};
+    /// use cyclide::{Error, error::BallError};
     /// let error: Error = BallError::NoPositiveRadius { radius: -2.0 }.into();
     /// assert_eq!(error.reason(), "no-positive-radius");
     /// ```

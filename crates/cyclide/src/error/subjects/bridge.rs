@@ -7,7 +7,7 @@ table! {
     /// Why no surface was built between two curves.
     ///
     /// ```
-    /// use cyclide::{BridgeError, Error};
+    /// use cyclide::{Error, error::BridgeError};
     /// let error: Error = BridgeError::EllipsesCross { along_x: 0.5, along_y: 0.5 }.into();
     /// assert_eq!(error.reason(), "ellipses-cross");
     /// ```

@@ -6,7 +6,7 @@ table! {
     /// Why a tube was not blended with a plane or a sphere.
     ///
     /// ```
-    /// use cyclide::{ContactError, Error};
+    /// use cyclide::{Error, error::ContactError};
     /// let error: Error = ContactError::LoopTurnsBack { angle: 0.5 }.into();
     /// assert_eq!(error.reason(), "contact-loop-turns-back");
     /// ```

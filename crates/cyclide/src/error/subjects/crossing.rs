@@ -8,7 +8,7 @@ table! {
     /// Why a crossing of two pipes was refused.
     ///
     /// ```
-    /// use cyclide::{CrossingError, Error};
+    /// use cyclide::{Error, error::CrossingError};
     /// let error: Error = CrossingError::AxesTooNear { distance: 1e-12, limit: 1e-9 }.into();
     /// assert_eq!(error.reason(), "crossing-axes-too-near");
     /// ```

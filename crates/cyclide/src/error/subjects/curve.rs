@@ -6,7 +6,7 @@ table! {
     /// Why a curve of any kind was refused.
     ///
     /// ```
-    /// use cyclide::{CurveError, Error};
+    /// use cyclide::{Error, error::CurveError};
     /// let error: Error = CurveError::ThroughInfinity { t: 0.5 }.into();
     /// assert_eq!(error.reason(), "curve-through-infinity");
     /// ```

@@ -9,7 +9,7 @@ table! {
     /// Why no curve was fitted to the points.
     ///
     /// ```
-    /// use cyclide::{Error, FitError};
+    /// use cyclide::{Error, error::FitError};
     /// let error: Error = FitError::NoG1SplineInTube { vertex: 2, tolerance: 0.5 }.into();
     /// assert_eq!(error.reason(), "no-g1-spline-in-tube");
     /// ```

@@ -8,7 +8,7 @@ table! {
     /// Why a grid or layout of quads was refused, or could not be made circular.
     ///
     /// ```
-    /// use cyclide::{Error, GridError};
+    /// use cyclide::{Error, error::GridError};
     /// let error: Error = GridError::CollapsedOnCurve { first: 0, second: 1 }.into();
     /// assert_eq!(error.reason(), "collapsed-on-curve");
     /// ```

@@ -7,7 +7,7 @@ table! {
     /// Why no curve was interpolated.
     ///
     /// ```
-    /// use cyclide::{Error, InterpolationError};
+    /// use cyclide::{Error, error::InterpolationError};
     /// let error: Error = InterpolationError::EvenPointCount { given: 2 }.into();
     /// assert_eq!(error.reason(), "even-point-count");
     /// ```

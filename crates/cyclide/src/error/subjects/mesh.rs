@@ -6,7 +6,7 @@ table! {
     /// Why a mesh of triangles was refused.
     ///
     /// ```
-    /// use cyclide::{Error, MeshError};
+    /// use cyclide::{Error, error::MeshError};
     /// let error: Error = MeshError::NoTriangles { vertices: 2, needed: 3 }.into();
     /// assert_eq!(error.reason(), "no-triangles");
     /// ```

@@ -66,7 +66,7 @@ subjects! {
     /// face, a side that is one point, a curve that comes back to itself): the fields say where.
     ///
     /// ```
-    /// use cyclide::{Arc, Error, Point3, PointError, Vec3};
+    /// use cyclide::{Error, Point3, Vec3, curve::Arc, error::PointError};
     /// let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
     /// assert_eq!((error.reason(), error.index()), ("zero-tangent", Some(0)));
     /// assert_eq!(error, Error::Point(PointError::ZeroTangent { index: 0 }));

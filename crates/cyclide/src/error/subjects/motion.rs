@@ -8,7 +8,7 @@ table! {
     /// Why no motion through the poses, or no time law of it, was made.
     ///
     /// ```
-    /// use cyclide::{Error, MotionError};
+    /// use cyclide::{Error, error::MotionError};
     /// let error: Error = MotionError::StudyFormVanishes { measured: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(error.reason(), "study-form-vanishes");
     /// ```

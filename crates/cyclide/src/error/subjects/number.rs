@@ -9,7 +9,7 @@ table! {
     /// Why a number of the input was refused.
     ///
     /// ```
-    /// use cyclide::{Error, NumberError};
+    /// use cyclide::{Error, error::NumberError};
     /// let error: Error = NumberError::ToleranceNotPositive { tolerance: 0.5 }.into();
     /// assert_eq!(error.reason(), "tolerance-not-positive");
     /// ```

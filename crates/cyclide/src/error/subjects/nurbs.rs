@@ -6,7 +6,7 @@ table! {
     /// Why a rational curve or surface was refused.
     ///
     /// ```
-    /// use cyclide::{Error, NurbsError};
+    /// use cyclide::{Error, error::NurbsError};
     /// let error: Error = NurbsError::WeightNotPositive { index: 1, weight: 0.5 }.into();
     /// assert_eq!(error.reason(), "weight-not-positive");
     /// ```

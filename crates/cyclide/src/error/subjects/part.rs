@@ -8,7 +8,7 @@ table! {
     /// In which part of the input something was refused, and why.
     ///
     /// ```
-    /// use cyclide::{ArcError, Error};
+    /// use cyclide::{Error, error::ArcError};
     /// let error = Error::from(ArcError::ZeroWeight { index: 0 }).in_quad(7);
     /// assert_eq!((error.reason(), error.index()), ("zero-weight", Some(7)));
     /// assert_eq!(error.to_string(), "quad 7: weight 0 is zero");

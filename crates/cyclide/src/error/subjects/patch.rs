@@ -7,7 +7,7 @@ table! {
     /// Why a patch, a net of patches or an offset of it was refused.
     ///
     /// ```
-    /// use cyclide::{Error, PatchError};
+    /// use cyclide::{Error, error::PatchError};
     /// let error: Error = PatchError::CrossingQuad { position: 0.5 }.into();
     /// assert_eq!(error.reason(), "crossing-quad");
     /// ```

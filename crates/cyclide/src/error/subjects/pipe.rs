@@ -8,7 +8,7 @@ table! {
     /// Why a pipe, or a neck or cone of one, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, PipeError};
+    /// use cyclide::{Error, error::PipeError};
     /// let error: Error = PipeError::ConeReachesApex { apex: 0.5, reached: 0.5 }.into();
     /// assert_eq!(error.reason(), "radius-not-positive");
     /// ```

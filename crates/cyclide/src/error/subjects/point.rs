@@ -7,7 +7,7 @@ table! {
     /// Why points, directions, or a map of them were refused.
     ///
     /// ```
-    /// use cyclide::{Error, PointError};
+    /// use cyclide::{Error, error::PointError};
     /// let error: Error = PointError::ZeroTangent { index: 1 }.into();
     /// assert_eq!(error.reason(), "zero-tangent");
     /// ```

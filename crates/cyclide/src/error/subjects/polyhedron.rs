@@ -7,7 +7,7 @@ table! {
     /// Why a polyhedron, plane or spherical, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, PolyhedronError};
+    /// use cyclide::{Error, error::PolyhedronError};
     /// let error: Error = PolyhedronError::Flat { thickness: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(error.reason(), "flat-polyhedron");
     /// ```

@@ -6,7 +6,7 @@ table! {
     /// Why a pose, or a list of them, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, PoseError};
+    /// use cyclide::{Error, error::PoseError};
     /// let error: Error = PoseError::ZeroRotation { index: 1 }.into();
     /// assert_eq!(error.reason(), "zero-rotation");
     /// ```

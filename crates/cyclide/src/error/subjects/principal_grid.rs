@@ -7,7 +7,7 @@ table! {
     /// Why no grid was made along the lines of curvature of a surface.
     ///
     /// ```
-    /// use cyclide::{Error, PrincipalGridError};
+    /// use cyclide::{Error, error::PrincipalGridError};
     /// let error: Error = PrincipalGridError::SpiralLines { shift: 0.5, edge: 0.5 }.into();
     /// assert_eq!(error.reason(), "spiral-lines");
     /// ```

@@ -6,7 +6,7 @@ table! {
     /// Why a profile was not revolved about an axis, or a section not swept.
     ///
     /// ```
-    /// use cyclide::{Error, ProfileError};
+    /// use cyclide::{Error, error::ProfileError};
     /// let error: Error = ProfileError::SectionMeetsItself { contour: 2 }.into();
     /// assert_eq!(error.reason(), "section-meets-itself");
     /// ```

@@ -7,7 +7,7 @@ table! {
     /// Why faces do not form a shell, or not one that files can store.
     ///
     /// ```
-    /// use cyclide::{Error, ShellError};
+    /// use cyclide::{Error, error::ShellError};
     /// let error: Error = ShellError::ShortEdge { edge: 2, length: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(error.reason(), "short-edge");
     /// ```

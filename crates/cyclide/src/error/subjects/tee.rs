@@ -8,7 +8,7 @@ table! {
     /// Why a tee of pipes was refused.
     ///
     /// ```
-    /// use cyclide::{Error, TeeError};
+    /// use cyclide::{Error, error::TeeError};
     /// let error: Error = TeeError::HoleFolds { branch: 2, angle: 0.5 }.into();
     /// assert_eq!(error.reason(), "tee-hole-folds");
     /// ```

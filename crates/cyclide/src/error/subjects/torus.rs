@@ -7,7 +7,7 @@ table! {
     /// Why a torus, or a point, curve or seam on one, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, TorusError};
+    /// use cyclide::{Error, error::TorusError};
     /// let error: Error = TorusError::ZeroCoordinate { index: 1 }.into();
     /// assert_eq!(error.reason(), "zero-coordinate");
     /// ```

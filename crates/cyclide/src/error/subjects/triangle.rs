@@ -7,7 +7,7 @@ table! {
     /// Why a triangle, or a patch over one, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, TriangleError};
+    /// use cyclide::{Error, error::TriangleError};
     /// let error: Error = TriangleError::Degenerate { area: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(error.reason(), "degenerate-triangle");
     /// ```

@@ -6,7 +6,7 @@ table! {
     /// Why a tube along a curve or through balls was refused.
     ///
     /// ```
-    /// use cyclide::{Error, TubeError};
+    /// use cyclide::{Error, error::TubeError};
     /// let error: Error = TubeError::TurnsBack { ball: 2 }.into();
     /// assert_eq!(error.reason(), "tube-turns-back");
     /// ```

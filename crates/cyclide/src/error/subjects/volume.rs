@@ -8,7 +8,7 @@ table! {
     /// Why a spherical cube, or the block in it, was refused.
     ///
     /// ```
-    /// use cyclide::{Error, VolumeError};
+    /// use cyclide::{Error, error::VolumeError};
     /// let error: Error = VolumeError::ThroughInfinity { at: [1.0, 2.0, 0.0] }.into();
     /// assert_eq!(error.reason(), "volume-through-infinity");
     /// ```

@@ -24,7 +24,7 @@ const RESERVE: f64 = 1.25;
 /// A mesh of a surface over triangles with what was measured of it.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, 0.2], [1.0, 1.0, -0.1]].map(Point3::from);
 /// let smooth = SmoothMesh::new(&points, &[[0, 1, 2], [1, 3, 2]], VertexNormals::AngleWeighted)?;
 /// let made = smooth.tessellate_within(0.01)?;
@@ -48,7 +48,7 @@ impl SmoothMesh {
     ///
     /// # Errors
     /// `parameter-out-of-range` (no division), `too-many-pieces` (above [`MOST_PIECES`]), as
-    /// [`SmoothTriangle::point`](crate::SmoothTriangle::point) with the number of the triangle.
+    /// [`SmoothTriangle::point`](crate::surface::SmoothTriangle::point) with the number of the triangle.
     pub fn tessellate(&self, divisions: usize) -> Result<SurfaceMesh> {
         check_divisions(self.triangles().len(), divisions, MOST_PIECES)?;
         let numbering = Numbering::new(self, divisions);

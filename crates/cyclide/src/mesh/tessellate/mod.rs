@@ -34,7 +34,7 @@ const RESERVE: f64 = 1e-3;
 /// kink (to 1e-6 radians) share them, others have their own.
 ///
 /// ```
-/// use cyclide::{Body, CyclidePatch, Point3, Shell, Vec3, tessellate};
+/// use cyclide::{Point3, Vec3, mesh::tessellate, surface::CyclidePatch, topology::{Body, Shell}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
 /// let mesh = tessellate(&Body { outer: Shell::from_surface(octant)?, voids: Vec::new() }, 1e-3)?;
@@ -52,10 +52,10 @@ pub fn tessellate(body: &Body, tolerance: f64) -> Result<SurfaceMesh> {
 /// One mesh of several bodies, as [`tessellate`]; the shells of all bodies are counted through.
 ///
 /// ```
-/// use cyclide::{Body, DupinCyclide};
+/// use cyclide::{surface::DupinCyclide, topology::Body};
 /// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
-/// let mesh = cyclide::tessellate_all([&ring, &ring], 0.1)?;
-/// assert_eq!(mesh.faces.len(), 2 * cyclide::tessellate_all([&ring], 0.1)?.faces.len());
+/// let mesh = cyclide::mesh::tessellate_all([&ring, &ring], 0.1)?;
+/// assert_eq!(mesh.faces.len(), 2 * cyclide::mesh::tessellate_all([&ring], 0.1)?.faces.len());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///
@@ -68,9 +68,9 @@ pub fn tessellate_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, tolerance:
 /// As [`tessellate_all`], with `most` cells at most.
 ///
 /// ```
-/// use cyclide::{Body, DupinCyclide};
+/// use cyclide::{surface::DupinCyclide, topology::Body};
 /// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
-/// assert_eq!(cyclide::tessellate_within([&ring], 1e-6, 1000).unwrap_err().reason(), "too-many-pieces");
+/// assert_eq!(cyclide::mesh::tessellate_within([&ring], 1e-6, 1000).unwrap_err().reason(), "too-many-pieces");
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///

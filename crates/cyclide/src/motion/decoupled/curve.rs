@@ -36,7 +36,7 @@ impl DecoupledMotion {
     /// [`linear`](Self::linear), of a closed curve.
     ///
     /// ```
-    /// use cyclide::{CircleSpline, DecoupledMotion, FairSplineOptions, Pose, Quat, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, construct::FairSplineOptions, curve::CircleSpline, motion::{DecoupledMotion, Pose, TimedPose}};
     /// let at = |time: f64, place: [f64; 3], turn: f64| TimedPose {
     ///     time,
     ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, turn), Vec3::from(place)).unwrap(),

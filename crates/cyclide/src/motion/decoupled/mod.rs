@@ -30,7 +30,7 @@ use span::{PlaceSpan, TurnSpan};
 /// Made by [`linear`](Self::linear), [`polyline`](Self::polyline), [`on_curve`](Self::on_curve), [`smoothed`](Self::smoothed).
 ///
 /// ```
-/// use cyclide::{DecoupledMotion, Pose, Quat, TimedPose, Vec3};
+/// use cyclide::{Quat, Vec3, motion::{DecoupledMotion, Pose, TimedPose}};
 /// let at = |time: f64, x: f64, turn: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, turn), Vec3::X * x).unwrap(),

@@ -26,7 +26,7 @@ const MOST_PARTS: usize = 256;
 /// A motion whose points run on rational curves, and how far it is from the one that it stands for.
 ///
 /// ```
-/// use cyclide::{DecoupledMotion, Motion, Point3, Pose, Quat, TimedPose, Vec3};
+/// use cyclide::{Point3, Quat, Vec3, motion::{DecoupledMotion, Motion, Pose, TimedPose}};
 /// let at = |time: f64, x: f64, turn: f64| TimedPose {
 ///     time,
 ///     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, turn), Vec3::X * x).unwrap(),

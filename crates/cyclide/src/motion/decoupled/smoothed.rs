@@ -44,7 +44,7 @@ const MEMORY: usize = 6000;
 /// How far a smoothed motion may be from its poses. What has no tolerance is interpolated.
 ///
 /// ```
-/// use cyclide::MotionTolerance;
+/// use cyclide::motion::MotionTolerance;
 /// let tolerance = MotionTolerance { place: Some(0.5), angle: Some(0.01) };
 /// assert!(tolerance != MotionTolerance::default());
 /// ```
@@ -59,7 +59,7 @@ pub struct MotionTolerance {
 /// How far a smoothed motion is from its poses, at their times.
 ///
 /// ```
-/// use cyclide::MotionDeviation;
+/// use cyclide::motion::MotionDeviation;
 /// let deviation = MotionDeviation { place: 0.4, angle: 0.009 };
 /// assert!(deviation.place < 0.5);
 /// ```
@@ -76,7 +76,7 @@ impl DecoupledMotion {
     /// times. A tolerance that is left out leaves places, or turns, on the poses.
     ///
     /// ```
-    /// use cyclide::{DecoupledMotion, MotionTolerance, Pose, Quat, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{DecoupledMotion, MotionTolerance, Pose, TimedPose}};
     /// let noise = |k: u32| f64::from((k * 7919) % 101) / 50.0 - 1.0;
     /// let poses: Vec<TimedPose> = (0..60)
     ///     .map(|k| TimedPose { time: f64::from(k), pose: Pose::new(Quat::ONE, Vec3::new(f64::from(k), noise(k), 0.0)).unwrap() })
@@ -98,7 +98,7 @@ impl DecoupledMotion {
     /// do not belong to the others. These are named in any case, by [`warnings`](Self::warnings).
     ///
     /// ```
-    /// use cyclide::{DecoupledMotion, MotionTolerance, Pose, Quat, TimedPose, Vec3};
+    /// use cyclide::{Quat, Vec3, motion::{DecoupledMotion, MotionTolerance, Pose, TimedPose}};
     /// let at = |k: u32| Vec3::new((0.1 * f64::from(k)).cos(), (0.1 * f64::from(k)).sin(), 0.0) * 100.0;
     /// let mut poses: Vec<TimedPose> =
     ///     (0..60).map(|k| TimedPose { time: f64::from(k), pose: Pose::new(Quat::ONE, at(k)).unwrap() }).collect();

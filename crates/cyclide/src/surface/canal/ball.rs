@@ -5,7 +5,7 @@ use crate::base::vector::{Point3, Vec3};
 /// A ball that touches two surfaces, each in one point.
 ///
 /// ```
-/// use cyclide::{Point2, SkewCylinders};
+/// use cyclide::{Point2, surface::SkewCylinders};
 /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?; // axes 4 apart
 /// let smallest = pair.ball(Point2::new(0.0, std::f64::consts::FRAC_PI_2))?;
 /// assert!((smallest.radius - 0.75).abs() < 1e-15); // half the gap

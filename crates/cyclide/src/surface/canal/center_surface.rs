@@ -19,7 +19,7 @@ impl SkewCylinders {
     /// The centers of the balls at the places with `B - A` and `B + A` between these angles: the first runs along s, the second along t. Weights are positive.
     ///
     /// ```
-    /// use cyclide::SkewCylinders;
+    /// use cyclide::surface::SkewCylinders;
     /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
     /// let centers = pair.center_surface([0.5, 2.5], [0.4, 2.6])?;
     /// let m = centers.point(0.3, 0.8);
@@ -61,7 +61,7 @@ impl QuadricPair {
     /// [those of two cylinders](SkewCylinders::center_surface).
     ///
     /// ```
-    /// use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::{NaturalQuadric, QuadricPair}};
     /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
     /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 3.0), Vec3::Y, 0.2)?;
     /// let centers = QuadricPair::new([pipe, cone])?.center_surface([0.8, 2.2], [0.9, 2.4])?;

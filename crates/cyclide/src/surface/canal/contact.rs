@@ -11,7 +11,7 @@ const PARALLEL: f64 = 1e-14;
 /// The second surface of a ball whose contact with the first one is given.
 ///
 /// ```
-/// use cyclide::{ContactPartner, Point3, RollingBall, Vec3};
+/// use cyclide::{Point3, Vec3, surface::{ContactPartner, RollingBall}};
 /// let floor = ContactPartner::Plane { normal: Vec3::Z, offset: 0.0 };
 /// let ball = RollingBall::at_contact(Point3::new(0.0, 0.0, 2.0), Vec3::X, floor)?;
 /// assert_eq!((ball.radius, ball.contacts[1]), (2.0, Point3::new(2.0, 0.0, 0.0)));

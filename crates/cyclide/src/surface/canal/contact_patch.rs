@@ -26,7 +26,7 @@ impl CanalPatch {
     /// stands, a degree of up to `8 d + 12 e`.
     ///
     /// ```
-    /// use cyclide::{CanalPatch, ContactPartner, RationalBezier, Vec3};
+    /// use cyclide::{Vec3, rational::RationalBezier, surface::{CanalPatch, ContactPartner}};
     /// // A quarter turn on the cylinder of radius 2 about the z axis, rising from 1 to 3.
     /// let contacts = RationalBezier::new(vec![[2.0, 0.0, 1.0, 1.0], [2.0, 2.0, 2.0, 1.0], [0.0, 4.0, 6.0, 2.0]])?;
     /// let normals = RationalBezier::new(vec![[1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0], [0.0, 2.0, 0.0, 2.0]])?;

@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 /// A cylinder or a cone of revolution, touched by balls from outside.
 ///
 /// ```
-/// use cyclide::{NaturalQuadric, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::NaturalQuadric};
 /// let cone = NaturalQuadric::cone(Point3::ORIGIN, Vec3::Z * 2.0, 0.5)?;
 /// assert_eq!((cone.axis(), cone.half_angle()), (Vec3::Z, 0.5));
 /// # Ok::<(), cyclide::Error>(())

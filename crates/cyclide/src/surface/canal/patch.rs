@@ -22,7 +22,7 @@ const HALVINGS: [u32; 2] = [24, 6];
 /// with the second. It is exactly rational.
 ///
 /// ```
-/// use cyclide::{CanalPatch, CircleFamily, Point2, QuarticType, SkewCylinders};
+/// use cyclide::{Point2, surface::{CanalPatch, CircleFamily, QuarticType, SkewCylinders}};
 /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
 /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
 /// let patch = CanalPatch::between_skew_cylinders(&pair, kind, [[[1.0, 0.1], [1.0, 0.3]], [[0.2, 1.0], [-0.2, 1.0]]])?;
@@ -43,7 +43,7 @@ pub struct CanalPatch {
 /// The circle along which a ball touches its envelope.
 ///
 /// ```
-/// use cyclide::{CanalPatch, CircleFamily, QuarticType, SkewCylinders};
+/// use cyclide::surface::{CanalPatch, CircleFamily, QuarticType, SkewCylinders};
 /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
 /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
 /// let patch = CanalPatch::between_skew_cylinders(&pair, kind, [[[1.0, 0.1], [1.0, 0.3]], [[0.2, 1.0], [-0.2, 1.0]]])?;
@@ -68,7 +68,7 @@ pub struct CharacteristicCircle {
 /// A part of a canal patch in its exact rational form, with positive weights.
 ///
 /// ```
-/// use cyclide::{CanalPatch, CircleFamily, QuarticType, SkewCylinders};
+/// use cyclide::surface::{CanalPatch, CircleFamily, QuarticType, SkewCylinders};
 /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
 /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
 /// let patch = CanalPatch::between_skew_cylinders(&pair, kind, [[[1.0, 0.1], [1.0, 0.3]], [[0.2, 1.0], [-0.2, 1.0]]])?;

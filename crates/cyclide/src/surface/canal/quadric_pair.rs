@@ -21,7 +21,7 @@ const MANY_FORMS: f64 = 1e-10;
 /// The kind of a pair of cylinders and cones, by the sign of the norm of their common form.
 ///
 /// ```
-/// use cyclide::{NaturalQuadric, PairKind, Point3, QuadricPair, Vec3};
+/// use cyclide::{Point3, Vec3, surface::{NaturalQuadric, PairKind, QuadricPair}};
 /// let along = |axis: Vec3, height: f64| NaturalQuadric::cylinder(Point3::new(0.0, 0.0, height), axis, 1.0);
 /// assert_eq!(QuadricPair::new([along(Vec3::X, 0.0)?, along(Vec3::Y, 3.0)?])?.kind(), PairKind::Timelike);
 /// # Ok::<(), cyclide::Error>(())
@@ -37,7 +37,7 @@ pub enum PairKind {
 /// Two cylinders or cones in any position.
 ///
 /// ```
-/// use cyclide::{NaturalQuadric, Point2, Point3, QuadricPair, Vec3};
+/// use cyclide::{Point2, Point3, Vec3, surface::{NaturalQuadric, QuadricPair}};
 /// let pipe = NaturalQuadric::cylinder(Point3::new(5.0, 0.0, -1.5), Vec3::X, 0.8)?;
 /// let other = NaturalQuadric::cylinder(Point3::new(0.0, -7.0, 1.5), Vec3::Y, 1.3)?;
 /// let ball = QuadricPair::new([pipe, other])?.ball(Point2::new(0.2, 1.3))?;
@@ -120,7 +120,7 @@ impl QuadricPair {
     /// The radius of the smallest ball outside both, negative where they overlap: of cylinders half the gap.
     ///
     /// ```
-    /// use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::{NaturalQuadric, QuadricPair}};
     /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
     /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 3.0), Vec3::Y, 0.2)?;
     /// let radius = QuadricPair::new([pipe, cone])?.smallest_radius()?;
@@ -139,7 +139,7 @@ impl QuadricPair {
     /// (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`). This curve is not rational.
     ///
     /// ```
-    /// use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::{NaturalQuadric, QuadricPair}};
     /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
     /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 3.0), Vec3::Y, 0.2)?;
     /// let pair = QuadricPair::new([pipe, cone])?;
@@ -169,9 +169,7 @@ impl CanalPatch {
     /// [between two skew cylinders](Self::between_skew_cylinders).
     ///
     /// ```
-    /// use cyclide::{
-    ///     CanalPatch, Frame, NaturalQuadric, Point3, QuadricPair, Torus, TorusSpline, TorusSplineOptions, Vec3,
-    /// };
+    /// use cyclide::{Frame, Point3, Vec3, construct::TorusSplineOptions, surface::{CanalPatch, NaturalQuadric, QuadricPair, Torus, TorusSpline}};
     /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
     /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 2.0), Vec3::Y, 0.2)?;
     /// let pair = QuadricPair::new([pipe, cone])?;

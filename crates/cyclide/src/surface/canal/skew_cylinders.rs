@@ -26,7 +26,7 @@ const AT_INFINITY: f64 = 1e-15;
 /// in its middle `(0, pi/2)` is the smallest. A negative radius is that of a cylinder that the balls touch from inside.
 ///
 /// ```
-/// use cyclide::{Point2, SkewCylinders};
+/// use cyclide::{Point2, surface::SkewCylinders};
 /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
 /// let ball = pair.ball(Point2::new(0.1, 1.4))?;
 /// let from_axis = ball.center.y.hypot(ball.center.z + 2.0);
@@ -96,7 +96,7 @@ impl SkewCylinders {
     /// The same with the second axis along `(cos angle, sin angle, 0)`, for an angle in radians.
     ///
     /// ```
-    /// use cyclide::{Point2, SkewCylinders};
+    /// use cyclide::{Point2, surface::SkewCylinders};
     /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?.with_angle(1.0)?;
     /// let ball = pair.ball(Point2::new(0.1, 1.4))?;
     /// let [sin, cos] = [1_f64.sin(), 1_f64.cos()];

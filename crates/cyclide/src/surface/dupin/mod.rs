@@ -19,7 +19,7 @@ const NODE_LIMIT: f64 = 1e-12;
 /// The three forms of a Dupin cyclide without points at infinity.
 ///
 /// ```
-/// use cyclide::{CyclideKind, DupinCyclide};
+/// use cyclide::surface::{CyclideKind, DupinCyclide};
 /// let kind = |c, mu| DupinCyclide::new(4.0, c, mu).map(|cyclide| cyclide.kind());
 /// assert_eq!((kind(1.0, 2.0)?, kind(2.0, 1.5)?, kind(2.0, 5.0)?), (CyclideKind::Ring, CyclideKind::Horn, CyclideKind::Spindle));
 /// # Ok::<(), cyclide::Error>(())
@@ -39,7 +39,7 @@ pub enum CyclideKind {
 /// A whole Dupin cyclide in space.
 ///
 /// ```
-/// use cyclide::DupinCyclide;
+/// use cyclide::surface::DupinCyclide;
 /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?;
 /// assert!(ring.to_bodies([6, 6])?[0].is_solid());
 /// # Ok::<(), cyclide::Error>(())

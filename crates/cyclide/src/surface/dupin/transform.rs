@@ -24,7 +24,7 @@ const SIZE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 impl Conformal for DupinCyclide {
     /// The image, a whole cyclide again: ring, horn and spindle may change into each other as far as they have the
     /// same nodes (a ring stays a ring). In its frame the long axis is along x, as always; parameters and angles
-    /// on the surface are not kept: see [`CyclidicNet`](crate::CyclidicNet) for that.
+    /// on the surface are not kept: see [`CyclidicNet`](crate::surface::CyclidicNet) for that.
     ///
     /// # Errors
     /// `point-at-infinity` if the map takes a point of the surface to infinity; as [`new`](DupinCyclide::new) if

@@ -25,7 +25,7 @@ use std::collections::{BTreeSet, HashMap, VecDeque};
 /// four quads.
 ///
 /// ```
-/// use cyclide::{Point3, QuadLayout};
+/// use cyclide::{Point3, surface::QuadLayout};
 /// // Three sectors of 3 x 3 quads round one vertex, as the corner of a cube seen from outside.
 /// let cube = |i: usize, a: usize, b: usize| {
 ///     let mut p = [3.0; 3];
@@ -55,7 +55,7 @@ pub struct QuadLayout {
 /// One of the grids of a [`QuadLayout`].
 ///
 /// ```
-/// use cyclide::{Point3, QuadLayout};
+/// use cyclide::{Point3, surface::QuadLayout};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
 /// assert_eq!((layout.pieces()[0].grid.quads(), layout.pieces()[0].vertices[4]), ([2, 1], Some(4)));
@@ -75,7 +75,7 @@ pub struct LayoutPiece {
 /// An extraordinary vertex, and what is open round it.
 ///
 /// ```
-/// # use cyclide::{Point3, QuadLayout};
+/// # use cyclide::{Point3, surface::QuadLayout};
 /// let points: Vec<_> = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let quads: Vec<[usize; 4]> = [0, 1, 3, 4].map(|a| [a, a + 1, a + 4, a + 3]).into();
 /// assert!(QuadLayout::new(points, &quads)?.round().is_empty()); // four quads round the inner vertex

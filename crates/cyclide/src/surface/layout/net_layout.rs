@@ -6,15 +6,16 @@ use crate::base::svd3;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, GridError, PartError, PatchError, Result};
+use crate::surface::CyclidicNet;
+use crate::surface::net::closing_limit;
 use crate::surface::net::{apply, carried_back, first_vertex, preferred, signs, stretches};
-use crate::surface::{CyclidicNet, closing_limit};
 use std::collections::{HashMap, VecDeque};
 
 /// Nets of principal patches over the grids of a [`QuadLayout`]: neighboring nets share their border arcs with their parameters, and have one
 /// tangent plane along them. Round each extraordinary vertex an opening is left.
 ///
 /// ```
-/// use cyclide::{NetLayout, Point3, QuadLayout};
+/// use cyclide::{Point3, surface::{NetLayout, QuadLayout}};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let net = NetLayout::new(QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?)?;
 /// assert!((net.to_shell()?.area() - 2.0).abs() < 1e-12);

@@ -19,7 +19,7 @@ use crate::surface::quad_grid::QuadGrid;
 /// A closed line of points, as of a grid: what it does to a frame that is carried round.
 ///
 /// ```
-/// use cyclide::{Point3, RingClosing};
+/// use cyclide::{Point3, surface::RingClosing};
 /// let corner = |k: i32| Point3::new((0.4 * f64::from(k * k)).cos(), f64::from(k), 0.3 * f64::from(k % 2));
 /// let odd = RingClosing::new(&(0..5).map(corner).collect::<Vec<_>>())?;
 /// assert!(odd.angle() > 0.1 && odd.equations().len() == 1 && odd.axis().is_some());
@@ -121,7 +121,7 @@ impl RingClosing {
 /// A closed strip of quads: what it does to the speed of the lines across.
 ///
 /// ```
-/// use cyclide::{Point3, StripClosing};
+/// use cyclide::{Point3, surface::StripClosing};
 /// let at = |k: usize, z: f64, twist: f64| {
 ///     let a = std::f64::consts::TAU * (k % 5) as f64 / 5.0 + twist * z;
 ///     Point3::new(a.cos(), a.sin(), z)
@@ -175,7 +175,7 @@ impl StripClosing {
 /// How far a closed direction of a grid is from bringing frames and speeds back.
 ///
 /// ```
-/// use cyclide::{Point3, QuadGrid};
+/// use cyclide::{Point3, surface::QuadGrid};
 /// let at = |k: usize| {
 ///     let (a, z) = (std::f64::consts::TAU * (k % 8) as f64 / 8.0, (k / 8) as f64);
 ///     Point3::new(3.0 * a.cos(), 2.0 * a.sin(), z)

@@ -9,7 +9,7 @@ use crate::surface::quad_grid::QuadGrid;
 /// The frame of a net at its vertex (0, 0), from which all others follow.
 ///
 /// ```
-/// use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid, Vec3};
+/// use cyclide::{Point3, Vec3, surface::{CyclidicNet, NetFrame, QuadGrid}};
 /// let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from).to_vec();
 /// let grid = QuadGrid::new(square, [2, 2], [false; 2])?;
 /// let fitted = CyclidicNet::new(grid.clone(), NetFrame::Auto)?; // a plane

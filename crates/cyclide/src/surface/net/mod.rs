@@ -32,7 +32,7 @@ use crate::base::vector::{Point3, Vec3};
 /// A regular net of principal patches that join with a common tangent plane.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, surface_joints};
+/// use cyclide::{surface::DupinCyclide, topology::surface_joints};
 /// let net = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([6, 6])?.remove(0);
 /// assert_eq!(net.size(), [6, 6]);
 /// assert!(surface_joints(&net.to_shell()?).iter().all(|joint| joint.angle < 1e-7)); // no creases

@@ -6,7 +6,7 @@ use crate::surface::patch::CyclidePatch;
 /// A patch in which a parameter line shrinks to a point.
 ///
 /// ```
-/// use cyclide::DupinCyclide;
+/// use cyclide::surface::DupinCyclide;
 /// // Inwards beyond the smallest radius of its tube the ring turns inside out in part.
 /// let ring = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?.remove(0);
 /// assert!(ring.singular_patches().is_empty() && !ring.offset(-1.0)?.singular_patches().is_empty());

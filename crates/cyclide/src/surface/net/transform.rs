@@ -8,7 +8,7 @@ use crate::error::{Error, ErrorItem, Result};
 impl Conformal for CyclidicNet {
     /// The image under `y -> (a y + b)(c y + d)^-1`, with the same parameters: vertices by the map, weights
     /// `(c y + d) w` up to a common real factor (`docs/math/patches.md#offsets-and-images`). A map that reverses
-    /// orientation turns the normals to the other side, as [`CyclidePatch::transformed`](crate::CyclidePatch).
+    /// orientation turns the normals to the other side, as [`CyclidePatch::transformed`](crate::surface::CyclidePatch).
     ///
     /// # Errors
     /// Those of patches, with the quad: `point-at-infinity`, `patch-through-infinity`, `parameter-out-of-range`,

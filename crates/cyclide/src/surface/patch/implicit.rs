@@ -11,7 +11,7 @@ const DEGREE_LIMIT: f64 = 1e-10;
 /// The polynomial whose zeros are the surface of a patch.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, ParamSurface};
+/// use cyclide::surface::{DupinCyclide, ParamSurface};
 /// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let patch = torus.patch(0, 0);
 /// assert!(patch.implicit_form().value(patch.point(0.3, 0.6)).abs() < 1e-9);

@@ -20,7 +20,7 @@ const GRID: u32 = 8;
 /// Where a point is on a patch.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, ParamSurface};
+/// use cyclide::surface::{DupinCyclide, ParamSurface};
 /// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
 /// let found = patch.locate(patch.point(0.3, 0.6));
 /// assert!((found.s - 0.3).abs() < 1e-9 && (found.t - 0.6).abs() < 1e-9 && found.distance < 1e-12);

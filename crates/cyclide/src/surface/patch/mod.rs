@@ -46,7 +46,7 @@ pub use rows::PatchRow;
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch};
 /// let corners = [[-4.0, -3.0, 0.0], [4.0, -3.0, 0.0], [-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]].map(Point3::from);
 /// let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0))?;
 /// assert!(patch.s_circle(0.5).is_some()); // every parameter line is a circle

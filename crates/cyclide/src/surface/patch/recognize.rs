@@ -18,7 +18,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// the first, which points away from the middle of the patch, so that no seam at angle 0 runs through it.
 ///
 /// ```
-/// use cyclide::{DupinCyclide, PatchKind};
+/// use cyclide::surface::{DupinCyclide, PatchKind};
 /// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
 /// assert!(matches!(patch.recognize(), PatchKind::Torus { .. }));
 /// # Ok::<(), cyclide::Error>(())

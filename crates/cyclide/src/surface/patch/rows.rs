@@ -50,7 +50,7 @@ const BLOCK: usize = 256;
 ///
 /// With `r = max |D|²/min |D|²` over the line, points are within `32 ε r` of the patch's size or, where the line bulges
 /// farther, of its largest distance from the first corner, plus 2 units of the last place of the coordinates, of
-/// [`point`](crate::ParamSurface::point), and normals within `32 ε r` of
+/// [`point`](crate::surface::ParamSurface::point), and normals within `32 ε r` of
 /// [`unit_normal`](CyclidePatch::unit_normal). `|D|` is largest, M, at an end, so the coefficients in powers of s, products
 /// of the ends of two linear forms and of their differences, are at most `4 M²` times that distance; the products of
 /// quaternions, the change to powers and the Horner scheme round numerator and denominator by `16 ε M²` at most each, and

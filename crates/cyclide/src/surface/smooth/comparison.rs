@@ -16,7 +16,7 @@ const STEPS: usize = 12;
 /// places looked at: sampled, not proved.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
 /// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
 /// let mesh = SmoothMesh::new(&corners.map(Point3::from), &triangles, VertexNormals::AngleWeighted)?;

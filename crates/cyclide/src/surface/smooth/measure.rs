@@ -15,7 +15,7 @@ use std::collections::BinaryHeap;
 /// differs, part by part.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 /// let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Point3::from);
 /// let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 /// let measure = SmoothMesh::new(&corners, &faces, VertexNormals::AngleWeighted)?.measure()?;
@@ -42,7 +42,7 @@ impl SmoothMesh {
     /// the cap on work is spent.
     ///
     /// # Errors
-    /// `too-many-pieces` where more than a thousandth is left uncertain then; as [`SmoothTriangle::point`](crate::SmoothTriangle::point),
+    /// `too-many-pieces` where more than a thousandth is left uncertain then; as [`SmoothTriangle::point`](crate::surface::SmoothTriangle::point),
     /// with the number of the triangle.
     pub fn measure(&self) -> Result<SmoothMeasure> {
         let count = self.triangles().len();

@@ -43,7 +43,7 @@ const SMOOTH_LAW: BlendLaw = BlendLaw::Trigonometric { order: 2 };
 /// Where the normals at the vertices of a mesh come from.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, Vec3, VertexNormals};
+/// use cyclide::{Point3, Vec3, surface::{SmoothMesh, VertexNormals}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let radial = corners.map(Point3::to_vec);
 /// let octant = SmoothMesh::new(&corners, &[[0, 1, 2]], VertexNormals::Given(&radial))?;
@@ -78,7 +78,7 @@ pub enum VertexNormals<'a> {
 /// How the normals of the triangles around a vertex are weighted in their mean.
 ///
 /// ```
-/// use cyclide::{NormalWeights, Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{NormalWeights, SmoothMesh, VertexNormals}};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
 /// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
 /// let normals = VertexNormals::Creased { angle: 0.5, weights: NormalWeights::Angle };
@@ -134,7 +134,7 @@ impl SharpEdges<'_> {
 /// An edge of a smooth mesh.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, 0.2], [1.0, 1.0, -0.1]].map(Point3::from);
 /// let smooth = SmoothMesh::new(&points, &[[0, 1, 2], [1, 3, 2]], VertexNormals::AngleWeighted)?;
 /// assert_eq!(smooth.edges().iter().filter(|edge| edge.triangles().1.is_some()).count(), 1);
@@ -178,7 +178,7 @@ impl SmoothEdge {
 /// A smooth surface through the vertices of a triangle mesh.
 ///
 /// ```
-/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// use cyclide::{Point3, surface::{SmoothMesh, VertexNormals}};
 /// let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Point3::from);
 /// let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 /// let smooth = SmoothMesh::new(&corners, &faces, VertexNormals::AngleWeighted)?;

@@ -15,7 +15,7 @@ const AT_CORNER: f64 = 1e-8;
 /// (`docs/math/triangle-surfaces.md#smooth-meshes`; G. Nielson's side-vertex scheme with circle blends for its arcs).
 ///
 /// ```
-/// use cyclide::{Point3, SmoothTriangle, Vec3};
+/// use cyclide::{Point3, Vec3, surface::SmoothTriangle};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = SmoothTriangle::new(corners, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let middle = octant.point([1.0, 1.0, 0.0])?; // the middle of a side

@@ -49,7 +49,7 @@ impl UnitPair {
 /// Four complex polynomials give every rational curve on a torus (`docs/math/torus-splines.md#four-complex-polynomials`).
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Torus, TorusClasses};
+/// use cyclide::{Frame, Point2, surface::{Torus, TorusClasses}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let classes = TorusClasses::new([[1.0, 1.0], [1.0, 0.0], [-2.0, 0.0], [3.0, 3.0]])?; // al = 45, 0, 0, 45 degrees
 /// let place = Point2::new(std::f64::consts::FRAC_PI_4, std::f64::consts::FRAC_PI_4);

@@ -8,7 +8,7 @@ use crate::error::Result;
 /// A family of circles on a torus; one circle of each passes through every point.
 ///
 /// ```
-/// use cyclide::{CircleFamily, Frame, Point2, Torus};
+/// use cyclide::{Frame, Point2, surface::{CircleFamily, Torus}};
 /// let torus = Torus::new(Frame::WORLD, 5.0, 2.0)?;
 /// let circle = torus.circle(CircleFamily::Villarceau, Point2::new(0.3, 0.4))?;
 /// assert!((circle.radius() - 5.0).abs() < 1e-14);
@@ -60,7 +60,7 @@ impl CircleFamily {
 /// between the Villarceau circles have them modulo pi one to one, that one has two pairs for every place.
 ///
 /// ```
-/// use cyclide::{CircleFamily, QuarticType, Vec2};
+/// use cyclide::{Vec2, surface::{CircleFamily, QuarticType}};
 /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Villarceau).expect("they differ");
 /// assert_eq!(kind.local(Vec2::new(0.5, 0.2)), [0.3, 0.2]); // (A - B, B)
 /// assert_eq!(kind.back([0.3, 0.2]), Vec2::new(0.5, 0.2));

@@ -9,7 +9,7 @@ use crate::curve::ParamCurve as _;
 /// A place where two pieces of a spline on a torus meet.
 ///
 /// ```
-/// use cyclide::{Frame, Torus, TorusSpline};
+/// use cyclide::{Frame, surface::{Torus, TorusSpline}};
 /// let knot = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
 /// let junctions = knot.junctions();
 /// assert_eq!(junctions.len(), knot.pieces().len());

@@ -29,7 +29,7 @@ impl Torus {
     /// As [`locate`](Self::locate) for each of many points, whose number errors name.
     ///
     /// ```
-    /// use cyclide::{Frame, Point3, Torus};
+    /// use cyclide::{Frame, Point3, surface::Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let error = torus.locate_all(&[[4.0, 0.0, 0.0], [5.0, 0.0, 0.0]].map(Point3::from), 0.1).unwrap_err();
     /// assert_eq!((error.reason(), error.index()), ("point-off-torus", Some(1)));
@@ -75,7 +75,7 @@ impl Torus {
     /// surface is left out.
     ///
     /// ```
-    /// use cyclide::{Frame, Point2, Torus, Vec2};
+    /// use cyclide::{Frame, Point2, Vec2, surface::Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let (place, rate) = (Point2::new(0.4, 1.2), Vec2::new(0.7, -2.0));
     /// assert!((torus.rate(place, torus.tangent(place, rate)) - rate).length() < 1e-14);

@@ -55,7 +55,7 @@ use coordinates::{Jet3, Shape};
 /// As a [`ParamSurface`] it is `s -> A = pi s`, `t -> B = pi t`, normal outward.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Point3, Torus};
+/// use cyclide::{Frame, Point2, Point3, surface::Torus};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// assert_eq!(torus.point(Point2::new(0.0, 0.0)), Point3::new(4.0, 0.0, 0.0));
 /// let place = torus.locate(Point3::new(0.0, 3.0, 1.0), 1e-9)?; // on top, a quarter round
@@ -147,7 +147,7 @@ impl Torus {
     /// parameter.
     ///
     /// ```
-    /// use cyclide::{Frame, Point2, Torus};
+    /// use cyclide::{Frame, Point2, surface::Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let (from, to) = (torus.place_of_angles(0.3, 2.0), torus.place_of_angles(0.3 + 2e-6, 2.0 - 5e-6));
     /// let rate = torus.rate_of_angles(from, [2.0, -5.0]);
@@ -177,7 +177,7 @@ impl Torus {
     /// Distance of a point from the torus, negative inside of the tube; NaN of a point that is not finite.
     ///
     /// ```
-    /// use cyclide::{Frame, Point3, Torus};
+    /// use cyclide::{Frame, Point3, surface::Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// assert_eq!(torus.distance(Point3::new(0.0, 3.0, 1.5)), 0.5);
     /// assert_eq!(torus.distance(Point3::new(0.0, 3.0, 0.0)), -1.0);
@@ -193,7 +193,7 @@ impl Torus {
     /// The same torus as a cyclide, of which bodies are made: patches round both ways in the same frame.
     ///
     /// ```
-    /// use cyclide::{Frame, Torus};
+    /// use cyclide::{Frame, surface::Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let solid = torus.to_cyclide()?.to_bodies([8, 6])?.remove(0);
     /// assert!((solid.outer.volume() - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // Pappus

@@ -25,7 +25,7 @@ impl TorusSpline {
     /// The curve at a distance along the outward normal of the torus, negative inwards, exactly: on the torus whose tube is so much thicker, at the same angles.
     ///
     /// ```
-    /// use cyclide::{Frame, ParamCurve as _, Torus, TorusSpline};
+    /// use cyclide::{Frame, curve::ParamCurve as _, surface::{Torus, TorusSpline}};
     /// let knot = TorusSpline::knot(&Torus::new(Frame::WORLD, 40.0, 15.0)?, [2, 3], Default::default())?;
     /// let parallel = knot.parallel(2.0)?;
     /// let thicker = Torus::new(Frame::WORLD, 40.0, 17.0)?;

@@ -70,7 +70,7 @@ impl Course {
 /// and by less than pi.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Torus, TorusSpline, TorusSplineOptions};
+/// use cyclide::{Frame, Point2, construct::TorusSplineOptions, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let places = [Point2::new(0.0, 0.0), Point2::new(0.5, 0.3), Point2::new(1.1, 0.2)];
 /// let spline = TorusSpline::through_places(&torus, &places, &TorusSplineOptions::default())?;

@@ -13,7 +13,7 @@ use std::ops::Range;
 /// How a segment between two points was joined.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions};
+/// use cyclide::{Frame, Point2, construct::TorusSplineOptions, surface::{SegmentMethod, Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let places = [Point2::new(0.0, 0.0), Point2::new(0.5, 0.3)];
 /// let spline = TorusSpline::through_places(&torus, &places, &TorusSplineOptions::default())?;
@@ -35,7 +35,7 @@ pub enum SegmentMethod {
 /// One segment of a spline, from one given point to the next.
 ///
 /// ```
-/// use cyclide::{Frame, Torus, TorusSpline};
+/// use cyclide::{Frame, surface::{Torus, TorusSpline}};
 /// let trefoil = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
 /// assert!(trefoil.segments().iter().all(|segment| segment.pieces.len() == 1 && segment.quality > 0.25));
 /// # Ok::<(), cyclide::Error>(())
@@ -53,11 +53,11 @@ pub struct TorusSegment {
 
 /// A curve on a torus, parametrically C1, made of rational quartics that lie exactly on it.
 ///
-/// As a [`ParamCurve`](crate::ParamCurve) its pieces are the quartics, each over an equal part of `[0, 1]`. The parameter in which the
+/// As a [`ParamCurve`](crate::curve::ParamCurve) its pieces are the quartics, each over an equal part of `[0, 1]`. The parameter in which the
 /// curve is C1 is that of its [`knots`](Self::knots): [`jet_at_knot`](Self::jet_at_knot).
 ///
 /// ```
-/// use cyclide::{Frame, ParamCurve, Point3, Torus, TorusSpline, TorusSplineOptions};
+/// use cyclide::{Frame, Point3, construct::TorusSplineOptions, curve::ParamCurve, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let seam = [[4.0, 0.0, 0.0], [0.0, 3.0, 1.0], [-2.0, 0.0, 0.0], [0.0, -3.0, -1.0]].map(Point3::from);
 /// let options = TorusSplineOptions { closed: true, ..Default::default() };
@@ -195,7 +195,7 @@ impl TorusSpline {
     /// outward normal of the torus. `None` where rounding leaves no direction.
     ///
     /// ```
-    /// use cyclide::{Frame, Torus, TorusSpline};
+    /// use cyclide::{Frame, surface::{Torus, TorusSpline}};
     /// let knot = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
     /// let frame = knot.seam_frame(0.2).expect("it moves");
     /// assert!((knot.torus().locate(frame.origin() + frame.z() * 0.5, 0.51)? - knot.torus().locate(frame.origin(), 1e-9)?).length() < 1e-14);

@@ -40,7 +40,7 @@ impl TorusSpline {
     /// were joined and their quality. Parameters within rounding of a joint cut there.
     ///
     /// ```
-    /// use cyclide::{Frame, ParamCurve, Torus, TorusSpline};
+    /// use cyclide::{Frame, curve::ParamCurve, surface::{Torus, TorusSpline}};
     /// let trefoil = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
     /// let half = trefoil.restricted(0.0, 0.5)?;
     /// assert!(half.point(1.0).distance(trefoil.point(0.5)) < 1e-14 && !half.is_closed());

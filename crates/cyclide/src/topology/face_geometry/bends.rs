@@ -4,10 +4,10 @@ use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::Vec3;
 
 /// How the parameter lines of a surface bend at the places of a grid, by
-/// [`FaceGeometry::line_bends`](crate::FaceGeometry::line_bends).
+/// [`FaceGeometry::line_bends`](crate::topology::FaceGeometry::line_bends).
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceGeometry, ParamSurface, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::{CyclidePatch, ParamSurface}, topology::FaceGeometry};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
 /// let bends = octant.line_bends(&[0.0, 0.5, 1.0]);

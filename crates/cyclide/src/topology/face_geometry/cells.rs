@@ -1,10 +1,10 @@
 //! What is proved of the cells between parameter lines.
 
 /// How far the cells of a surface, cut along parameter lines, are from the flat polygons over their corners, by
-/// [`FaceGeometry::cell_distances`](crate::FaceGeometry::cell_distances).
+/// [`FaceGeometry::cell_distances`](crate::topology::FaceGeometry::cell_distances).
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceGeometry, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch, topology::FaceGeometry};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
 /// let cells = octant.cell_distances(&[0.0, 0.5, 1.0], &[0.0, 0.5, 1.0], 1e-3);

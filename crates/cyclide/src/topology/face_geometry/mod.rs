@@ -22,10 +22,10 @@ use crate::surface::ParamSurface;
 /// A surface on which a face may lie: four sides, of which one may be a point, over `[0, 1]²`. Object-safe; what has a default is
 /// right for a surface whose parameter lines shrink to points at sides only.
 ///
-/// A new kind of surface implements this and becomes a variant of [`FaceSurface`](crate::FaceSurface), which hands on everything.
+/// A new kind of surface implements this and becomes a variant of [`FaceSurface`](crate::topology::FaceSurface), which hands on everything.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceGeometry, FaceSurface, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, surface::CyclidePatch, topology::{FaceGeometry, FaceSurface}};
 /// // An eighth of the unit sphere, as a patch, as a rational surface and as the surface of a face.
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
@@ -45,13 +45,13 @@ pub trait FaceGeometry: ParamSurface {
     /// The s-line at `t`, from 0 to 1, with the same parameter s.
     ///
     /// # Errors
-    /// As [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
+    /// As [`CyclidePatch::s_line`](crate::surface::CyclidePatch::s_line).
     fn s_line(&self, t: f64) -> Result<EdgeCurve>;
 
     /// The t-line at `s`, from 0 to 1, with the same parameter t.
     ///
     /// # Errors
-    /// As [`CyclidePatch::t_line`](crate::CyclidePatch::t_line).
+    /// As [`CyclidePatch::t_line`](crate::surface::CyclidePatch::t_line).
     fn t_line(&self, s: f64) -> Result<EdgeCurve>;
 
     /// A box around the surface: the smallest one to rounding of a patch, to 1e-9 of its size of a rational surface.
@@ -66,7 +66,7 @@ pub trait FaceGeometry: ParamSurface {
     fn to_rational(&self) -> RationalBezierSurface;
 
     /// Unit normal, continuous over the surface, also at sides that are one point. Of patches it is the opposite of
-    /// `f_s × f_t` where these are [flipped](crate::CyclidePatch::is_flipped).
+    /// `f_s × f_t` where these are [flipped](crate::surface::CyclidePatch::is_flipped).
     fn unit_normal(&self, s: f64, t: f64) -> Vec3;
 
     /// How far the cells between cuts of s and of t are from the flat polygons over their corners, proved. Of a surface with

@@ -13,7 +13,7 @@ impl CyclideVolume {
     /// fold: left-handed corners with the directions of two sides are those of a left-handed block.
     ///
     /// ```
-    /// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+    /// use cyclide::{Point3, Vec3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
     /// let mirrored = SphericalCube::cuboid(Point3::ORIGIN, [-Vec3::X, Vec3::Y, Vec3::Z])?;
     /// let block = CyclideVolume::new(&mirrored, VolumeFrame::First(-Vec3::X, Vec3::Y))?;
     /// assert!(!block.is_right_handed() && (block.measure().volume - 1.0).abs() < 1e-14);

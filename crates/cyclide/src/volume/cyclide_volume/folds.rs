@@ -52,7 +52,7 @@ impl CyclideVolume {
     /// which a side, or a face of a wedge, is one point.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, CyclidePatch, CyclidicNet, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::{CyclidePatch, CyclidicNet}, volume::CyclideGrid};
     /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
     /// let octant = CyclidicNet::from(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?); // its pole at t = 1
     /// let wedge = CyclideGrid::layers(&octant, &[0.0, 0.1])?.block([0, 0, 0]);

@@ -18,7 +18,7 @@ const SIDE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// The frame of a volume at its first corner.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let [v1, v2, v3] = CyclideVolume::new(&cube, VolumeFrame::Auto)?.moving_frame([0.0; 3]);
 /// assert!((v1 - Vec3::X).length() + (v2 - Vec3::Y).length() + (v3 - Vec3::Z).length() < 1e-15);

@@ -16,7 +16,7 @@ const STILL: f64 = 1e-15;
 /// The place of a volume nearest to a point.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let found = CyclideVolume::new(&cube, VolumeFrame::Auto)?.locate(Point3::new(0.25, 0.5, 2.0));
 /// assert!((found.at[0] - 0.25).abs() < 1e-15 && (found.distance - 1.0).abs() < 1e-15);

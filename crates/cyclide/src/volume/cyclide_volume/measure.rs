@@ -20,7 +20,7 @@ const WILD: f64 = 0.0625;
 /// Measures of a volume.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y * 2.0, Vec3::Z])?;
 /// let measure = CyclideVolume::new(&cube, VolumeFrame::Auto)?.measure();
 /// assert!((measure.volume - 2.0).abs() < 1e-14 && measure.centroid.distance(Point3::new(0.5, 1.0, 0.5)) < 1e-14);

@@ -8,7 +8,7 @@ use crate::base::volume_jet::VolumeJet;
 /// A place of a volume without its point and second derivatives.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, VolumeFrame};
+/// use cyclide::{Point3, volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
 /// let block = CyclideVolume::new(&SphericalCube::from_barycentric(corners, [1.0; 3], 0.5)?, VolumeFrame::Auto)?;
 /// let (metric, jet) = (block.metric([0.2, 0.5, 0.8]), block.jet([0.2, 0.5, 0.8]));
@@ -18,9 +18,9 @@ use crate::base::volume_jet::VolumeJet;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VolumeMetric {
-    /// Derivatives by s, t and u, as of the [jet](crate::ParamVolume::jet).
+    /// Derivatives by s, t and u, as of the [jet](crate::volume::ParamVolume::jet).
     pub first: [Vec3; 3],
-    /// As [`ParamVolume::jacobian`](crate::ParamVolume::jacobian).
+    /// As [`ParamVolume::jacobian`](crate::volume::ParamVolume::jacobian).
     pub jacobian: f64,
     /// As [`CyclideVolume::real_residual`].
     pub residual: f64,

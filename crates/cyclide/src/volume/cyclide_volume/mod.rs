@@ -37,7 +37,7 @@ pub use rows::VolumeRow;
 /// A block over `[0, 1]³` whose six faces are cyclide patches and whose parameter lines are circles that cross at right angles.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, VolumeFrame};
+/// use cyclide::{Point3, volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
 /// let cube = SphericalCube::from_barycentric(corners, [1.0, 1.0, 1.0], 0.5)?;
 /// let block = CyclideVolume::new(&cube, VolumeFrame::Auto)?;

@@ -79,7 +79,7 @@ impl CyclideVolume {
     /// The four sides in a direction, at (0, 0), (1, 0), (0, 1), (1, 1) of the two others: none where the side is one point, up to rounding of its place.
     ///
     /// ```
-    /// use cyclide::{CyclideGrid, CyclidePatch, CyclidicNet, Point3, Vec3};
+    /// use cyclide::{Point3, Vec3, surface::{CyclidePatch, CyclidicNet}, volume::CyclideGrid};
     /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
     /// let octant = CyclidicNet::from(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?); // its pole at t = 1
     /// let wedge = CyclideGrid::layers(&octant, &[0.0, 1.0])?.block([0, 0, 0]);

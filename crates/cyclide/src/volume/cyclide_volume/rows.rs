@@ -10,20 +10,20 @@ const BLOCK: usize = 256;
 
 /// One s-line of a volume in the form that is fastest for many points: real quadratics over one common denominator.
 ///
-/// Numerator and denominator are linear along the line, as on a [patch](crate::PatchRow), and the Jacobian is
+/// Numerator and denominator are linear along the line, as on a [patch](crate::surface::PatchRow), and the Jacobian is
 /// `q1(t,u) q2(s,u) q3(s,t)/|D|⁶` (`docs/math/volumes.md#speeds`): a constant and two quadratics over the third power of the denominator.
 ///
 /// # Accuracy
 ///
 /// With `r = max |D|²/min |D|²` over the line, points are within `32 ε r` of the block's size or, where the line bulges farther, of its largest
-/// distance from the first corner, plus 2 units of the last place of the coordinates, of [`point`](crate::ParamVolume::point): the proof is that
-/// of [`PatchRow`](crate::PatchRow). Jacobians are within `64 ε r` of `|q1| Q2 Q3/|D|⁶` of [`jacobian`](crate::ParamVolume::jacobian), where
+/// distance from the first corner, plus 2 units of the last place of the coordinates, of [`point`](crate::volume::ParamVolume::point): the proof is that
+/// of [`PatchRow`](crate::surface::PatchRow). Jacobians are within `64 ε r` of `|q1| Q2 Q3/|D|⁶` of [`jacobian`](crate::volume::ParamVolume::jacobian), where
 /// `Q2` and `Q3` are the largest sizes of the Bernstein coefficients of the two quadratics: each is rounded by `8 ε` of these at most, since its
 /// coefficients by powers are up to four times as large, and the denominator by `16 ε r` of itself, three times. The results are the same on every
 /// machine.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, ParamVolume, Point3, SphericalCube, VolumeFrame};
+/// use cyclide::{Point3, volume::{CyclideVolume, ParamVolume, SphericalCube, VolumeFrame}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
 /// let block = CyclideVolume::new(&SphericalCube::from_barycentric(corners, [1.0; 3], 0.5)?, VolumeFrame::Auto)?;
 /// let (s, [mut x, mut y, mut z, mut j]) = ([0.0, 0.25, 1.0], [[0.0; 3]; 4]);

@@ -23,7 +23,7 @@ pub const MOST_CELLS: usize = 1 << 24;
 /// parameters there are the same, also with its sides in other directions; blocks that close share them too.
 ///
 /// ```
-/// use cyclide::{CyclideGrid, DupinCyclide, FineEnd, Grading, StructuredGrid};
+/// use cyclide::{surface::DupinCyclide, volume::{CyclideGrid, FineEnd, Grading, StructuredGrid}};
 /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([4, 4])?.remove(0);
 /// let wall: Vec<_> = CyclideGrid::layers(&ring, &[-0.5, 0.0])?.blocks().collect();
 /// let toward_the_skin = Grading::Geometric { ratio: 1.5, fine: FineEnd::End }.places(6)?;

@@ -15,7 +15,7 @@ const SIDES: [[usize; 2]; 12] =
 /// Quality of one cell.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Grading, Point3, SphericalCube, StructuredGrid, Vec3, VolumeFrame};
+/// use cyclide::{Point3, Vec3, volume::{CyclideVolume, Grading, SphericalCube, StructuredGrid, VolumeFrame}};
 /// let box_ = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 4.0, Vec3::Y, Vec3::Z])?;
 /// let blocks = [CyclideVolume::new(&box_, VolumeFrame::Auto)?];
 /// let grid = StructuredGrid::graded(&blocks, [2, 1, 1], [Grading::Uniform; 3])?;
@@ -41,7 +41,7 @@ pub struct CellQuality {
 /// Quality of a grid: the worst of its cells.
 ///
 /// ```
-/// use cyclide::{CyclideVolume, Grading, Point3, SphericalCube, StructuredGrid, VolumeFrame};
+/// use cyclide::{Point3, volume::{CyclideVolume, Grading, SphericalCube, StructuredGrid, VolumeFrame}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
 /// let blocks = [CyclideVolume::new(&SphericalCube::from_barycentric(corners, [1.0; 3], 0.5)?, VolumeFrame::Auto)?];
 /// let quality = StructuredGrid::graded(&blocks, [16; 3], [Grading::Uniform; 3])?.quality();

@@ -16,7 +16,7 @@ impl StructuredGrid {
     /// Sides of one point are none of them.
     ///
     /// ```
-    /// use cyclide::{CyclideVolume, FineEnd, Grading, Point3, SphericalCube, StructuredGrid, Vec3, VolumeFrame};
+    /// use cyclide::{Point3, Vec3, volume::{CyclideVolume, FineEnd, Grading, SphericalCube, StructuredGrid, VolumeFrame}};
     /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
     /// let blocks = [CyclideVolume::new(&cube, VolumeFrame::Auto)?];
     /// let of = |ratio: f64| Grading::Geometric { ratio, fine: FineEnd::Start }.places(20);

@@ -7,7 +7,7 @@ table! {
     /// Warnings about bodies of revolution, bodies between two curves, and necks.
     ///
     /// ```
-    /// use cyclide::{BodyWarning, Warning};
+    /// use cyclide::{Warning, warning::BodyWarning};
     /// let warning: Warning = BodyWarning::OpenPart { angle: 0.5 }.into();
     /// assert_eq!(warning.reason(), "open-body");
     /// ```

@@ -7,7 +7,7 @@ table! {
     /// Warnings about grids that were made circular.
     ///
     /// ```
-    /// use cyclide::{CircularWarning, Warning};
+    /// use cyclide::{Warning, warning::CircularWarning};
     /// let warning: Warning = CircularWarning::AcrossCurvatureLines { angle: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(warning.reason(), "across-curvature-lines");
     /// ```

@@ -9,7 +9,7 @@ table! {
     /// Warnings about curves through points.
     ///
     /// ```
-    /// use cyclide::{CurveWarning, Warning};
+    /// use cyclide::{Warning, warning::CurveWarning};
     /// let warning: Warning = CurveWarning::Cusp { node: 2 }.into();
     /// assert_eq!(warning.reason(), "cusp");
     /// ```

@@ -7,7 +7,7 @@ table! {
     /// Warnings about curves that were fitted to points.
     ///
     /// ```
-    /// use cyclide::{FitWarning, Warning};
+    /// use cyclide::{Warning, warning::FitWarning};
     /// let warning: Warning = FitWarning::SamplesTooCoarse { sagitta: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(warning.reason(), "samples-too-coarse");
     /// ```

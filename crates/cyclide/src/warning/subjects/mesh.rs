@@ -6,7 +6,7 @@ table! {
     /// Warnings about smooth surfaces over triangles.
     ///
     /// ```
-    /// use cyclide::{MeshWarning, Warning};
+    /// use cyclide::{Warning, warning::MeshWarning};
     /// let warning: Warning = MeshWarning::SpheresNearlyOpposite { length: 0.5, limit: 1e-9 }.into();
     /// assert_eq!(warning.reason(), "spheres-nearly-opposite");
     /// ```

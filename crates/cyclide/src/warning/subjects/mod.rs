@@ -34,7 +34,7 @@ subjects! {
     /// A remark on a result that is valid but may not be what was meant, by subject.
     ///
     /// ```
-    /// use cyclide::{CircleSpline, CircleSplineOptions, CurveWarning, Point3, Warning};
+    /// use cyclide::{Point3, Warning, curve::{CircleSpline, CircleSplineOptions}, warning::CurveWarning};
     /// let back = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
     /// let spline = CircleSpline::from_points(&back, &CircleSplineOptions::default())?;
     /// assert_eq!(spline.warnings()[0], Warning::Curve(CurveWarning::Cusp { node: 1 }));

@@ -8,7 +8,7 @@ table! {
     /// Warnings about motions through poses and their time laws.
     ///
     /// ```
-    /// use cyclide::{MotionWarning, Warning};
+    /// use cyclide::{Warning, warning::MotionWarning};
     /// let warning: Warning = MotionWarning::RestsPassedOver { span: 2, count: 2 }.into();
     /// assert_eq!(warning.reason(), "rests-passed-over");
     /// ```

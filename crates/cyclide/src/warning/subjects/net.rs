@@ -8,7 +8,7 @@ table! {
     /// Warnings about nets of patches, their offsets, and swept surfaces.
     ///
     /// ```
-    /// use cyclide::{NetWarning, Warning};
+    /// use cyclide::{Warning, warning::NetWarning};
     /// let warning: Warning = NetWarning::SweptSurfaceFolds { count: 2, face: 2, borders: 2 }.into();
     /// assert_eq!(warning.reason(), "swept-surface-folds");
     /// ```

@@ -7,7 +7,7 @@ table! {
     /// Warnings about the noise of points to which a curve was fitted.
     ///
     /// ```
-    /// use cyclide::{NoiseWarning, Warning};
+    /// use cyclide::{Warning, warning::NoiseWarning};
     /// let warning: Warning = NoiseWarning::ToleranceBelowNoise { fraction: 0.5 }.into();
     /// assert_eq!(warning.reason(), "tolerance-below-noise");
     /// ```
@@ -204,7 +204,7 @@ impl NoiseWarning {
     /// noise comes nearer to what was measured.
     ///
     /// ```
-    /// use cyclide::NoiseWarning;
+    /// use cyclide::warning::NoiseWarning;
     /// let leans = |scatter: Option<f64>| NoiseWarning::LeansOnWalls { rms: 0.6, limit: 0.55, scatter };
     /// assert!(leans(Some(0.4)).is_of_noisy_points() && !leans(Some(0.01)).is_of_noisy_points());
     /// ```

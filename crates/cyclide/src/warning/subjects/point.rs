@@ -8,7 +8,7 @@ table! {
     /// Warnings about the points from which a curve was made.
     ///
     /// ```
-    /// use cyclide::{PointWarning, Warning};
+    /// use cyclide::{Warning, warning::PointWarning};
     /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1 }.into();
     /// assert_eq!(warning.reason(), "closing-point-merged");
     /// ```

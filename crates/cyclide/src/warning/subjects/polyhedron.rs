@@ -7,7 +7,7 @@ table! {
     /// Warnings about polyhedra.
     ///
     /// ```
-    /// use cyclide::{PolyhedronWarning, Warning};
+    /// use cyclide::{Warning, warning::PolyhedronWarning};
     /// let warning: Warning = PolyhedronWarning::FlatnessRaised { asked: 0.5, used: 0.5 }.into();
     /// assert_eq!(warning.reason(), "flatness-raised");
     /// ```

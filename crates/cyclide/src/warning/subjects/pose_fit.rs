@@ -7,7 +7,7 @@ table! {
     /// Warnings about motions that smooth their poses.
     ///
     /// ```
-    /// use cyclide::{PoseFitWarning, Warning};
+    /// use cyclide::{Warning, warning::PoseFitWarning};
     /// let warning: Warning = PoseFitWarning::SmoothedAway { turning: true, path: 0.5, poses: 0.5 }.into();
     /// assert_eq!(warning.reason(), "shape-smoothed-away");
     /// ```

@@ -8,7 +8,7 @@ table! {
     /// Warnings about grids along the lines of curvature of a surface.
     ///
     /// ```
-    /// use cyclide::{PrincipalGridWarning, Warning};
+    /// use cyclide::{Warning, warning::PrincipalGridWarning};
     /// let warning: Warning = PrincipalGridWarning::UmbilicsSmoothed { count: 2, turn: 0.5 }.into();
     /// assert_eq!(warning.reason(), "umbilics-smoothed");
     /// ```

@@ -8,7 +8,7 @@ table! {
     /// Warnings about blocks and their cells.
     ///
     /// ```
-    /// use cyclide::{VolumeWarning, Warning};
+    /// use cyclide::{Warning, warning::VolumeWarning};
     /// let warning: Warning = VolumeWarning::Folds { at: [1.0, 2.0, 0.0] }.into();
     /// assert_eq!(warning.reason(), "volume-folds");
     /// ```

@@ -3,9 +3,12 @@
 use std::collections::BTreeSet;
 
 use cyclide::{
-    Body, CyclidicNet, Error as KernelError, ErrorItem, GridCell, GridCellFault, GridError, GridObject, NetFrame,
-    NetLayout, NetWarning, NumberError, PartError, PatchError, Point3, PointError, QuadGrid, QuadLayout, ShortNumber,
-    SurfaceObject, Warning,
+    Error as KernelError, Point3, ShortNumber, Warning,
+    error::{ErrorItem, GridCellFault, GridError, NumberError, PartError, PatchError, PointError},
+    model::{GridObject, SurfaceObject},
+    surface::{CyclidicNet, GridCell, NetFrame, NetLayout, QuadGrid, QuadLayout},
+    topology::Body,
+    warning::NetWarning,
 };
 
 use crate::document::coordinates::Coordinates;

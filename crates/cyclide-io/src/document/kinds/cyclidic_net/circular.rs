@@ -1,6 +1,10 @@
 //! Grids whose vertices are moved until every quad has a circle.
 
-use cyclide::{CurveObject, ParamCurve, QuadGrid, QuadLayout};
+use cyclide::{
+    curve::ParamCurve,
+    model::CurveObject,
+    surface::{QuadGrid, QuadLayout},
+};
 use cyclide_grids::{
     Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, make_circular, make_layout_circular,
 };

@@ -1,8 +1,10 @@
 //! Where a person goes on from what was said about a net: the cause, and what leads out of it.
 
 use cyclide::{
-    CyclidicNet, Error as KernelError, NetFrame, PartError, PatchError, Point3, QuadGrid, Seam, SeamMeasure,
-    ShortNumber, Units,
+    Error as KernelError, Point3, ShortNumber,
+    error::{PartError, PatchError},
+    model::Units,
+    surface::{CyclidicNet, NetFrame, QuadGrid, Seam, SeamMeasure},
 };
 
 use crate::document::kinds::cyclidic_net::make_circular::MakeCircularSpec;
@@ -122,7 +124,7 @@ pub(in crate::document) fn seam_words(
     let border = ["column", "row"][seam.direction];
     let size = grid.points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     let lying = measure.gap <= LYING * size;
-    if lying && measure.angle <= cyclide::CORNER_ANGLE {
+    if lying && measure.angle <= cyclide::curve::CORNER_ANGLE {
         return None;
     }
     let angle = format!("an angle of up to {} degrees", ShortNumber(measure.angle.to_degrees()));

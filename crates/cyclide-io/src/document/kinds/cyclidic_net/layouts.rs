@@ -1,7 +1,10 @@
 //! Nets round the extraordinary vertices of a mesh: from quads in a file to the kernel's surface.
 
 use cyclide::{
-    Error as KernelError, GridError, NetLayout, PartError, PatchError, PointError, QuadLayout, SurfaceObject,
+    Error as KernelError,
+    error::{GridError, PartError, PatchError, PointError},
+    model::SurfaceObject,
+    surface::{NetLayout, QuadLayout},
 };
 
 use crate::document::kinds::cyclidic_net::CyclidicNetSpec;

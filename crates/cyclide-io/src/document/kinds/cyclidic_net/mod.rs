@@ -6,7 +6,7 @@ mod hints;
 mod layouts;
 mod make_circular;
 
-use cyclide::Body;
+use cyclide::topology::Body;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -29,7 +29,7 @@ pub use make_circular::*;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// let shell = &built[0].bodies[0].outer;
-/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// assert!(shell.faces().len() == 2 && cyclide::topology::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -72,7 +72,7 @@ pub struct CyclidicNetSpec {
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// let shell = &built[0].bodies[0].outer;
-/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// assert!(shell.faces().len() == 2 && cyclide::topology::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]

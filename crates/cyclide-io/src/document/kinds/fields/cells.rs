@@ -1,6 +1,9 @@
 //! How blocks are divided into cells.
 
-use cyclide::{CyclideVolume, ErrorItem, FineEnd, Grading, GridQuality, NumberError, StructuredGrid};
+use cyclide::{
+    error::{ErrorItem, NumberError},
+    volume::{CyclideVolume, FineEnd, Grading, GridQuality, StructuredGrid},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! Frames of patches and nets.
 
-use cyclide::{Frame, ShortNumber, Vec3, VolumeFrame};
+use cyclide::{Frame, ShortNumber, Vec3, volume::VolumeFrame};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -14,7 +14,7 @@ use crate::document::forms::forms;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]], "frame": "auto"}}}"#.parse()?;
 /// let built = document.build()?;
 /// let shell = &built[0].bodies[0].outer;
-/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// assert!(shell.faces().len() == 2 && cyclide::topology::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]

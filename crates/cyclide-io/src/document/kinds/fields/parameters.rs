@@ -1,6 +1,6 @@
 //! Parameters and vectors of curves through points.
 
-use cyclide::{NodeParameters, Vec3};
+use cyclide::{Vec3, construct::NodeParameters};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

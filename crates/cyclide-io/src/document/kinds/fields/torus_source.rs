@@ -1,8 +1,10 @@
 //! The torus that a curve lies on: given in place, or another object.
 
 use cyclide::{
-    CurveError, CurveObject, Error as E, ErrorItem as I, NumberError, NurbsError, Point2, PointError, ShortNumber,
-    Torus, TorusError, TorusSpline,
+    Error as E, Point2, ShortNumber,
+    error::{CurveError, ErrorItem as I, NumberError, NurbsError, PointError, TorusError},
+    model::CurveObject,
+    surface::{Torus, TorusSpline},
 };
 use schemars::JsonSchema;
 use serde::Deserialize;

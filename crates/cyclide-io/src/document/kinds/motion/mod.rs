@@ -3,9 +3,14 @@
 mod poses;
 
 use cyclide::{
-    BodyMesh, CircleSpline, CircleSplineOptions, CubicMotions, DecoupledMotion, ErrorItem, FairSplineOptions,
-    InterpolationError, Motion, MotionError, MotionTolerance, MovingBody, NumberError, Outliers, Pose, PoseError,
-    PoseTimes, Quat, RationalMotion, ScrewMotion, ShortNumber, TimeLaw, TimedPose, Vec3,
+    Quat, ShortNumber, Vec3,
+    construct::{FairSplineOptions, Outliers},
+    curve::{CircleSpline, CircleSplineOptions},
+    error::{ErrorItem, InterpolationError, MotionError, NumberError, PoseError},
+    motion::{
+        BodyMesh, CubicMotions, DecoupledMotion, Motion, MotionTolerance, MovingBody, Pose, PoseTimes, RationalMotion,
+        ScrewMotion, TimeLaw, TimedPose,
+    },
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

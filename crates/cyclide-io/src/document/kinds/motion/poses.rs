@@ -2,7 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use cyclide::{Point3, Pose, PoseError, PoseTimes, Quat, ShortNumber, TimedPose};
+use cyclide::{
+    Point3, Quat, ShortNumber,
+    error::PoseError,
+    motion::{Pose, PoseTimes, TimedPose},
+};
 
 use crate::document::angle::Angle;
 use crate::document::kinds::motion::{AT_REST, MotionKind, MotionSpec, PoseSource, PoseSpec, PoseTolerance};

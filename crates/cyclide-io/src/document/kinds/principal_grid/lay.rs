@@ -1,6 +1,10 @@
 //! Grids along the lines of curvature of surfaces.
 
-use cyclide::{Error as KernelError, ErrorItem, GridObject, NumberError, PrincipalGridError, ShortNumber};
+use cyclide::{
+    Error as KernelError, ShortNumber,
+    error::{ErrorItem, NumberError, PrincipalGridError},
+    model::GridObject,
+};
 use cyclide_grids::{
     FreeLayout, GridBorder, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
     covering_principal_grids,

@@ -5,7 +5,11 @@
 
 use std::f64::consts::FRAC_PI_8;
 
-use cyclide::{Error as KernelError, NurbsCurve, Point3, PointError, RationalBezierSurface, Vec3};
+use cyclide::{
+    Error as KernelError, Point3, Vec3,
+    error::PointError,
+    rational::{NurbsCurve, RationalBezierSurface},
+};
 
 use crate::document::kinds::nurbs::{blame_nurbs, knots_words};
 use crate::document::kinds::principal_grid::surface_sources::NurbsSurfaceSpec;

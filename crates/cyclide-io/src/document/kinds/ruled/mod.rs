@@ -3,7 +3,13 @@
 pub(in crate::document) mod remedies;
 pub(in crate::document) mod sense;
 
-use cyclide::{BridgeError, EdgeCurve, PointError, RailSurface, ShortNumber, SurfaceObject};
+use cyclide::{
+    ShortNumber,
+    construct::RailSurface,
+    error::{BridgeError, PointError},
+    model::SurfaceObject,
+    topology::EdgeCurve,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! Which start and direction of a curve make a ruled surface without a twist.
 
-use cyclide::{EdgeCurve, RailSurface, ShortNumber};
+use cyclide::{ShortNumber, construct::RailSurface, topology::EdgeCurve};
 
 use crate::document::kinds::ruled::rotated;
 use crate::document::kinds::ruled::sense::Rulings;

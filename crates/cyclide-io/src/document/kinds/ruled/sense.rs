@@ -3,7 +3,7 @@
 //! Each piece of a ruled surface is checked by the kernel; pieces that are no neighbors may still cross, as they all do where a closed rail runs against
 //! the other one.
 
-use cyclide::{EdgeCurve, Point3, Vec3};
+use cyclide::{Point3, Vec3, topology::EdgeCurve};
 
 /// Rulings that are looked at, at most, and in each piece.
 const MOST_RULINGS: usize = 512;

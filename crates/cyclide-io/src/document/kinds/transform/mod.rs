@@ -5,8 +5,15 @@ pub(in crate::document) mod steps;
 use std::ops::Range;
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclideVolume, ErrorItem, HPoint, Mobius, NumberError, Point3, PointError, Quat,
-    ShortNumber, SurfaceObject, TeeBlendFacts, Torus, Vec3, VolumeError, bounds, closest_point,
+    Point3, Quat, ShortNumber, Vec3,
+    conformal::{Conformal as _, HPoint, Mobius},
+    construct::TeeBlendFacts,
+    curve::{bounds, closest_point},
+    error::{ErrorItem, NumberError, PointError, VolumeError},
+    model::{CurveObject, SurfaceObject},
+    surface::Torus,
+    topology::Body,
+    volume::CyclideVolume,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -42,7 +49,7 @@ const SMALLEST_DISTANCE: f64 = 5e-11;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"scale": {"factor": 3}}, {"translation": [1, 0, 0]}]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -1,6 +1,6 @@
 //! The steps of a `transform`, one map each.
 
-use cyclide::{Mobius, Quat, Vec3};
+use cyclide::{Quat, Vec3, conformal::Mobius};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -14,7 +14,7 @@ use crate::document::coordinates::Coordinates;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"translation": [1, 0, 0]}]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[1].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
@@ -47,7 +47,7 @@ pub enum StepSpec {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": ["reverse", {"cut": {"parameters": [0.5, 0.25]}}]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 3.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[1].item.curves()[0].as_curve()) - 3.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
@@ -111,7 +111,7 @@ pub struct RotationSpec {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"scale": {"factor": 3}}]}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
+/// assert!((cyclide::curve::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]

@@ -8,7 +8,11 @@ use crate::drawing::parameter_circles::{Planes, halvings};
 use crate::export::error::ExportError;
 use crate::export::job::Job;
 use crate::export::shape::Shape;
-use cyclide::{BlockShell, Body, Point3, StructuredGrid, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    topology::{BlockShell, Body},
+    volume::StructuredGrid,
+};
 
 /// Points of all blocks of an object that the view is fitted to, about, and divisions of a block at most.
 const POINTS: f64 = 40_000.0;

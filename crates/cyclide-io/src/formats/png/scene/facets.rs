@@ -7,7 +7,13 @@ use crate::drawing::palette;
 use crate::export::shape::Shape;
 use crate::export::triangle_cells::TriangleCell;
 use crate::formats::png::polyline::{CURVE, Polyline};
-use cyclide::{Arc, Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::Arc,
+    mesh::{MeshSource, SurfaceMesh},
+    surface::ParamSurface as _,
+    topology::{Body, FaceSurface, Shell},
+};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.
 const ROUGH: f64 = 3200.0;

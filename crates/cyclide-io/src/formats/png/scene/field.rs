@@ -21,7 +21,7 @@ use crate::formats::png::names::Names;
 use crate::formats::png::polyline::Polyline;
 use crate::formats::png::sheet::Sheet;
 use crate::formats::png::{eye, view};
-use cyclide::{Aabb, Point3, QuadGrid};
+use cyclide::{Aabb, Point3, surface::QuadGrid};
 
 /// The surface; lines along s and across; umbilics.
 const SURFACE: u32 = 0xE4E6E3;

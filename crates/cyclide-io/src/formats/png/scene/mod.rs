@@ -38,7 +38,7 @@ use crate::formats::png::polyline::{FLATNESS, curves};
 use crate::formats::png::sheet::Sheet;
 use crate::formats::png::{eye, view};
 use camera::Camera;
-use cyclide::{Aabb, Point3, SurfaceMesh, Vec3};
+use cyclide::{Aabb, Point3, Vec3, mesh::SurfaceMesh};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};

@@ -10,7 +10,7 @@ use crate::export::job::Job;
 use crate::formats::png::canvas::{Canvas, Ink};
 use crate::formats::png::lettering;
 use crate::formats::png::sheet::Sheet;
-use cyclide::{ParamSurface as _, Point3, SurfaceObject};
+use cyclide::{Point3, model::SurfaceObject, surface::ParamSurface as _};
 use std::collections::HashSet;
 
 /// Heights of the capitals of numbers that are tried, pixels of a usual picture, and the least that can be read, pixels.

@@ -3,7 +3,10 @@
 use super::light::{Lights, Rgb, mix};
 use super::surface::{BORDER, EDGE, EDGE_INK, INNER, cover, fade};
 use crate::drawing::palette;
-use cyclide::{SideLine, TrianglePatch, TriangleSurface, Vec3};
+use cyclide::{
+    Vec3,
+    surface::{SideLine, TrianglePatch, TriangleSurface},
+};
 
 /// Half width of the lines between triangles that go on smoothly, pixels, and the strength of their ink.
 const SMOOTH: f64 = 0.4;

@@ -9,7 +9,11 @@ use crate::drawing::surface_distance::SurfaceDistance;
 use crate::drawing::value_scale::ValueScale;
 use crate::export::job::Job;
 use crate::export::options::PictureColour;
-use cyclide::{Body, FaceGeometry as _, ParamSurface as _, Units};
+use cyclide::{
+    model::Units,
+    surface::ParamSurface as _,
+    topology::{Body, FaceGeometry as _},
+};
 
 /// Places of all faces together that the scale is made from, about, and of one along a side.
 const PLACES: f64 = 200_000.0;

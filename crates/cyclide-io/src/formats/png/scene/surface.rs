@@ -5,7 +5,11 @@ use super::light::{Lights, Rgb, mix};
 use crate::drawing::palette;
 use crate::drawing::parameter_circles::{Planes, halvings};
 use crate::drawing::plane_regions::drawn_edges;
-use cyclide::{FaceSurface, ParamSurface as _, Shell, Side, Vec3};
+use cyclide::{
+    Vec3,
+    surface::ParamSurface as _,
+    topology::{FaceSurface, Shell, Side},
+};
 
 /// Distance that the inner parameter circles have, about, pixels.
 const SPACING: f64 = 30.0;

@@ -4,7 +4,7 @@ use super::*;
 use crate::formats::png::eye::UP;
 use crate::formats::png::scene::raster::bands;
 use cyclide::Vec3;
-use cyclide::{CyclidePatch, Shell};
+use cyclide::{surface::CyclidePatch, topology::Shell};
 use std::f64::consts::TAU;
 
 const SIZE: (usize, usize) = (800, 600);
@@ -50,8 +50,8 @@ fn torus(large: f64, small: f64, count: usize) -> Vec<Shell> {
 fn facets(shells: Vec<Shell>, camera: &Camera) -> Facets {
     let mut facets = Facets::default();
     for (index, outer) in shells.into_iter().enumerate() {
-        let body = cyclide::Body { outer, voids: Vec::new() };
-        let mesh = cyclide::tessellate(&body, MESH * camera.unit()).unwrap();
+        let body = cyclide::topology::Body { outer, voids: Vec::new() };
+        let mesh = cyclide::mesh::tessellate(&body, MESH * camera.unit()).unwrap();
         facets.add_body(&body, &mesh, index, camera);
     }
     facets

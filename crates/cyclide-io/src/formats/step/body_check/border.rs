@@ -2,7 +2,7 @@
 //! were cut. Two parts share a border where both have the same line over the same range.
 
 use crate::check::tiles::same_place;
-use cyclide::{FacePart, Shell, Side};
+use cyclide::topology::{FacePart, Shell, Side};
 
 /// What a border is a part of.
 #[derive(Debug, Clone, Copy)]

@@ -8,8 +8,12 @@ use crate::check::bodies::{FileCurve, FileEdge, FileFace, FileSurface};
 use crate::check::deviation::larger;
 use crate::formats::step::layout::outward;
 use cyclide::{
-    ChainPiece, FacePart, FaceSurface, NurbsCurve, ParamCurve as _, ParamSurface as _, PatchKind, Point2, Point3,
-    RationalBezierSurface, Side,
+    Point2, Point3,
+    curve::ParamCurve as _,
+    model::ChainPiece,
+    rational::{NurbsCurve, RationalBezierSurface},
+    surface::{ParamSurface as _, PatchKind},
+    topology::{FacePart, FaceSurface, Side},
 };
 
 /// Places per parameter at which surfaces and edges are compared.

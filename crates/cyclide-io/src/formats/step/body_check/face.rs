@@ -6,7 +6,12 @@ use super::{Mismatch, require};
 use crate::check::bodies::{FileCurve, FileEdge, FileFace, FileSurface};
 use crate::check::deviation::larger;
 use crate::export::face_plan::FacePlan;
-use cyclide::{ChainPiece, Circle, Point3, Shell, Side};
+use cyclide::{
+    Point3,
+    curve::Circle,
+    model::ChainPiece,
+    topology::{Shell, Side},
+};
 use std::collections::{HashMap, HashSet};
 
 /// A line inside a face without an edge in the file is no wider than this part of the model's size; how wide it is counts as
@@ -29,7 +34,7 @@ pub(super) struct FaceCheck<'a> {
 
 impl<'a> FaceCheck<'a> {
     pub(super) fn new(shell: &'a Shell, plan: &'a FacePlan, flip: bool, size: f64) -> Result<Self, Mismatch> {
-        let piece = |part: &'a cyclide::FacePart| {
+        let piece = |part: &'a cyclide::topology::FacePart| {
             let face = shell.faces().get(part.face).ok_or(Mismatch("there is no such face"))?;
             Ok((Piece { surface: &face.surface, part }, face.same_sense != flip))
         };

@@ -21,7 +21,7 @@ use crate::check::tiles::tile_faces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
 use border::{Border, Line};
-use cyclide::{Body, Shell};
+use cyclide::topology::{Body, Shell};
 use face::FaceCheck;
 use std::collections::HashMap;
 

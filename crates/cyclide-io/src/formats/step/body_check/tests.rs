@@ -10,8 +10,13 @@ use crate::export::options::{ExportOptions, StepFaces};
 use crate::formats::step::reader::read;
 use crate::formats::{Exporter, Format};
 use cyclide::{
-    Circle, CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, NurbsCurve,
-    PatchKind, PipeTee, Point3, QuadGrid, SurfaceObject, TeeBranch, TeeMain, Vec3,
+    Point3, Vec3,
+    construct::{PipeTee, TeeBranch, TeeMain},
+    curve::Circle,
+    model::{Model, SurfaceObject},
+    rational::NurbsCurve,
+    surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, PatchKind, QuadGrid},
+    topology::{FaceGeometry as _, FacePart},
 };
 
 /// More than rounding leaves of models of this size, less than anything below is wrong by.

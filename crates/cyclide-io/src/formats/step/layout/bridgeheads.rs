@@ -1,6 +1,6 @@
 //! Where seams across faces end.
 
-use cyclide::{Point3, Shell};
+use cyclide::{Point3, topology::Shell};
 use std::collections::{HashMap, HashSet};
 
 /// Where seams across faces end.

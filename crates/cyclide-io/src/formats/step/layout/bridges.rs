@@ -8,7 +8,11 @@ use super::half_edges::HalfEdge;
 use super::parameters::{Developed, angle_between, place};
 use super::regions::Region;
 use super::{Draft, Drafts, EdgeForm, LayoutEdge, LoopEdge, turned};
-use cyclide::{Arc, Circle, PatchKind, Point3};
+use cyclide::{
+    Point3,
+    curve::{Arc, Circle},
+    surface::PatchKind,
+};
 use std::collections::HashSet;
 
 /// Angles nearer than this are one.

@@ -1,7 +1,10 @@
 //! Edges that are one in the file: arcs of one circle and parts of one line, between places where something else begins.
 
 use super::regions::limit;
-use cyclide::{Arc, Circle, EdgeCurve};
+use cyclide::{
+    curve::{Arc, Circle},
+    topology::EdgeCurve,
+};
 
 /// Places at which a rational edge is held against a circle: more than twice its degree in all.
 const PLACES: u32 = 24;

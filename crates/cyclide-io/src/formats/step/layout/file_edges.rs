@@ -4,7 +4,11 @@ use super::bridgeheads::Bridgeheads;
 use super::chains::{ChainCurve, continues, joined};
 use super::half_edges::HalfEdge;
 use super::{Draft, EdgeForm, LayoutEdge, LoopEdge, Merging};
-use cyclide::{Arc, Circle, PatchKind, Shell};
+use cyclide::{
+    curve::{Arc, Circle},
+    surface::PatchKind,
+    topology::Shell,
+};
 use std::collections::HashMap;
 
 /// Of each vertex the kept edges there, one that begins and ends there twice.

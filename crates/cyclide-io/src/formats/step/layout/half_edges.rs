@@ -1,6 +1,6 @@
 //! The sides of faces as half-edges, and the loops round faces that are made one.
 
-use cyclide::{FaceEdge, Shell, Side};
+use cyclide::topology::{FaceEdge, Shell, Side};
 
 /// A side of a face on an edge, as the loop of the face has it, seen from the shell's outer side.
 #[derive(Debug, Clone, Copy)]

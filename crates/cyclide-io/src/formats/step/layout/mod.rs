@@ -20,7 +20,12 @@ use super::polar_curves::PolarCurve;
 use bridgeheads::Bridgeheads;
 use bridges::Bridge;
 use chains::as_arc;
-use cyclide::{Arc, EdgeCurve, Frame, PatchKind, Point3, Shell, Side};
+use cyclide::{
+    Frame, Point3,
+    curve::Arc,
+    surface::PatchKind,
+    topology::{EdgeCurve, Shell, Side},
+};
 use file_edges::{Chains, edges_at, go_on};
 use half_edges::{HalfEdge, HalfEdges};
 use parameters::{Developed, periodic};

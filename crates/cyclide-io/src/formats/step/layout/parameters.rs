@@ -3,7 +3,7 @@
 //! Parameters are those of ISO 10303-42: angles about the third axis from the first one, heights along it (of cones too), latitudes of spheres
 //! and angles round the tube of tori. The normal `f_u × f_v` is the surface's own, outward.
 
-use cyclide::{EdgeCurve, Frame, PatchKind, Point3, Vec3};
+use cyclide::{Frame, Point3, Vec3, surface::PatchKind, topology::EdgeCurve};
 use std::f64::consts::{PI, TAU};
 
 /// Points per edge at which a loop is developed, without the last one: edges are below 150 degrees.

@@ -2,7 +2,10 @@
 
 use super::half_edges::HalfEdges;
 use super::parameters::outward;
-use cyclide::{FaceGeometry as _, ParamSurface as _, PatchKind, Shell, ShellFace};
+use cyclide::{
+    surface::{ParamSurface as _, PatchKind},
+    topology::{FaceGeometry as _, Shell, ShellFace},
+};
 
 /// How far a face may be from the surface of another one that it is made one with: the first of the model's size, the second, rounding, of
 /// coordinates and radii. Far below the tolerance of readers, 1e-7, and near the rounding of points.

@@ -5,7 +5,7 @@
 use super::half_edges::{HalfEdge, HalfEdges};
 use super::parameters::{Developed, angle_between, periodic, place, pole};
 use super::regions::Region;
-use cyclide::{Arc, PatchKind, Shell};
+use cyclide::{curve::Arc, surface::PatchKind, topology::Shell};
 use std::collections::{HashMap, HashSet};
 
 /// An edge along which an angle changes by no more than this is a parameter line.

@@ -3,7 +3,12 @@
 use super::half_edges::HalfEdge;
 use super::parameters::pole;
 use super::regions::Region;
-use cyclide::{Arc, Frame, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
+use cyclide::{
+    Frame, Point3, Vec3,
+    curve::Arc,
+    surface::{ParamSurface as _, PatchKind},
+    topology::Shell,
+};
 
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
@@ -44,7 +49,7 @@ pub(super) fn framings(
     };
     // Where parameter lines of its faces shrink to points, where meridians cross, and across parallels.
     for face in region.faces.iter().map(|&face| &shell.faces()[face]) {
-        for side in cyclide::Side::ALL.into_iter().filter(|&side| face.side(side).is_none()) {
+        for side in cyclide::topology::Side::ALL.into_iter().filter(|&side| face.side(side).is_none()) {
             let (s, t) = side.place(0.5);
             propose((face.surface.point(s, t) - center).unit());
         }

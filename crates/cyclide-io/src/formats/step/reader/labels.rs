@@ -5,7 +5,7 @@ use crate::check::labels::{FileLabels, FileName};
 use crate::check::read_error::ReadError;
 use crate::formats::step::conversion;
 use crate::formats::step::labels::{ASSEMBLY, BODY, CURVE, LAYER, OCCURRENCE, PRODUCT, SET};
-use cyclide::Units;
+use cyclide::model::Units;
 use std::collections::HashMap;
 
 /// The instances that carry labels, in file order.

@@ -6,7 +6,12 @@ mod shapes;
 use super::part21::{Instance, Instances, Value, parse};
 use crate::check::file_content::FileContent;
 use crate::check::read_error::ReadError;
-use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
+use cyclide::{
+    Point3, Vec3,
+    curve::{Arc, Circle},
+    model::{ChainPiece, CurveChain},
+    rational::NurbsCurve,
+};
 
 /// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding
 /// of center plus radius.

@@ -3,7 +3,13 @@
 use super::{Basis, File, entity, enumeration, list, logical, number_of, numbers, reference, references, value};
 use crate::check::bodies::{FileBody, FileCurve, FileEdge, FileFace, FileShell, FileSurface};
 use crate::check::read_error::ReadError;
-use cyclide::{Arc, ChainPiece, Circle, Frame, NurbsCurve, PatchKind, Point3, RationalBezierSurface, Vec3};
+use cyclide::{
+    Frame, Point3, Vec3,
+    curve::{Arc, Circle},
+    model::ChainPiece,
+    rational::{NurbsCurve, RationalBezierSurface},
+    surface::PatchKind,
+};
 
 /// Entities that are bodies.
 const BODIES: [&str; 3] = ["MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "SHELL_BASED_SURFACE_MODEL"];

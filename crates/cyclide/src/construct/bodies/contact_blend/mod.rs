@@ -35,7 +35,7 @@ const LARGEST_TAPER: f64 = std::f64::consts::FRAC_PI_2 - 0.05;
 /// A round tube, a cylinder or a cone.
 ///
 /// ```
-/// use cyclide::{BlendTube, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::BlendTube};
 /// let strut = BlendTube { through: Point3::new(0.0, 5.0, 0.0), direction: Vec3::Z, radius: 8.0, taper: 0.0, length: 60.0 };
 /// assert!(strut.taper == 0.0);
 /// ```
@@ -56,7 +56,7 @@ pub struct BlendTube {
 /// What a tube is blended with.
 ///
 /// ```
-/// use cyclide::{BlendBase, PlateShape};
+/// use cyclide::construct::{BlendBase, PlateShape};
 /// let plate = BlendBase::Plane(PlateShape::Disk(60.0));
 /// assert_ne!(plate, BlendBase::Sphere { radius: 60.0 });
 /// ```
@@ -78,7 +78,7 @@ pub enum BlendBase {
 /// All faces are exact and tangent along the contacts; source: `002`, section 4, and `docs/math/contact-blends.md`.
 ///
 /// ```
-/// use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{BlendBase, BlendTube, ContactBlend}};
 /// let strut = BlendTube { through: Point3::new(0.0, 12.0, 0.0), direction: Vec3::Z, radius: 10.0, taper: 0.0, length: 90.0 };
 /// let node = ContactBlend::new(strut, BlendBase::Sphere { radius: 40.0 }, 6.0)?.with_wall(2.5)?;
 /// let made = node.made()?;
@@ -101,7 +101,7 @@ pub struct ContactBlend {
 /// A blend as it was made.
 ///
 /// ```
-/// use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{BlendBase, BlendTube, ContactBlend}};
 /// let strut = BlendTube { through: Point3::ORIGIN, direction: Vec3::Z, radius: 1.0, taper: 0.1, length: 9.0 };
 /// let made = ContactBlend::new(strut, BlendBase::Sphere { radius: 4.0 }, 0.5)?.made()?;
 /// // Through the centre: a torus, and a ball of one radius.

@@ -17,7 +17,7 @@ use crate::topology::{Body, EdgeCurve};
 /// The border of a plate about the place where the axis of the pipe meets it.
 ///
 /// ```
-/// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+/// use cyclide::construct::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 /// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
 /// let body = |plate| neck.body(&NeckBody::new(8.0).with_plate(plate).with_thickness(1.0));
 /// assert!(body(PlateShape::Disk(9.0))?.is_solid() && body(PlateShape::Rectangle([20.0, 20.0]))?.is_solid());
@@ -34,7 +34,7 @@ pub enum PlateShape {
 /// What is made of a neck.
 ///
 /// ```
-/// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+/// use cyclide::construct::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 /// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
 /// let open = NeckBody::new(8.0).with_plate(PlateShape::Disk(9.0));
 /// assert!(!neck.body(&open)?.is_solid());

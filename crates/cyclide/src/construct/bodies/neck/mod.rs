@@ -46,7 +46,7 @@ const UNEVEN: f64 = 1.0 / 16.0;
 /// The side of the pipe on which the ball rolls.
 ///
 /// ```
-/// use cyclide::{NeckBlend, NeckSide, NeckVariant, Vec3};
+/// use cyclide::{Vec3, construct::{NeckBlend, NeckSide, NeckVariant}};
 /// let reach = |side| NeckBlend::new(3.0, 0.8, 0.0, side, NeckVariant::Pipe).map(|neck| neck.contact_on_plate(0.0).to_vec().length());
 /// assert!((reach(NeckSide::Outside)? - 3.8).abs() < 1e-12 && (reach(NeckSide::Inside)? - 2.2).abs() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
@@ -71,7 +71,7 @@ pub enum NeckSide {
 /// Each arc of the envelope is a part of a circle of the radius ρ of the ball.
 ///
 /// ```
-/// use cyclide::{NeckBlend, NeckSide, NeckVariant};
+/// use cyclide::construct::{NeckBlend, NeckSide, NeckVariant};
 /// let arc = |variant| NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, variant).and_then(|neck| neck.arc(0.3));
 /// // Both touch pipe and plate in the same points, along other arcs.
 /// assert!(arc(NeckVariant::Pipe)?.start().distance(arc(NeckVariant::Vertical)?.start()) < 1e-12);
@@ -92,7 +92,7 @@ pub enum NeckVariant {
 /// The blend of a pipe with a plate.
 ///
 /// ```
-/// use cyclide::{NeckBlend, NeckSide, NeckVariant};
+/// use cyclide::construct::{NeckBlend, NeckSide, NeckVariant};
 /// let neck = NeckBlend::new(3.0, 0.8, 0.0, NeckSide::Outside, NeckVariant::Pipe)?;
 /// let arc = neck.arc(0.0)?;
 /// assert!((arc.radius().expect("it turns") - 0.8).abs() < 1e-12);

@@ -43,7 +43,7 @@ impl Skin<'_> {
     /// Fills a hole by parts of its pipe, whose outer side is that away from the axis if `away`.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn cap(&mut self, hole: &Hole, away: bool) -> Result<()> {
         let (mantle, count) = (hole.mantle, hole.pieces.len());
         let middle = Node::between(&hole.nodes);

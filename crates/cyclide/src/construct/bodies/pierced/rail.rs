@@ -173,7 +173,7 @@ impl Skin<'_> {
     /// vertices: one if both go all round.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn between_rails(
         &mut self,
         mantle: &Mantle,

@@ -34,7 +34,7 @@ impl Skin<'_> {
     /// The stretch of a pipe round a hole, with the rings at its ends.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn stretch(&mut self, hole: Hole) -> Result<[Ring; 2]> {
         let [middle, reach] = hole.breadth();
         let (mantle, behind) = (hole.mantle, behind(reach));
@@ -45,7 +45,7 @@ impl Skin<'_> {
     /// The stretch of a pipe with rows of holes, in the order of their angles, and the rings at its ends.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn rows(
         &mut self,
         mantle: &Mantle,
@@ -101,7 +101,7 @@ impl Skin<'_> {
     /// The stretch of a pipe with two holes, each half way round it, that share their outermost nodes: all of it is ruled to its ends.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn between_halves(&mut self, holes: [&Hole; 2]) -> Result<[Ring; 2]> {
         let [start, end] = [0, 1].map(|side: usize| -> Result<Ring> {
             let outermost = |side: &RuledSide, k: usize| (side.ring.vertices[k], side.rulings[k]);
@@ -122,7 +122,7 @@ impl Skin<'_> {
     /// Joins the ring at the end of one stretch with that at the start of the next, whose axes are turned by an angle.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
+    /// As [`RationalBezierSurface::new`](crate::rational::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn join(
         &mut self,
         mantle: &Mantle,

@@ -26,7 +26,7 @@ use tube::Tube;
 /// Plane ends are disks, rings round a bore; a bore ends in a hemisphere where its pipe does.
 ///
 /// ```
-/// use cyclide::{ArcPath, Pipe, PipeEnds, Point3};
+/// use cyclide::{Point3, construct::{Pipe, PipeEnds}, curve::ArcPath};
 /// let spine = ArcPath::rounded_polyline(&[[0.0, 0.0, 0.0], [9.0, 0.0, 0.0]].map(Point3::from), false, &[0.0; 2])?;
 /// let volume = |ends| Pipe::new(1.0).and_then(|pipe| pipe.with_ends(ends).body(&spine)).map(|body| body.outer.volume());
 /// let caps = volume(PipeEnds::Round)? - volume(PipeEnds::Flat)?;
@@ -50,7 +50,7 @@ pub enum PipeEnds {
 /// A tube about a spine, solid or with a bore.
 ///
 /// ```
-/// use cyclide::{ArcPath, Pipe, Point3};
+/// use cyclide::{Point3, construct::Pipe, curve::ArcPath};
 /// let bend = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 0.0]].map(Point3::from);
 /// let spine = ArcPath::rounded_polyline(&bend, false, &[0.0, 5.0, 0.0])?;
 /// let body = Pipe::new(2.0)?.body(&spine)?;
@@ -109,7 +109,7 @@ impl Pipe {
     /// `pipe-too-wide` (the radius is not below that of an arc), `corner-not-mitred` (a corner next to an arc, or one that turns
     /// back), `mitre-does-not-fit` (a segment is too short for its miters), `pipe-meets-itself` with the places (parts that are
     /// half a turn of the pipe's own radius or more apart along the spine are nearer than twice the radius), as
-    /// [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
+    /// [`CyclidePatch::from_weights`](crate::surface::CyclidePatch::from_weights).
     pub fn body(&self, spine: &ArcPath) -> Result<Body> {
         let spine = Spine::new(spine, self.radius)?;
         overlap::check(&spine, self.radius, self.ends)?;
@@ -130,7 +130,7 @@ impl Pipe {
     /// spikes of miters, are not looked at.
     ///
     /// ```
-    /// use cyclide::{ArcPath, Pipe, Point3};
+    /// use cyclide::{Point3, construct::Pipe, curve::ArcPath};
     /// let rod = |from: [f64; 3], to: [f64; 3]| ArcPath::rounded_polyline(&[from, to].map(Point3::from), false, &[0.0; 2]);
     /// let cross = [rod([-9.0, 0.0, 0.0], [9.0, 0.0, 0.0])?, rod([0.0, -9.0, 1.0], [0.0, 9.0, 1.0])?];
     /// assert_eq!(Pipe::new(1.0)?.first_meeting(&cross)?, Some(([0, 1], 1.0)));

@@ -42,7 +42,7 @@ const LEAST_BALL: f64 = 1e-7;
 /// A pipe that passes another, a cylinder or a cone.
 ///
 /// ```
-/// use cyclide::CrossingPipe;
+/// use cyclide::construct::CrossingPipe;
 /// let pipe = CrossingPipe { radius: 20.0, taper: 0.1, ends: [-80.0, 80.0] };
 /// assert!(pipe.ends[0] < pipe.ends[1] && pipe.radius > pipe.ends[1] * pipe.taper.tan());
 /// ```
@@ -63,7 +63,7 @@ pub struct CrossingPipe {
 /// Source: `002`, section 4, with `docs/math/pipe-crossings.md`.
 ///
 /// ```
-/// use cyclide::{CrossingPipe, PipeCrossing};
+/// use cyclide::construct::{CrossingPipe, PipeCrossing};
 /// let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-80.0, 80.0] };
 /// // Axes 30 apart: the pipes overlap by 10.
 /// let crossing = PipeCrossing::new([pipe(20.0), pipe(20.0)], 30.0, 6.0)?.with_wall(3.0)?;
@@ -87,7 +87,7 @@ pub struct PipeCrossing {
 /// The sides of the pipes on which the ball of a crossing rolls.
 ///
 /// ```
-/// use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
+/// use cyclide::construct::{CrossingPipe, CrossingSide, PipeCrossing};
 /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// // Axes 2 apart: a lens 2 thick.
 /// let lens = PipeCrossing::new([pipe, pipe], 2.0, 0.3)?.with_side(CrossingSide::Inside).made()?.body;
@@ -146,7 +146,7 @@ impl CrossingSide {
 /// A crossing as it was made.
 ///
 /// ```
-/// use cyclide::{CrossingPipe, PipeCrossing};
+/// use cyclide::construct::{CrossingPipe, PipeCrossing};
 /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// let made = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.made()?;
 /// assert!(made.body.is_solid() && made.blend.tightest > 0.0);
@@ -201,7 +201,7 @@ impl PipeCrossing {
     /// the next without passing either. Angles are those of the ball about the common normal of the axes, from the first axis towards y.
     ///
     /// ```
-    /// use cyclide::{CrossingPipe, PipeCrossing};
+    /// use cyclide::construct::{CrossingPipe, PipeCrossing};
     /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
     /// let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_radii(&[[0.0, 0.4], [2.0, 0.8]])?;
     /// let [least, most] = crossing.made()?.blend.radii;

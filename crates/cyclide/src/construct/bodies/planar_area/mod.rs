@@ -112,7 +112,7 @@ impl Cover {
     /// points inside are. `same_sense` if the outside is where the contours are seen to run counter-clockwise.
     ///
     /// # Errors
-    /// As [`RationalBezierSurface::new`], [`Arc::segment`](crate::Arc::segment).
+    /// As [`RationalBezierSurface::new`], [`Arc::segment`](crate::curve::Arc::segment).
     pub(super) fn sew(
         &self,
         sewing: &mut Sewing,

@@ -33,7 +33,7 @@ const SHALLOW: f64 = 1e-3;
 /// A convex polyhedron: planar faces, each a loop of vertices that is counter-clockwise from outside.
 ///
 /// ```
-/// use cyclide::{ConvexPolyhedron, Point3};
+/// use cyclide::{Point3, construct::ConvexPolyhedron};
 /// let cube: Vec<Point3> = (0..8).map(|k| Point3::new((k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2) as f64)).collect();
 /// let cube = ConvexPolyhedron::hull(&cube)?;
 /// assert!((cube.volume() - 1.0).abs() < 1e-15);
@@ -59,7 +59,7 @@ pub struct ConvexPolyhedron {
 /// An edge of a polyhedron.
 ///
 /// ```
-/// use cyclide::{ConvexPolyhedron, Point3};
+/// use cyclide::{Point3, construct::ConvexPolyhedron};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let tetrahedron = ConvexPolyhedron::hull(&corners)?;
 /// assert_eq!(tetrahedron.edges().filter(|edge| edge.length > 1.2).count(), 3);

@@ -33,7 +33,7 @@ impl ConvexPolyhedron {
     /// # Errors
     /// `radius-not-positive`, `parameter-out-of-range` (the radius), `below-rounding-of-place` (the radius at these coordinates, or
     /// the polyhedron on that radius), `too-many-pieces` (an edge whose faces nearly coincide); as [`CyclidePatch::from_weights`]
-    /// and [`Shell::new`](crate::Shell::new) where edges are so short that their directions are rounding.
+    /// and [`Shell::new`](crate::topology::Shell::new) where edges are so short that their directions are rounding.
     pub fn offset(&self, radius: f64) -> Result<Body> {
         self.check_radius(radius)?;
         let mut rounding = Rounding::new(self, radius);
@@ -48,7 +48,7 @@ impl ConvexPolyhedron {
     /// The polyhedron itself: one closed shell of planes, outside outwards.
     ///
     /// ```
-    /// use cyclide::{ConvexPolyhedron, Point3};
+    /// use cyclide::{Point3, construct::ConvexPolyhedron};
     /// let corners = (0..8).map(|k| Point3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2)));
     /// let cube = ConvexPolyhedron::hull(&corners.collect::<Vec<_>>())?.body()?;
     /// assert!(cube.is_solid() && cube.outer.faces().len() == 6 && cube.outer.edges().len() == 12);
@@ -56,7 +56,7 @@ impl ConvexPolyhedron {
     /// ```
     ///
     /// # Errors
-    /// `below-rounding-of-place`; as [`Shell::new`](crate::Shell::new) where edges are so short that their directions are rounding.
+    /// `below-rounding-of-place`; as [`Shell::new`](crate::topology::Shell::new) where edges are so short that their directions are rounding.
     pub fn body(&self) -> Result<Body> {
         self.check_size(0.0)?;
         let mut sewing = Sewing::default();

@@ -22,7 +22,7 @@ const TURN_LIMIT: f64 = 1e-3;
 /// A convex polygon on the unit sphere, counter-clockwise from outside, within an open half of it.
 ///
 /// ```
-/// use cyclide::{SphericalPolygon, Vec3};
+/// use cyclide::{Vec3, construct::SphericalPolygon};
 /// let octant = SphericalPolygon::new(&[Vec3::X, Vec3::Y, Vec3::Z])?;
 /// assert!((octant.solid_angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
 /// # Ok::<(), cyclide::Error>(())

@@ -41,7 +41,7 @@ const FAR: f64 = 16.0;
 /// A turn about an axis.
 ///
 /// ```
-/// use cyclide::{Arc, Point3, Revolution, Vec3};
+/// use cyclide::{Point3, Vec3, construct::Revolution, curve::Arc};
 /// let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
 /// let half = Arc::from_three_points(Point3::new(0.0, 0.0, -1.0), Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 0.0, 1.0))?;
 /// let ball = turn.body(&[half.into()], false)?;
@@ -118,7 +118,7 @@ impl Revolution {
     /// # Errors
     /// `angle-out-of-range` (0), `too-few-points` (no piece), `profile-on-axis` (none off the axis), `disconnected`, `crosses-axis` (a piece meets the axis inside, or two lie on
     /// different sides of it; an open profile touches it between its ends, or, in a whole turn, a closed one more than once), `folded-profile` (in a plane across the axis, other than straight away from it or towards it), `profile-meets-itself` (of what
-    /// would be a solid), `weight-not-positive`; as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
+    /// would be a solid), `weight-not-positive`; as [`CyclidePatch::from_weights`](crate::surface::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         let near = self.beside([profile]);
         near.one_body(profile, closed).map_err(|e| near.counted_from_given(e))

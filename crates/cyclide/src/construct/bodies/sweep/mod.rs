@@ -21,7 +21,7 @@ use legs::{Leg, Legs, Station};
 /// How a section is turned about its path.
 ///
 /// ```
-/// assert_eq!(cyclide::SweepFrame::default(), cyclide::SweepFrame::RotationMinimizing);
+/// assert_eq!(cyclide::construct::SweepFrame::default(), cyclide::construct::SweepFrame::RotationMinimizing);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
@@ -42,7 +42,7 @@ pub enum SweepFrame {
 /// How a section is swept.
 ///
 /// ```
-/// use cyclide::{SweepFrame, SweepOptions};
+/// use cyclide::construct::{SweepFrame, SweepOptions};
 /// let options = SweepOptions { frame: SweepFrame::Up, ..SweepOptions::default() };
 /// assert!(options.capped && options.twist == 0.0);
 /// ```
@@ -71,7 +71,7 @@ impl Default for SweepOptions {
 /// What a plane section makes when it is led along a path.
 ///
 /// ```
-/// use cyclide::{Arc, ArcPath, EdgeCurve, Point3, Sweep, SweepOptions};
+/// use cyclide::{Point3, construct::{Sweep, SweepOptions}, curve::{Arc, ArcPath}, topology::EdgeCurve};
 /// let corners = [[-1.0, -2.0, 0.0], [1.0, -2.0, 0.0], [1.0, 2.0, 0.0], [-1.0, 2.0, 0.0]].map(Point3::from);
 /// let side = |k: usize| Arc::segment(corners[k], corners[(k + 1) % 4]).map(EdgeCurve::from);
 /// let bar = vec![side(0)?, side(1)?, side(2)?, side(3)?];

@@ -6,7 +6,7 @@
 /// a branch that goes up. So the crotches of a branch are at 0 and π, its flanks at π/2 and -π/2. Every loop is exact: the ball touches both pipes everywhere.
 ///
 /// ```
-/// use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
+/// use cyclide::construct::{PipeTee, TeeBlend, TeeBranch, TeeMain};
 /// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let tee = |blend| PipeTee::new(main, vec![TeeBranch { blend, ..TeeBranch::upright(1.0, 10.0, 0.5) }]);
 /// let [least, most] = tee(TeeBlend::Radius { radius: 0.5, tolerance: Some(1e-4) })?.made()?.blends[0].radii;

@@ -45,7 +45,7 @@ const ROUNDING_OF_RADII: f64 = 1e-12;
 /// The main pipe of a tee, about the x axis.
 ///
 /// ```
-/// use cyclide::TeeMain;
+/// use cyclide::construct::TeeMain;
 /// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// assert!(main.ends[0] < main.ends[1]);
 /// ```
@@ -62,7 +62,7 @@ pub struct TeeMain {
 /// A branch of a tee.
 ///
 /// ```
-/// use cyclide::{TeeBlend, TeeBranch};
+/// use cyclide::construct::{TeeBlend, TeeBranch};
 /// let lateral = TeeBranch { angle: 0.8, ..TeeBranch::upright(20.0, 100.0, 6.0) };
 /// assert!(matches!(lateral.blend, TeeBlend::Radius { radius: 6.0, .. }));
 /// ```
@@ -106,7 +106,7 @@ impl TeeBranch {
 /// How the pipes of a tee end.
 ///
 /// ```
-/// use cyclide::{PipeTee, TeeBranch, TeeEnds, TeeMain};
+/// use cyclide::construct::{PipeTee, TeeBranch, TeeEnds, TeeMain};
 /// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.with_wall(0.2)?;
 /// assert!(tee.made()?.body.voids.is_empty());
@@ -129,7 +129,7 @@ pub enum TeeEnds {
 /// A main pipe with branches, solid or with a wall.
 ///
 /// ```
-/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// use cyclide::construct::{PipeTee, TeeBranch, TeeMain};
 /// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(20.0, 100.0, 6.0)])?.with_wall(3.0)?;
 /// let made = tee.made()?;
@@ -147,7 +147,7 @@ pub struct PipeTee {
 /// A tee as it was made.
 ///
 /// ```
-/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// use cyclide::construct::{PipeTee, TeeBranch, TeeMain};
 /// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
 /// assert!(made.body.is_solid() && made.blends.len() == 1);
@@ -166,7 +166,7 @@ pub struct MadeTee {
 /// What is known of a blend.
 ///
 /// ```
-/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// use cyclide::construct::{PipeTee, TeeBranch, TeeMain};
 /// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let facts = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?.blends[0];
 /// assert!(facts.radii[0] >= 0.4995 && facts.radii[1] <= 0.5005 && facts.tightest > 0.7);

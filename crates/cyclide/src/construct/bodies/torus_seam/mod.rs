@@ -35,11 +35,11 @@ const SAFETY: f64 = 0.95;
 /// A seam: its width, and the heights of its lower and upper side along the outward normal of the torus.
 ///
 /// ```
-/// use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
+/// use cyclide::{Frame, construct::TorusSeam, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 40.0, 15.0)?;
 /// let trefoil = TorusSpline::knot(&torus, [2, 3], Default::default())?;
 /// let seam = TorusSeam::new(4.0, [-1.0, 0.5])?.body(&trefoil, 0.01)?; // 4 wide, raised by a half, one deep
-/// let section = seam.outer.volume() / cyclide::length(&trefoil);
+/// let section = seam.outer.volume() / cyclide::curve::length(&trefoil);
 /// assert!((section - 6.0).abs() < 0.2);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -110,7 +110,7 @@ impl TorusSeam {
     /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds); `seam-too-wide` (it folds in a bend, with the place and the largest width that does not);
     /// `seam-meets-itself` (parts of it that are no neighbors share space, by more than the
     /// tolerance, with the place: all others are proved apart); `too-many-pieces`, `zero-tangent` (a stop of the
-    /// curve); as [`Shell::new`](crate::Shell::new).
+    /// curve); as [`Shell::new`](crate::topology::Shell::new).
     pub fn body(&self, spline: &TorusSpline, tolerance: f64) -> Result<Body> {
         check_tolerance(tolerance)?;
         let (a, b) = (spline.torus().major_radius(), spline.torus().minor_radius());
@@ -137,7 +137,7 @@ impl TorusSeam {
     /// they share; where there is none, all are proved to be apart but for the tolerance.
     ///
     /// ```
-    /// use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
+    /// use cyclide::{Frame, construct::TorusSeam, surface::{Torus, TorusSpline}};
     /// let torus = Torus::new(Frame::WORLD, 40.0, 15.0)?;
     /// let rings = [[1, 0], [0, 1]].map(|turns| TorusSpline::knot(&torus, turns, Default::default()));
     /// let [round, across] = rings;

@@ -3,10 +3,10 @@
 use crate::base::vector::{Point3, Vec3};
 use std::ops::{Add, Mul, Sub};
 
-/// A ball: a cross-section of a [`Tube`](crate::Tube) touches it.
+/// A ball: a cross-section of a [`Tube`](crate::construct::Tube) touches it.
 ///
 /// ```
-/// use cyclide::{Ball, Point3, Tube};
+/// use cyclide::{Point3, construct::{Ball, Tube}};
 /// let balls = [Ball::new(Point3::ORIGIN, 2.0), Ball::new(Point3::new(10.0, 0.0, 0.0), 2.0)];
 /// let rod = Tube::through(&balls, false)?.body()?;
 /// assert!((rod.outer.volume() - 40.0 * std::f64::consts::PI).abs() < 1e-10);

@@ -49,7 +49,7 @@ const MOST_ARCS_OF_PIECE: usize = 64;
 /// A tube of changing radius, solid or with a wall.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3, RadiusLaw, Tube};
+/// use cyclide::{Point3, construct::{RadiusLaw, Tube}, curve::ArcPath};
 /// let bend = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 0.0]].map(Point3::from);
 /// let spine = ArcPath::rounded_polyline(&bend, false, &[0.0, 8.0, 0.0])?;
 /// let horn = Tube::along(&spine, &RadiusLaw::new(&[[0.0, 1.0], [1.0, 3.0]])?, 1e-3)?;
@@ -97,12 +97,12 @@ impl Tube {
         Ok(Self { arcs, bound, closed: spine.is_closed(), wall: None, ends: PipeEnds::Flat })
     }
 
-    /// The tube along any curve, with the arcs that stand for it and the parts of the curve that they stand for ([`Lower::lower_to_arcs`](crate::Lower::lower_to_arcs)): as [`along`](Self::along) these arcs, but no ball is farther
+    /// The tube along any curve, with the arcs that stand for it and the parts of the curve that they stand for ([`Lower::lower_to_arcs`](crate::model::Lower::lower_to_arcs)): as [`along`](Self::along) these arcs, but no ball is farther
     /// than the tolerance from that of the law along the curve itself, over the fraction of its own length. Half the tolerance is for the arcs: they need be within less of the curve, as a radius that changes
     /// counts what they are ahead or behind. Proved from the hulls of the curve; lengths are integrated to 1e-12.
     ///
     /// ```
-    /// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3, RadiusLaw, Tube};
+    /// use cyclide::{Point3, construct::{FairSplineOptions, RadiusLaw, Tube}, curve::CircleSpline, model::Lower};
     /// let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [95.0, 35.0, 10.0], [70.0, 75.0, 30.0]].map(Point3::from);
     /// let way = CircleSpline::fair(&points, &FairSplineOptions::default())?;
     /// let arcs = way.lower_to_arcs(2e-3)?;
@@ -188,7 +188,7 @@ impl Tube {
     /// [`body`](Self::body).
     ///
     /// ```
-    /// use cyclide::{Ball, Point3, Tube};
+    /// use cyclide::{Point3, construct::{Ball, Tube}};
     /// let rod = |a: [f64; 3], b: [f64; 3]| Tube::through(&[a, b].map(|p| Ball::new(Point3::from(p), 1.0)), false);
     /// let cross = [rod([-9.0, 0.0, 0.0], [9.0, 0.0, 0.0])?, rod([0.0, -9.0, 1.0], [0.0, 9.0, 1.0])?];
     /// assert!(Tube::first_meeting(&cross).is_some());
@@ -205,7 +205,7 @@ impl Tube {
     /// # Errors
     /// `tube-radius-vanishes` (between balls), `coincident-points` (neighboring balls so near that the way between them is rounding), `below-rounding-of-place` (so thin for where it is), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself` (parts are
     /// proved apart, but where they are as near as their hulls: there balls are compared in the middle of parts half their radius long and where the chords of these are nearest), as
-    /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
+    /// [`CyclidePatch::from_corners_and_frame`](crate::surface::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
         self.check_arcs()?;
         meeting::check(self.course())?;
@@ -257,7 +257,7 @@ impl Tube {
     /// radius changes at the end, or a ball there is not met in its middle, a part of a cone. 0 without a wall.
     ///
     /// ```
-    /// use cyclide::{Ball, Point3, Tube};
+    /// use cyclide::{Point3, construct::{Ball, Tube}};
     /// let balls = [Ball::new(Point3::ORIGIN, 10.0), Ball::new(Point3::new(10.0, 0.0, 0.0), 5.0)];
     /// let funnel = Tube::through(&balls, false)?.with_wall(2.0)?;
     /// assert!((funnel.rim_depth() - 1.0).abs() < 1e-12); // the wall times the sine of the slope

@@ -7,7 +7,7 @@ use crate::error::{CurveError, ErrorItem, NumberError, PointError, Result, TubeE
 /// (cubics with the slopes of M. Steffen, 1990). Linear between two values.
 ///
 /// ```
-/// use cyclide::RadiusLaw;
+/// use cyclide::construct::RadiusLaw;
 /// let bulge = RadiusLaw::new(&[[0.0, 2.0], [0.5, 3.0], [1.0, 2.0]])?;
 /// assert_eq!(bulge.radius(0.5), 3.0);
 /// assert!(bulge.radius(0.3) < 3.0 && RadiusLaw::constant(2.0)?.radius(0.3) == 2.0);

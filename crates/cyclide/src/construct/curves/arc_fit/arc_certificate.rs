@@ -23,7 +23,7 @@ const LINE_BULGE: f64 = 1e-150;
 /// What [`certify_arc`] proves about one arc over one polyline.
 ///
 /// ```
-/// use cyclide::{Point2, certify_arc};
+/// use cyclide::{Point2, construct::certify_arc};
 /// let points = [[-1.0, 0.0], [0.0, -1.01], [1.0, 0.0]].map(|[x, y]| Point2::new(x, y));
 /// let certificate = certify_arc(&points, 1.0, None)?;
 /// assert!((certificate.vertex_deviation - 0.01).abs() < 1e-12 && certificate.monotone);
@@ -66,7 +66,7 @@ impl ArcCertificate {
 /// // A quarter of the unit circle: its bulge is the tangent of a quarter of its angle.
 /// let point = |k: i32| (0.25 * std::f64::consts::FRAC_PI_2 * f64::from(k)).sin_cos();
 /// let points: Vec<Point2> = (0..=4).map(point).map(|(sin, cos)| Point2::new(cos, sin)).collect();
-/// let proof = cyclide::certify_arc(&points, (0.25 * std::f64::consts::FRAC_PI_2).tan(), None)?;
+/// let proof = cyclide::construct::certify_arc(&points, (0.25 * std::f64::consts::FRAC_PI_2).tan(), None)?;
 /// assert!(proof.proves() && proof.vertex_deviation < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```

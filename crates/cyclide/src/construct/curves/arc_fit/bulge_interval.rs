@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// The feasible bulges of a span: intervals of `|bulge| = tan(sweep/4)`, or `None` where no arc will do.
 ///
 /// ```
-/// use cyclide::{Point2, feasible_bulges};
+/// use cyclide::{Point2, construct::feasible_bulges};
 /// let points = [[-1.0, 0.0], [0.0, -0.5], [1.0, 0.0]].map(|[x, y]| Point2::new(x, y));
 /// let [least, most] = feasible_bulges(&points, 0.01, false, 3.0)?.ccw.expect("arcs to the left");
 /// assert!(least < 0.5 && 0.5 < most); // the arc through the middle point has the bulge 1/2
@@ -36,7 +36,7 @@ pub struct BulgeIntervals {
 /// ```
 /// use cyclide::Point2;
 /// let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|[x, y]| Point2::new(x, y));
-/// let bulges = cyclide::feasible_bulges(&points, 0.1, false, std::f64::consts::PI)?;
+/// let bulges = cyclide::construct::feasible_bulges(&points, 0.1, false, std::f64::consts::PI)?;
 /// // Arcs to both sides, and the line.
 /// assert!(bulges.ccw.is_some_and(|[least, _]| least == 0.0) && bulges.cw.is_some());
 /// # Ok::<(), cyclide::Error>(())

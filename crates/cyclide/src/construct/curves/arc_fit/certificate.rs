@@ -20,7 +20,7 @@ const FOOT_SLACK: f64 = 1e-9;
 /// What is proved about a fitted path.
 ///
 /// ```
-/// use cyclide::{ArcFit, ArcFitOptions, Point3};
+/// use cyclide::{Point3, construct::{ArcFit, ArcFitOptions}};
 /// let points: Vec<Point3> = (0..20).map(|k| Point3::new(f64::from(k), 0.1 * f64::from(k * k), 0.0)).collect();
 /// let fit = ArcFit::new(&points, &ArcFitOptions::new(0.05))?;
 /// let certificate = fit.certificate();
@@ -60,7 +60,7 @@ impl FitCertificate {
     /// That of a curve of arcs and segments, or of a circle, which stands for itself: it is off by nothing. `None` of any other.
     ///
     /// ```
-    /// use cyclide::{Arc, FitCertificate, Point3};
+    /// use cyclide::{Point3, construct::FitCertificate, curve::Arc};
     /// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
     /// let sheet = FitCertificate::of_itself(&Arc::from_three_points(a, b, c)?).expect("it is an arc");
     /// assert!(sheet.deviation == 0.0 && sheet.arcs == 1 && (sheet.turning - std::f64::consts::PI).abs() < 1e-12);

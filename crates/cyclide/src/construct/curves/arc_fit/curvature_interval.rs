@@ -138,7 +138,7 @@ impl CurvatureSweep {
 /// ```
 /// use cyclide::Point2;
 /// // Tangent arcs from the origin that pass within 0.1 of a point straight ahead: the segment is one.
-/// let found = cyclide::curvature_intervals(&[Point2::new(0.0, 0.0), Point2::new(1.0, 0.0)], Point2::new(0.0, 0.0), 0.0, 0.1)?;
+/// let found = cyclide::construct::curvature_intervals(&[Point2::new(0.0, 0.0), Point2::new(1.0, 0.0)], Point2::new(0.0, 0.0), 0.0, 0.1)?;
 /// assert!(found.iter().any(|[from, to]| *from < 0.0 && *to > 0.0));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -64,7 +64,7 @@ const FARTHER: f64 = 1.5;
 /// A fitted chain of arcs and lines with its certificate.
 ///
 /// ```
-/// use cyclide::{ArcFit, ArcFitOptions, Point3};
+/// use cyclide::{Point3, construct::{ArcFit, ArcFitOptions}};
 /// let points: Vec<Point3> = (0..20).map(|k| Point3::new(f64::from(k), 0.1 * f64::from(k * k), 0.0)).collect();
 /// let path = ArcFit::new(&points, &ArcFitOptions::new(0.05))?.into_path();
 /// assert!(path.arcs().len() < 10);

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// tolerance, and every point of the arcs, is the Fréchet distance of both.
 ///
 /// ```
-/// use cyclide::{ArcFit, ArcFitOptions, FitTarget, Point3};
+/// use cyclide::{Point3, construct::{ArcFit, ArcFitOptions, FitTarget}};
 /// let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.2, 0.0]].map(Point3::from);
 /// let options = ArcFitOptions { target: FitTarget::Polyline, ..ArcFitOptions::new(0.1) };
 /// assert!(ArcFit::new(&corner, &options)?.certificate().polyline_deviation <= 0.1);
@@ -43,7 +43,7 @@ pub enum FitTarget {
 /// never more: the others are tried beside it.
 ///
 /// ```
-/// use cyclide::{ArcFit, ArcFitOptions, Effort, Point3};
+/// use cyclide::{Point3, construct::{ArcFit, ArcFitOptions, Effort}};
 /// let wave: Vec<Point3> = (0..60).map(|k| 0.1 * f64::from(k)).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
 /// let arcs = |effort| ArcFit::new(&wave, &ArcFitOptions { effort, ..ArcFitOptions::new(0.01) }).map(|fit| fit.path().arcs().len());
 /// assert!(arcs(Effort::Best)? <= arcs(Effort::Fast)?);
@@ -123,7 +123,7 @@ impl Effort {
 /// Options of [`ArcFit::new`](super::ArcFit::new).
 ///
 /// ```
-/// use cyclide::ArcFitOptions;
+/// use cyclide::construct::ArcFitOptions;
 /// let options = ArcFitOptions { closed: true, ..ArcFitOptions::new(0.01) };
 /// assert!(options.tolerance == 0.01 && options.corners.is_empty());
 /// ```

@@ -72,7 +72,7 @@ const MOST_STRONGER: usize = 4;
 /// A fair spline within a tolerance of points, with its certificate.
 ///
 /// ```
-/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
 /// let noisy = |k: i32| Point3::new(0.1 * f64::from(k), (0.1 * f64::from(k)).sin() + 0.01 * f64::from(k % 3), 0.0);
 /// let fit = FairFit::new(&(0..60).map(noisy).collect::<Vec<_>>(), &FairFitOptions::new(0.05))?;
 /// assert!(fit.certificate().deviation <= 0.05 && fit.certificate().nodes < 60);
@@ -94,7 +94,7 @@ pub struct FairFit {
 /// What is proved about a fair fit, and how fair it is.
 ///
 /// ```
-/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
 /// let points: Vec<Point3> = (0..40).map(|k| Point3::new(f64::from(k), (0.2 * f64::from(k)).sin(), 0.0)).collect();
 /// let certificate = *FairFit::new(&points, &FairFitOptions::new(0.05))?.certificate();
 /// assert!(certificate.rms <= certificate.deviation && certificate.deviation <= 0.05);
@@ -146,7 +146,7 @@ impl FairFit {
     /// says so.
     ///
     /// ```
-    /// use cyclide::{FairFit, FairFitOptions, Point3};
+    /// use cyclide::{Point3, construct::{FairFit, FairFitOptions}};
     /// // A wave, measured to 0.01.
     /// let noise = |i: u32| 0.01 * (f64::from(i * i) * 0.7).sin();
     /// let points: Vec<Point3> = (0..200)

@@ -13,7 +13,7 @@ const MAX_EDGE_POINTS: usize = 100;
 /// How large the errors of measured points are.
 ///
 /// ```
-/// use cyclide::{FairFitOptions, Noise};
+/// use cyclide::construct::{FairFitOptions, Noise};
 /// assert_eq!(FairFitOptions::by_noise(Noise::Known(1.5)).noise, Some(Noise::Known(1.5)));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -29,7 +29,7 @@ pub enum Noise {
 /// What happens to outliers, which are points that do not agree with the others.
 ///
 /// ```
-/// assert_eq!(cyclide::Outliers::default(), cyclide::Outliers::Keep);
+/// assert_eq!(cyclide::construct::Outliers::default(), cyclide::construct::Outliers::Keep);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "kebab-case"))]
@@ -45,7 +45,7 @@ pub enum Outliers {
 /// Tolerance of the heights, apart from that across.
 ///
 /// ```
-/// use cyclide::{FairFitOptions, Heights};
+/// use cyclide::construct::{FairFitOptions, Heights};
 /// let options = FairFitOptions { heights: Heights::Within(0.3), ..FairFitOptions::new(0.1) };
 /// assert_eq!(options.heights, Heights::Within(0.3));
 /// ```
@@ -64,7 +64,7 @@ pub enum Heights {
 /// Options of [`FairFit::new`](super::FairFit::new).
 ///
 /// ```
-/// use cyclide::FairFitOptions;
+/// use cyclide::construct::FairFitOptions;
 /// let options = FairFitOptions { fix_ends: true, ..FairFitOptions::new(0.05) };
 /// assert!(options.tolerance == 0.05 && !options.closed);
 /// ```

@@ -52,7 +52,7 @@ impl CircleSpline {
     /// the curve turns back on itself become cusps, as do turns above 175 degrees if the curve swings out there.
     ///
     /// ```
-    /// use cyclide::{CircleSpline, FairSplineOptions, Point3, joints};
+    /// use cyclide::{Point3, construct::FairSplineOptions, curve::{CircleSpline, joints}};
     /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 2.0], [2.0, 6.0, 0.5]].map(Point3::from);
     /// let spline = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
     /// assert!(joints(&spline).iter().all(|joint| joint.curvature_jump < 1e-13));
@@ -94,7 +94,7 @@ impl CircleSpline {
 /// ```
 /// use cyclide::Point3;
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
-/// let blends = cyclide::blends_by_turn(&points, true, 0.0)?;
+/// let blends = cyclide::construct::blends_by_turn(&points, true, 0.0)?;
 /// assert!(blends.len() == 4 && blends.iter().all(|blend| (0.0..=1.0).contains(blend)));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

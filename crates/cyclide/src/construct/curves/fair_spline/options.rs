@@ -1,4 +1,4 @@
-//! What the user can ask of [`CircleSpline::fair`](crate::CircleSpline::fair).
+//! What the user can ask of [`CircleSpline::fair`](crate::curve::CircleSpline::fair).
 
 use crate::base::vector::Vec3;
 use crate::error::{ErrorItem, NumberError, Result};
@@ -6,7 +6,7 @@ use crate::error::{ErrorItem, NumberError, Result};
 /// How a fair circle spline ends.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairEnd, FairSplineOptions, Point3, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{FairEnd, FairSplineOptions}, curve::CircleSpline};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
 /// let options = FairSplineOptions { ends: [FairEnd::Clamped(Vec3::X * 3.0), FairEnd::Circle], ..Default::default() };
 /// let spline = CircleSpline::fair(&points, &options)?;
@@ -27,10 +27,10 @@ pub enum FairEnd {
     Clamped(Vec3),
 }
 
-/// How [`CircleSpline::fair`](crate::CircleSpline::fair) makes its curve.
+/// How [`CircleSpline::fair`](crate::curve::CircleSpline::fair) makes its curve.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, ParamCurve, Point3};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::{CircleSpline, ParamCurve}};
 /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 2.0]].map(Point3::from);
 /// let closed = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
 /// assert!(closed.is_closed());

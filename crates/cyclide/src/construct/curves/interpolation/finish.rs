@@ -30,7 +30,7 @@ pub(super) const MOST_DEGREE: usize = 12;
 /// A QB curve through points, with what is known of it.
 ///
 /// ```
-/// use cyclide::{NodeParameters, ParamCurve, Point3, QbInterpolation};
+/// use cyclide::{Point3, construct::{NodeParameters, QbInterpolation}, curve::ParamCurve};
 /// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [5.0, 1.0, 1.0], [6.0, 0.0, 3.0]].map(Point3::from);
 /// let found = QbInterpolation::through_points(&points, &NodeParameters::default())?;
 /// assert_eq!(found.curve().degree(), 2); // a rational curve of degree 4

@@ -21,7 +21,7 @@ use crate::error::{ErrorItem, InterpolationError, NumberError, Result};
 /// A point that a curve passes at a parameter, with as many of its derivatives there as are given.
 ///
 /// ```
-/// use cyclide::{Point3, QbInterpolation, QbNode, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{QbInterpolation, QbNode}};
 /// let node = |parameter, point: [f64; 3], derivatives| QbNode { parameter, point: Point3::from(point), derivatives };
 /// let ends = [node(0.0, [0.0, 0.0, 0.0], vec![Vec3::X]), node(1.0, [1.0, 1.0, 0.0], vec![])];
 /// let arc = QbInterpolation::through_nodes(&ends)?; // three conditions: degree 1

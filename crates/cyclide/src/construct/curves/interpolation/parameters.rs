@@ -8,7 +8,7 @@ use crate::error::{Error, ErrorItem, NumberError, PointError, Result};
 /// but for those that differ by a projective map of the line (`docs/math/qb-interpolation.md#parameters`).
 ///
 /// ```
-/// use cyclide::{NodeParameters, Point3};
+/// use cyclide::{Point3, construct::NodeParameters};
 /// let points = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 1.0, 0.0]].map(Point3::from);
 /// assert_eq!(NodeParameters::Chord.of(&points)?, [0.0, 0.75, 1.0]);
 /// # Ok::<(), cyclide::Error>(())

@@ -27,7 +27,7 @@ impl QbInterpolation {
     /// the second derivative. A derivative may be zero: the curve then has a cusp there. Of one arc the degree is 1.
     ///
     /// ```
-    /// use cyclide::{Point3, QbInterpolation, Vec3};
+    /// use cyclide::{Point3, Vec3, construct::QbInterpolation};
     /// let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.5], [2.0, 0.0, 0.0]].map(Point3::from);
     /// let found = QbInterpolation::three_points_two_tangents(points, [Vec3::Y * 3.0, Vec3::Y * -3.0], 0.5)?;
     /// assert!(found.curve().point(0.5).distance(points[1]) < 1e-15);

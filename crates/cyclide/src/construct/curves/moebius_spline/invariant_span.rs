@@ -18,7 +18,7 @@ impl QbCurve {
     /// real weights are positive.
     ///
     /// ```
-    /// use cyclide::{Point3, QbCurve, Vec3};
+    /// use cyclide::{Point3, Vec3, curve::QbCurve};
     /// let ends = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
     /// let span = QbCurve::invariant_span(ends, [Vec3::new(1.0, 2.0, 0.0), Vec3::new(1.0, 0.0, 1.0)])?;
     /// assert!((span.jet(1.0).d1 - Vec3::new(1.0, 0.0, 1.0)).length() < 1e-15);

@@ -127,12 +127,12 @@ fn across(a: &Chord, b: &Chord) -> f64 {
 }
 
 /// At each point the derivative, by the knots, of the circle through it and its neighbors, which it passes at their knots: the
-/// Möbius-covariant tangents of a [Möbius spline](crate::QbSpline::through_points). At the ends of an open curve the circle is that of the
+/// Möbius-covariant tangents of a [Möbius spline](crate::curve::QbSpline::through_points). At the ends of an open curve the circle is that of the
 /// three points there; of two points it is the segment. A closed curve does not repeat its first point and has one more knot, at
 /// which it closes.
 ///
 /// ```
-/// use cyclide::{Point3, circle_tangents};
+/// use cyclide::{Point3, construct::circle_tangents};
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let tangents = circle_tangents(&points, &[0.0, 1.0, 2.0], false)?;
 /// assert!(tangents[1].cross(cyclide::Vec3::X).length() < 1e-15 && tangents[1].x < 0.0);

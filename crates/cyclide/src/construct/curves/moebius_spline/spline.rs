@@ -11,7 +11,7 @@ use crate::warning::{CurveWarning, Warning};
 /// How [`QbSpline::through_points`] makes its curve.
 ///
 /// ```
-/// use cyclide::{MoebiusSplineOptions, NodeParameters, Point3, QbSpline, Vec3};
+/// use cyclide::{Point3, Vec3, construct::{MoebiusSplineOptions, NodeParameters}, curve::QbSpline};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0]].map(Point3::from);
 /// let tangents = vec![Some(Vec3::X * 2.0), None, None];
 /// let options = MoebiusSplineOptions { knots: NodeParameters::Given(vec![0.0, 1.0, 2.0]), tangents, ..Default::default() };

@@ -199,7 +199,7 @@ impl Outline {
 /// Lengths may have any unit. Two equal neighbors, or fewer than three points, or numbers that are not finite: there are none.
 ///
 /// ```
-/// use cyclide::{Point3, outline_corners};
+/// use cyclide::{Point3, construct::outline_corners};
 /// let rectangle = [[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]].map(|[x, y]| Point3::new(x, y, 0.0));
 /// assert_eq!(outline_corners(&rectangle, true), (vec![0, 1, 2, 3], vec![]));
 /// let circle: Vec<Point3> = (0..40).map(|k| f64::from(k) * 0.157).map(|a| Point3::new(a.cos(), a.sin(), 0.0)).collect();

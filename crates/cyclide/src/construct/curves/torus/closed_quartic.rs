@@ -23,7 +23,7 @@ impl TorusSpline {
     /// negative ratio); halfway around the ratio is the inverse. `1` and `-1` keep both even, which gives circles or knots.
     ///
     /// ```
-    /// use cyclide::{CircleFamily, Frame, QuarticType, Torus, TorusSpline};
+    /// use cyclide::{Frame, surface::{CircleFamily, QuarticType, Torus, TorusSpline}};
     /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let quartic = TorusSpline::closed_quartic(&torus, kind, Default::default(), 2.5)?;

@@ -31,7 +31,7 @@ impl TorusSpline {
     /// knot, C1, of equal quartic pieces exactly on the torus. `[±1, 0]`, `[0, ±1]` and `[±1, ±1]` are circles.
     ///
     /// ```
-    /// use cyclide::{Frame, Torus, TorusSpline};
+    /// use cyclide::{Frame, surface::{Torus, TorusSpline}};
     /// let trefoil = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
     /// assert_eq!(trefoil.winding(), Some([2, 3]));
     /// assert!(trefoil.to_nurbs()?.weights().iter().all(|w| *w > 0.0));
@@ -70,7 +70,7 @@ impl TorusSpline {
     /// rises.
     ///
     /// ```
-    /// use cyclide::{CircleFamily, Frame, Torus, TorusSpline, length};
+    /// use cyclide::{Frame, curve::length, surface::{CircleFamily, Torus, TorusSpline}};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let round = TorusSpline::circle(&torus, CircleFamily::Villarceau, Default::default())?;
     /// assert!((length(&round) - 6.0 * std::f64::consts::PI).abs() < 1e-12);

@@ -24,7 +24,7 @@ const LENGTH_RANGE: [f64; 2] = [1e-100, 1e100];
 /// on each.
 ///
 /// ```
-/// use cyclide::ProjectiveBiarc;
+/// use cyclide::construct::ProjectiveBiarc;
 /// let biarc = ProjectiveBiarc::new(0.2, 1.0, [0.5, 2.0], [1.0, 1.0])?;
 /// assert!((biarc.offset(2.0) - 1.0).abs() < 1e-15 && biarc.offset(1.0) == biarc.mid_offset());
 /// # Ok::<(), cyclide::Error>(())

@@ -12,7 +12,7 @@ impl TorusSpline {
     /// from 0. In both coordinates of the type the step and both speeds must run in one direction, or all be zero.
     ///
     /// ```
-    /// use cyclide::{CircleFamily, Frame, Point2, QuarticType, Torus, TorusSpline, Vec2};
+    /// use cyclide::{Frame, Point2, Vec2, surface::{CircleFamily, QuarticType, Torus, TorusSpline}};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
     /// let (start, step) = (Point2::new(0.1, 0.2), Vec2::new(0.8, 0.6));
@@ -22,7 +22,7 @@ impl TorusSpline {
     /// ```
     ///
     /// # Errors
-    /// `not-finite`, `not-monotone`, `span-too-large`, `empty-interval`, `parameter-out-of-range`, as [`ProjectiveBiarc::new`](crate::ProjectiveBiarc::new).
+    /// `not-finite`, `not-monotone`, `span-too-large`, `empty-interval`, `parameter-out-of-range`, as [`ProjectiveBiarc::new`](crate::construct::ProjectiveBiarc::new).
     pub fn quartic_biarc(
         torus: &Torus,
         kind: QuarticType,

@@ -24,7 +24,7 @@ impl TorusSpline {
     /// `tolerance`.
     ///
     /// ```
-    /// use cyclide::{Frame, Point3, Torus, TorusSpline, TorusSplineOptions};
+    /// use cyclide::{Frame, Point3, construct::TorusSplineOptions, surface::{Torus, TorusSpline}};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let points = [[4.01, 0.0, 0.0], [0.0, 3.0, 1.02], [-2.0, 0.0, 0.0]].map(Point3::from);
     /// let seam = TorusSpline::through_points(&torus, &points, 0.05, &TorusSplineOptions::default())?;

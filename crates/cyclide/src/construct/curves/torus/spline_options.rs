@@ -6,7 +6,7 @@ use crate::base::vector::Vec3;
 /// The tangent of a spline at one of its points.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Torus, TorusSpline, TorusSplineOptions, TorusTangent, Vec2};
+/// use cyclide::{Frame, Point2, Vec2, construct::{TorusSplineOptions, TorusTangent}, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let tangents = vec![TorusTangent::Rate(Vec2::new(1.0, 1.0)), TorusTangent::Free]; // start along a Villarceau circle
 /// let options = TorusSplineOptions { tangents, ..Default::default() };
@@ -28,7 +28,7 @@ pub enum TorusTangent {
 /// Which way round a spline runs from point to point: places are given modulo pi.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Torus, TorusSpline, TorusSplineOptions, TorusWinding};
+/// use cyclide::{Frame, Point2, construct::{TorusSplineOptions, TorusWinding}, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let places = [[0.0, 0.0], [1.0, 0.5], [2.0, 0.0]].map(Point2::from);
 /// let options = TorusSplineOptions { closed: true, winding: TorusWinding::Total([1, -2]), ..Default::default() };
@@ -47,11 +47,11 @@ pub enum TorusWinding {
     PerSegment(Vec<[i32; 2]>),
 }
 
-/// How [`TorusSpline::through_places`](crate::TorusSpline::through_places) and
-/// [`through_points`](crate::TorusSpline::through_points) make their curve.
+/// How [`TorusSpline::through_places`](crate::surface::TorusSpline::through_places) and
+/// [`through_points`](crate::surface::TorusSpline::through_points) make their curve.
 ///
 /// ```
-/// use cyclide::{Frame, Point2, Torus, TorusSpline, TorusSplineOptions};
+/// use cyclide::{Frame, Point2, construct::TorusSplineOptions, surface::{Torus, TorusSpline}};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let options = TorusSplineOptions { knots: vec![0.0, 2.0, 2.5], ..Default::default() };
 /// let spline = TorusSpline::through_places(&torus, &[[0.0, 0.0], [1.0, 0.5], [1.2, 0.7]].map(Point2::from), &options)?;

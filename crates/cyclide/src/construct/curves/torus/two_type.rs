@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 /// Two quartic pieces of two types that share a coordinate, C1, from a place and speed to another.
 ///
 /// ```
-/// use cyclide::{CircleFamily, Point2, QuarticType, TwoTypeBiarc, Vec2};
+/// use cyclide::{Point2, Vec2, construct::TwoTypeBiarc, surface::{CircleFamily, QuarticType}};
 /// use CircleFamily::{Meridian, Parallel, Villarceau};
 /// let kinds = [(Villarceau, Meridian), (Parallel, Villarceau)];
 /// let kinds = kinds.map(|(one, other)| QuarticType::between(one, other).expect("they differ"));

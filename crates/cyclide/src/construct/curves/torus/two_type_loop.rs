@@ -21,7 +21,7 @@ impl TorusSpline {
     /// 0, 1, 2, ....
     ///
     /// ```
-    /// use cyclide::{Frame, Point2, Torus, TorusSpline, Vec2};
+    /// use cyclide::{Frame, Point2, Vec2, surface::{Torus, TorusSpline}};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let places = [[0.0, 0.4], [0.5, 0.0], [0.0, -0.4], [-0.5, 0.0]].map(Point2::from); // clockwise, on the outer side
     /// let rates = [[0.7, 0.0], [0.0, -0.6], [-0.7, 0.0], [0.0, 0.6]].map(|[a, b]| Vec2::new(a, b));

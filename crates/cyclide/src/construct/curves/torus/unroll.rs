@@ -27,7 +27,7 @@ const SAMPLES: u32 = 16;
 /// How a torus is laid flat.
 ///
 /// ```
-/// use cyclide::{Frame, Torus, TorusMap};
+/// use cyclide::{Frame, construct::TorusMap, surface::Torus};
 /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
 /// let top = torus.place_of_angles(1.0, std::f64::consts::FRAC_PI_2);
 /// let flat = TorusMap::Belt.point(&torus, top);
@@ -93,7 +93,7 @@ impl TorusMap {
 /// How [`TorusSpline::unroll`] lays a curve flat.
 ///
 /// ```
-/// use cyclide::{TorusMap, UnrollOptions};
+/// use cyclide::construct::{TorusMap, UnrollOptions};
 /// let options = UnrollOptions::new(0.01);
 /// assert_eq!((options.map, options.seam), (TorusMap::Belt, [0.0, std::f64::consts::PI]));
 /// ```
@@ -119,7 +119,7 @@ impl UnrollOptions {
 /// A curve on a torus, laid flat.
 ///
 /// ```
-/// use cyclide::{Frame, Torus, TorusSpline, UnrollOptions};
+/// use cyclide::{Frame, construct::UnrollOptions, surface::{Torus, TorusSpline}};
 /// let trefoil = TorusSpline::knot(&Torus::new(Frame::WORLD, 3.0, 1.0)?, [2, 3], Default::default())?;
 /// let flat = trefoil.unroll(&UnrollOptions::new(1e-3))?;
 /// assert_eq!(flat.lines.len(), 4); // cut twice at the longitude 0 and three times on the inner side, once of these at both

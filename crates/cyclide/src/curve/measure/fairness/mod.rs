@@ -37,7 +37,7 @@ pub use wavering::{RoundedTurns, Wavering, wavering, wavering_against};
 /// Tangents that differ by more than this, in radians, make a joint a corner.
 ///
 /// ```
-/// assert!(cyclide::CORNER_ANGLE > 0.0 && cyclide::CORNER_ANGLE < std::f64::consts::PI);
+/// assert!(cyclide::curve::CORNER_ANGLE > 0.0 && cyclide::curve::CORNER_ANGLE < std::f64::consts::PI);
 /// ```
 pub const CORNER_ANGLE: f64 = 1e-3;
 /// Swings of the curvature below this part of the largest one do not count.
@@ -46,7 +46,7 @@ const NOISE: f64 = 1e-9;
 /// How evenly a curve bends.
 ///
 /// ```
-/// use cyclide::{Circle, Point3, Vec3, fairness};
+/// use cyclide::{Point3, Vec3, curve::{Circle, fairness}};
 /// let measured = fairness(&Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
 /// assert_eq!((measured.extrema, measured.corners, measured.jumps), (0, 0, 0));
 /// # Ok::<(), cyclide::Error>(())
@@ -86,10 +86,10 @@ impl Fairness {
 /// Measures how evenly a curve bends. Linear in the number of pieces.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3};
+/// use cyclide::{Point3, curve::ArcPath};
 /// let bend = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
 /// let path = ArcPath::rounded_polyline(&bend, false, &[0.0, 2.0, 0.0])?;
-/// assert_eq!(cyclide::fairness(&path).jumps, 2);
+/// assert_eq!(cyclide::curve::fairness(&path).jumps, 2);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]

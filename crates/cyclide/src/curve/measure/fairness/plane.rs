@@ -16,7 +16,7 @@ const PLACES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 /// roundings of its coordinates.
 ///
 /// ```
-/// use cyclide::{Circle, Point3, Vec3, plane_normal};
+/// use cyclide::{Point3, Vec3, curve::{Circle, plane_normal}};
 /// let clockwise = Circle::from_radius(Point3::new(3.0, 1.0, 7.0), -Vec3::Z, 2.0)?;
 /// let normal = plane_normal(&clockwise).expect("it is planar");
 /// assert!((normal - Vec3::Z).length() < 1e-12);

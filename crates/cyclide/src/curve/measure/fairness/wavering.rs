@@ -41,7 +41,7 @@ const GENTLE: f64 = std::f64::consts::FRAC_PI_6;
 /// A curve against its data.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Point3, wavering};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::{CircleSpline, wavering}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
 /// assert!(!wavering(&spline).curve_wavers);
@@ -69,7 +69,7 @@ pub struct Wavering {
 /// Nodes at which the polygon turns sharply between straight runs, and which the curve passes smoothly.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Point3, RoundedTurns, wavering};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::{CircleSpline, RoundedTurns, wavering}};
 /// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
 /// let rounded: Option<RoundedTurns> = wavering(&spline).rounded;
@@ -92,10 +92,10 @@ pub struct RoundedTurns {
 /// Compares a curve with the polygon of the nodes between its pieces.
 ///
 /// ```
-/// use cyclide::{CircleSpline, FairSplineOptions, Point3};
+/// use cyclide::{Point3, construct::FairSplineOptions, curve::CircleSpline};
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
 /// let spline = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
-/// assert!(!cyclide::wavering(&spline).curve_wavers);
+/// assert!(!cyclide::curve::wavering(&spline).curve_wavers);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]
@@ -116,10 +116,10 @@ pub fn wavering(curve: &dyn ParamCurve) -> Wavering {
 /// Compares a curve with the polygon of points through or near which it was laid, or of points of it.
 ///
 /// ```
-/// use cyclide::{Arc, Point3};
+/// use cyclide::{Point3, curve::Arc};
 /// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 /// let arc = Arc::from_three_points(points[0], points[1], points[2])?;
-/// assert!(!cyclide::wavering_against(&arc, &points).curve_wavers);
+/// assert!(!cyclide::curve::wavering_against(&arc, &points).curve_wavers);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[must_use]

@@ -27,7 +27,7 @@ const PLACES: usize = 8;
 /// A tube whose circles lie across its spine, solid or with a wall.
 ///
 /// ```
-/// use cyclide::{ArcPath, Point3, RadiusLaw, TaperedTube};
+/// use cyclide::{Point3, construct::{RadiusLaw, TaperedTube}, curve::ArcPath};
 /// let line = ArcPath::rounded_polyline(&[[0.0, 0.0, 0.0], [0.0, 0.0, 100.0]].map(Point3::from), false, &[0.0; 2])?;
 /// let reducer = TaperedTube::along(&line, &RadiusLaw::new(&[[0.0, 60.0], [1.0, 30.0]])?, 1e-3)?;
 /// let frustum = std::f64::consts::PI / 3.0 * 100.0 * (60.0 * 60.0 + 60.0 * 30.0 + 30.0 * 30.0);
@@ -64,12 +64,12 @@ impl TaperedTube {
         Ok(Self { pieces, bound, proved: true, closed, wall: None, ends: PipeEnds::Flat })
     }
 
-    /// The tube along any curve, with the arcs that stand for it and the parts of the curve that they stand for ([`Lower::lower_to_arcs`](crate::Lower::lower_to_arcs)): as [`along`](Self::along) these arcs,
+    /// The tube along any curve, with the arcs that stand for it and the parts of the curve that they stand for ([`Lower::lower_to_arcs`](crate::model::Lower::lower_to_arcs)): as [`along`](Self::along) these arcs,
     /// but no point of it is farther than the tolerance from the tube along the curve itself. Half the tolerance is for the arcs. Distances and lengths are proved as those of
-    /// [`Tube::along_curve`](crate::Tube::along_curve); by how much the planes of the circles lean is looked at in 8 places of each arc ([`is_proved`](Self::is_proved)).
+    /// [`Tube::along_curve`](crate::construct::Tube::along_curve); by how much the planes of the circles lean is looked at in 8 places of each arc ([`is_proved`](Self::is_proved)).
     ///
     /// ```
-    /// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3, RadiusLaw, TaperedTube};
+    /// use cyclide::{Point3, construct::{FairSplineOptions, RadiusLaw, TaperedTube}, curve::CircleSpline, model::Lower};
     /// let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [95.0, 35.0, 10.0], [70.0, 75.0, 30.0]].map(Point3::from);
     /// let way = CircleSpline::fair(&points, &FairSplineOptions::default())?;
     /// let arcs = way.lower_to_arcs(1e-3)?;
@@ -168,7 +168,7 @@ impl TaperedTube {
     ///
     /// # Errors
     /// `pipe-meets-itself` (circles of parts of the tube cross; parts are proved apart, or halved until they are half their radius long, and compared there),
-    /// `below-rounding-of-place` (so thin for where it is), as [`Arc::from_weight_ratio`](crate::Arc::from_weight_ratio).
+    /// `below-rounding-of-place` (so thin for where it is), as [`Arc::from_weight_ratio`](crate::curve::Arc::from_weight_ratio).
     pub fn body(&self) -> Result<Body> {
         meeting::check(&self.course())?;
         let thin = |error| match error {
@@ -195,7 +195,7 @@ impl TaperedTube {
     /// [`body`](Self::body).
     ///
     /// ```
-    /// use cyclide::{ArcPath, Point3, RadiusLaw, TaperedTube};
+    /// use cyclide::{Point3, construct::{RadiusLaw, TaperedTube}, curve::ArcPath};
     /// let rod = |ends: [[f64; 3]; 2]| {
     ///     let line = ArcPath::rounded_polyline(&ends.map(Point3::from), false, &[0.0; 2])?;
     ///     TaperedTube::along(&line, &RadiusLaw::new(&[[0.0, 1.0], [1.0, 2.0]])?, 1e-3)
