@@ -5,8 +5,10 @@
 use std::path::Path;
 
 use cyclide_io::{
-    Document, Format, MeshFormat, ModelBuilder, PointColumns, Report, escaped_lines, read_back, read_points,
-    read_quad_grid,
+    Document, Format, ModelBuilder, Report,
+    formats::{MeshFormat, read_back, read_quad_grid},
+    input::{PointColumns, read_points},
+    text::escaped_lines,
 };
 
 /// The points that any file a document refers to holds.

@@ -4,4 +4,4 @@
 #[path = "../exercise.rs"]
 mod exercise;
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| exercise::mesh(cyclide_io::MeshFormat::Glb, data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| exercise::mesh(cyclide_io::formats::MeshFormat::Glb, data));

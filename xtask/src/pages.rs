@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use cyclide_io::{KindPage, ObjectSpec};
+use cyclide_io::{document::ObjectSpec, manual::KindPage};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/kinds");
 

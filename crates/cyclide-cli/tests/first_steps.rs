@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{Folder, project};
-use cyclide_io::ObjectSpec;
+use cyclide_io::document::ObjectSpec;
 use serde_json::Value;
 
 const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;

@@ -8,7 +8,7 @@ use cyclide::{
     model::{Model, Units},
     surface::{CyclidePatch, CyclidicNet},
 };
-use cyclide_io::{ExportOptions, Format, export};
+use cyclide_io::{ExportOptions, Format, formats::export};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -10,7 +10,7 @@ use cyclide::{
     surface::{CyclidicNet, NetFrame, QuadGrid},
 };
 use cyclide_grids::{CircularMeshOptions, make_circular};
-use cyclide_io::{ExportOptions, Format, export};
+use cyclide_io::{ExportOptions, Format, formats::export};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

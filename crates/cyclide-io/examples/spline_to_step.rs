@@ -9,7 +9,7 @@ use cyclide::{
     curve::{CircleSpline, joints},
     model::{Model, Units},
 };
-use cyclide_io::{ExportOptions, Format, export};
+use cyclide_io::{ExportOptions, Format, formats::export};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -6,7 +6,10 @@ use cyclide::{
     curve::{ParamCurve, joints, length},
     model::{CurveObject, Units},
 };
-use cyclide_io::{BuiltObject, Document, Error, Fitted, ModelBuilder};
+use cyclide_io::{
+    Document, Error, ModelBuilder,
+    document::{BuiltObject, Fitted},
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 

@@ -9,8 +9,10 @@ mod exercise;
 use std::time::Instant;
 
 use cyclide_io::{
-    Document, DxfVersion, ExportOptions, Format, MeshFormat, ModelBuilder, ReadError, StepEdges, VtuEncoding, export,
-    read_back,
+    Document, ExportOptions, Format, ModelBuilder,
+    check::ReadError,
+    export::{DxfVersion, StepEdges, VtuEncoding},
+    formats::{MeshFormat, export, read_back},
 };
 use cyclide_testkit::mutate::{Form, Mutator};
 use proptest::prelude::*;

@@ -13,8 +13,11 @@ use cyclide::{
 };
 use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 use cyclide_io::{
-    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ObjectReport, Provenance, ScheduleOptions,
-    VtuCells, WorkshopSchedule,
+    Document, ExportOptions, Exporter, Format,
+    document::BuiltObject,
+    export::{Provenance, VtuCells},
+    report::{GeometryReport, ObjectReport},
+    schedule::{ScheduleOptions, WorkshopSchedule},
 };
 use cyclide_testkit::layouts::{ball, cap};
 

@@ -2,7 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::warning::NetWarning;
-use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport, Report, SurfaceReport};
+use cyclide_io::{
+    Document, ModelBuilder, Report,
+    document::BuiltObject,
+    report::{GeometryReport, ObjectReport, SurfaceReport},
+};
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cyclide_io::{KindPage, ObjectSpec};
+use cyclide_io::{document::ObjectSpec, manual::KindPage};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/kinds")

@@ -5,7 +5,9 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use cyclide_io::{BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, Report};
+use cyclide_io::{
+    Document, ExportOptions, Exporter, Format, ModelBuilder, Report, document::BuiltObject, report::GeometryReport,
+};
 
 /// Builds a rounded polyhedron with these fields; `files` are those that it may read.
 fn build_with(fields: &str, files: &[(&str, Vec<u8>)]) -> Result<BuiltObject, String> {

@@ -5,7 +5,12 @@
 use std::collections::{HashMap, HashSet};
 
 use cyclide::{model::SurfaceObject, surface::CyclidicNet};
-use cyclide_io::{BuiltObject, Document, GeometryReport, ObjectReport, ScheduleOptions, WorkshopSchedule};
+use cyclide_io::{
+    Document,
+    document::BuiltObject,
+    report::{GeometryReport, ObjectReport},
+    schedule::{ScheduleOptions, WorkshopSchedule},
+};
 
 /// A row by the names of its columns.
 type Row = HashMap<String, String>;

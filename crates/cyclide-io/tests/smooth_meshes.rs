@@ -12,8 +12,10 @@ use cyclide::{
     surface::TriangleSurface,
 };
 use cyclide_io::{
-    BuiltObject, Document, ExportOptions, Exporter, FileReport, Format, GeometryReport, ModelBuilder, Report,
-    SmoothReport, read_back,
+    Document, ExportOptions, Exporter, Format, ModelBuilder, Report,
+    document::BuiltObject,
+    formats::read_back,
+    report::{FileReport, GeometryReport, SmoothReport},
 };
 use cyclide_testkit::mutate::{Form, Mutator};
 use cyclide_testkit::scan::scan;

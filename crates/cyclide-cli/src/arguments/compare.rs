@@ -5,9 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::{ArgAction, Args as ClapArgs, ValueEnum as _};
 use cyclide::model::Units;
 use cyclide_io::{
-    Document, ObjectSpec, PointColumns, PointFile, PointSource, WriteOptions,
-    kinds::{Comment, PolylineSpec, RadiiSpec, TypeWord},
-    same_file,
+    Document,
+    document::{
+        ObjectSpec, PointFile, PointSource,
+        kinds::{Comment, PolylineSpec, RadiiSpec, TypeWord},
+    },
+    file::{WriteOptions, same_file},
+    input::PointColumns,
 };
 
 use super::curve::{CLOSED_KINDS, CurveArgs, Kind};
@@ -127,7 +131,7 @@ impl ComparePlan {
         let args = CurveArgs {
             closed: self.closed,
             tolerance: Some(tolerance),
-            smooth: Some(cyclide_io::kinds::FairTolerance::Within(tolerance)),
+            smooth: Some(cyclide_io::document::kinds::FairTolerance::Within(tolerance)),
             corner_angle_deg: self.corner_angle_deg,
             ..CurveArgs::default()
         };

@@ -8,7 +8,7 @@ use cyclide::{
     curve::BlendVariant,
     model::Units,
 };
-use cyclide_io::{
+use cyclide_io::document::{
     Angle, ObjectSpec, PointSource,
     kinds::{
         ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndWord, FairEndsSpec, FairFitSpec,

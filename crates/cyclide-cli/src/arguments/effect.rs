@@ -8,8 +8,11 @@ use std::path::PathBuf;
 
 use cyclide::model::{CurveObject, Model, SurfaceObject};
 use cyclide_io::{
-    Format, GeometryReport, NO_EFFECT, PictureColour, Provenance, Report, StepEdges, StepFaces, StepProducts,
-    kinds::MoebiusContinuity,
+    Format, Report,
+    document::NO_EFFECT,
+    document::kinds::MoebiusContinuity,
+    export::{PictureColour, Provenance, StepEdges, StepFaces, StepProducts},
+    report::GeometryReport,
 };
 
 use crate::arguments::curve::{CLOSED_KINDS, CurveArgs, Kind};

@@ -3,7 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args as ClapArgs;
-use cyclide_io::{Document, Format, PointColumns, WriteOptions, is_folder_name, leads_to_standard_input, same_file};
+use cyclide_io::{
+    Document, Format,
+    file::{WriteOptions, is_folder_name, leads_to_standard_input, same_file},
+    input::PointColumns,
+};
 
 use crate::output::failure::Failure;
 use crate::output::standard::{is_standard, is_standard_output};

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args as ClapArgs};
 use cyclide_io::{
-    Camera, DxfVersion, ExportOptions, Format, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells,
-    VtuEncoding, WriteOptions,
+    ExportOptions, Format,
+    export::{Camera, DxfVersion, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding},
+    file::WriteOptions,
 };
 
 use super::files::{Input, WriteArgs};

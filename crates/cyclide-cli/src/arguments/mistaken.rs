@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, CommandFactory as _};
-use cyclide_io::InputKind;
+use cyclide_io::formats::InputKind;
 
 use crate::arguments::args::Args;
 use crate::output::failure::Failure;

@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use cyclide_io::{
-    Document, ExportOptions, Format, PointColumns, PointFile, PointSource, SpeedLimits, WriteOptions, same_file,
+    Document, ExportOptions, Format,
+    document::{PointFile, PointSource},
+    file::{WriteOptions, same_file},
+    input::PointColumns,
+    report::SpeedLimits,
 };
 
 use crate::arguments::args::{

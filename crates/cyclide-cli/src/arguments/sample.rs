@@ -7,7 +7,10 @@ use cyclide::{
     Point3, Vec3,
     curve::{ClosedTwist, FrameRule},
 };
-use cyclide_io::{SamplePlaces, Spacing, WriteOptions};
+use cyclide_io::{
+    file::WriteOptions,
+    report::{SamplePlaces, Spacing},
+};
 
 use super::files::{Input, ReadArgs, WriteArgs, refuse_folder_name, refuse_other_suffix, refuse_overwriting};
 use super::numbers::positive;

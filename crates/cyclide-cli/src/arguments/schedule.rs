@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{ArgAction, Args as ClapArgs};
-use cyclide_io::{ScheduleOptions, WriteOptions};
+use cyclide_io::{file::WriteOptions, schedule::ScheduleOptions};
 
 use super::files::{Input, ReadArgs, WriteArgs, refuse_file_name};
 use super::numbers::positive;

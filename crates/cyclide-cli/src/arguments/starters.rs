@@ -1,7 +1,7 @@
 //! The types of object that `new` knows, as an argument and in a list.
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use cyclide_io::ObjectSpec;
+use cyclide_io::document::ObjectSpec;
 
 /// The types of object, each with the first sentence of its document.
 pub fn kinds() -> PossibleValuesParser {

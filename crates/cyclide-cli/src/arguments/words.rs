@@ -30,8 +30,8 @@ mod tests {
         model::Units,
     };
     use cyclide_io::{
-        DxfVersion, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding,
-        kinds::{FairEndWord, MoebiusContinuity, StraightWord},
+        document::kinds::{FairEndWord, MoebiusContinuity, StraightWord},
+        export::{DxfVersion, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells, VtuEncoding},
     };
 
     /// The words of an enum, each read back and explained.

@@ -1,7 +1,7 @@
 //! `compare`: curves of all kinds from the same points, measured side by side.
 
 use cyclide::{Aabb, curve::bounds, model::CurveObject};
-use cyclide_io::{Comparison, Document};
+use cyclide_io::{Document, compare::Comparison};
 
 use crate::arguments::compare::{ComparePlan, ComparisonFile};
 use crate::commands::load::{self, Inputs};

@@ -1,7 +1,7 @@
 //! `help`: the help of a command, and the manual of a kind of object, made of what the program knows of it.
 
 use clap::{CommandFactory as _, Parser as _};
-use cyclide_io::{KindPage, ObjectSpec, did_you_mean};
+use cyclide_io::{document::ObjectSpec, manual::KindPage, text::did_you_mean};
 
 use crate::arguments::args::Args;
 use crate::output::failure::Failure;

@@ -1,6 +1,10 @@
 //! `report` and `schema`: looking at a model without writing exchange files.
 
-use cyclide_io::{FASTER_THAN_LIMIT, GeometryReport, NO_EFFECT, Report, SpeedLimits, document_schema};
+use cyclide_io::{
+    Report,
+    document::{NO_EFFECT, document_schema},
+    report::{FASTER_THAN_LIMIT, GeometryReport, SpeedLimits},
+};
 
 use crate::arguments::plan::ReportPlan;
 use crate::commands::load::{self, Inputs, Loaded};

@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 
 use cyclide::model::{Model, Units};
 use cyclide_io::{
-    BuiltObject, Document, ModelBuilder, PointColumns, Provenance, ReadFolder, read_head, read_input,
-    read_standard_input, unit_of_columns,
+    Document, ModelBuilder,
+    document::BuiltObject,
+    export::Provenance,
+    input::{PointColumns, ReadFolder, read_head, read_input, read_standard_input, unit_of_columns},
 };
 
 use crate::arguments::files::Input;

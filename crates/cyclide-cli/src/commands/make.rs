@@ -3,8 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use cyclide_io::{
-    CheckError, ExportError, ExportOptions, Exporter, FileReport, GeometryReport, NO_EFFECT, ObjectReport, Report,
-    TIGHTER_THAN_RADIUS, VtuCells, escaped_json,
+    ExportOptions, Exporter, Report,
+    document::NO_EFFECT,
+    export::{ExportError, VtuCells},
+    report::{CheckError, FileReport, GeometryReport, ObjectReport, TIGHTER_THAN_RADIUS},
+    text::escaped_json,
 };
 
 use crate::arguments::effect;

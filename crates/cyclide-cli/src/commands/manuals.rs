@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory as _};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use cyclide_io::WriteOptions;
+use cyclide_io::file::WriteOptions;
 
 use crate::arguments::args::Args;
 use crate::output::failure::Failure;

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use cyclide::model::{Model, Units};
-use cyclide_io::{Format, Provenance, vtk_multi_block};
+use cyclide_io::{Format, export::Provenance, formats::vtk_multi_block};
 
 use crate::output::failure::Failure;
 

@@ -7,7 +7,9 @@ use cyclide::{
     topology::Body,
 };
 use cyclide_io::{
-    BuiltObject, CurveSamples, MotionSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean,
+    document::{BuiltObject, NO_EFFECT},
+    report::{CurveSamples, MotionSamples, SampleOptions, SamplePlaces, Spacing},
+    text::did_you_mean,
 };
 
 use crate::arguments::files::refuse_overwriting;
@@ -78,7 +80,7 @@ fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
     }
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
-    Ok(cyclide_io::sample(object, count, Spacing::Parameter))
+    Ok(cyclide_io::report::sample(object, count, Spacing::Parameter))
 }
 
 fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<String, Failure> {
@@ -91,10 +93,10 @@ fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<Stri
         refuse_many("--cells", blocks as f64 * places.product::<f64>(), blocks, "blocks")?;
         let none =
             "--cells: the document does not divide the object into cells (`cells`); use --count for an even grid";
-        return cyclide_io::sample_cells(object).ok_or_else(|| Failure::Usage(none.to_owned()));
+        return cyclide_io::report::sample_cells(object).ok_or_else(|| Failure::Usage(none.to_owned()));
     }
     refuse_many(&format!("--count {count}"), blocks as f64 * (count as f64).powi(3), blocks, "blocks")?;
-    Ok(cyclide_io::sample(object, count, Spacing::Parameter))
+    Ok(cyclide_io::report::sample(object, count, Spacing::Parameter))
 }
 
 /// The number of samples, where no option may be given that only curves have.

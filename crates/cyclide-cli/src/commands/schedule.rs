@@ -2,7 +2,10 @@
 
 use std::io;
 
-use cyclide_io::{ScheduleError, WorkshopSchedule, did_you_mean};
+use cyclide_io::{
+    schedule::{ScheduleError, WorkshopSchedule},
+    text::did_you_mean,
+};
 
 use crate::arguments::schedule::SchedulePlan;
 use crate::commands::load::{self, Inputs};

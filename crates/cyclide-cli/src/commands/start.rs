@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cyclide_io::{KindPage, ObjectSpec, WriteOptions};
+use cyclide_io::{document::ObjectSpec, file::WriteOptions, manual::KindPage};
 
 use crate::arguments::plan::NewPlan;
 use crate::arguments::starters::text;

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use cyclide_io::NotDurable;
+use cyclide_io::file::NotDurable;
 
 use crate::output::standard::is_standard;
 

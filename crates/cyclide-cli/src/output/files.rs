@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cyclide_io::{StagedFiles, WriteError, WriteOptions};
+use cyclide_io::file::{StagedFiles, WriteError, WriteOptions};
 
 use crate::output::failure::Failure;
 use crate::output::signals;

@@ -36,7 +36,7 @@ impl Progress {
 
     /// Says what is being done now.
     pub fn doing(&self, what: String) {
-        self.bar.set_message(cyclide_io::escaped(&what).into_owned());
+        self.bar.set_message(cyclide_io::text::escaped(&what).into_owned());
     }
 
     /// One step is done.

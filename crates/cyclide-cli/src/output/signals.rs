@@ -18,7 +18,7 @@ mod watch {
     use std::sync::{Arc, Once};
     use std::thread;
 
-    use cyclide_io::Abandoned;
+    use cyclide_io::file::Abandoned;
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
     use signal_hook::{flag, low_level};

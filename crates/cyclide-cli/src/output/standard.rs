@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cyclide_io::leads_to_standard_output;
+use cyclide_io::file::leads_to_standard_output;
 
 /// True for the names of standard input and standard output.
 pub fn is_standard(path: &Path) -> bool {

@@ -4,7 +4,7 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use cyclide_io::{escaped, escaped_lines};
+use cyclide_io::text::{escaped, escaped_lines};
 
 use crate::output::failure::Failure;
 

@@ -1,7 +1,7 @@
 //! Maps in tables: whatever the words, the order, the separators and the units, no map comes out as its mirror image in silence, and no command
 //! that is offered first makes one.
 
-use cyclide_io::{PointColumns, PointTable, read_points, unit_of_columns};
+use cyclide_io::input::{PointColumns, PointTable, read_points, unit_of_columns};
 
 use crate::common::Folder;
 

@@ -3,7 +3,7 @@
 //! The points are known before the tables are written, in whatever dialect: what is read back is these points, or the table is
 //! refused with the command that reads it.
 
-use cyclide_io::{PointColumns, PointTable, read_points};
+use cyclide_io::input::{PointColumns, PointTable, read_points};
 
 use crate::case;
 use crate::common::Folder;

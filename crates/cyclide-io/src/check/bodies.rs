@@ -12,7 +12,7 @@ use cyclide::{
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Json, &ExportOptions::default())?;
@@ -36,7 +36,7 @@ pub struct FilePatch {
 ///
 /// ```
 /// use cyclide::{Point3, Vec3, model::Model, volume::{CyclideVolume, SphericalCube, VolumeFrame}};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
 /// let content = read_back(Format::Vtu, &export(&model, Format::Vtu, &ExportOptions::default())?.bytes)?;
@@ -55,7 +55,7 @@ pub struct FileVolume {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
@@ -75,7 +75,7 @@ pub struct FileBody {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
@@ -97,7 +97,7 @@ pub struct FileShell {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
@@ -130,13 +130,13 @@ impl FileFace {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
 /// let content = read_back(Format::Step, &file.bytes)?;
 /// let faces = &content.bodies[0].shells[0].faces;
-/// assert!(faces.iter().all(|face| matches!(face.surface, cyclide_io::FileSurface::Analytic(_))));
+/// assert!(faces.iter().all(|face| matches!(face.surface, cyclide_io::check::FileSurface::Analytic(_))));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -152,7 +152,7 @@ pub enum FileSurface {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
@@ -183,7 +183,7 @@ pub struct FileEdge {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, FileCurve, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, check::FileCurve, formats::{export, read_back}};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;

@@ -9,7 +9,7 @@ use cyclide::{
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let content = read_back(Format::Csv, &export(&model, Format::Csv, &ExportOptions::default())?.bytes)?;

@@ -13,7 +13,7 @@ const SAME_UNIT: f64 = 1e-9;
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let content = read_back(Format::Step, &export(&model, Format::Step, &ExportOptions::default())?.bytes)?;
@@ -33,7 +33,7 @@ pub struct FileLabels {
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let content = read_back(Format::Step, &export(&model, Format::Step, &ExportOptions::default())?.bytes)?;

@@ -13,3 +13,9 @@ pub(crate) mod rational_volumes;
 pub(crate) mod read_error;
 pub(crate) mod spline_patches;
 pub(crate) mod tiles;
+
+pub use bodies::{FileBody, FileCurve, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
+pub use file_content::FileContent;
+pub use file_sample::FileSample;
+pub use labels::{FileLabels, FileName};
+pub use read_error::ReadError;

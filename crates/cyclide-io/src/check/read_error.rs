@@ -6,7 +6,7 @@ use cyclide::ShortNumber;
 /// Why bytes could not be read back.
 ///
 /// ```
-/// use cyclide_io::{Format, read_back};
+/// use cyclide_io::{Format, formats::read_back};
 /// let error = read_back(Format::Dxf, b"x\n").unwrap_err();
 /// assert!(error.to_string().contains("line 1"));
 /// ```

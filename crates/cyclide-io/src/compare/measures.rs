@@ -11,7 +11,7 @@ use crate::document::BuiltObject;
 /// The measures of one kind of curve, over all contours.
 ///
 /// ```
-/// use cyclide_io::{Comparison, Document};
+/// use cyclide_io::{Document, compare::Comparison};
 /// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [4, 0], [4, 3]]}}}"#;
 /// let document: Document = text.parse()?;
 /// let built = document.build()?;

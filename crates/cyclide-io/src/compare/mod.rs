@@ -15,7 +15,7 @@ pub use measures::CurveMeasures;
 /// Curves of several kinds from the same points.
 ///
 /// ```
-/// use cyclide_io::{Comparison, Document};
+/// use cyclide_io::{Document, compare::Comparison};
 /// let text = r#"{"cyclide": 1, "objects": {
 ///     "polygon": {"type": "polyline", "points": [[0, 0], [4, 1], [5, 4], [2, 6]]},
 ///     "fair-spline": {"type": "fair-spline", "points": [[0, 0], [4, 1], [5, 4], [2, 6]]}}}"#;
@@ -51,7 +51,7 @@ pub struct Comparison {
 /// One kind of curve in a comparison.
 ///
 /// ```
-/// use cyclide_io::{Comparison, Document};
+/// use cyclide_io::{Document, compare::Comparison};
 /// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [4, 1], [5, 4]]}}}"#;
 /// let document: Document = text.parse()?;
 /// let built = document.build()?;

@@ -11,7 +11,7 @@ use crate::document::forms::forms;
 /// An angle as it is written: `1.5708` or `{"degrees": 90}`.
 ///
 /// ```
-/// use cyclide_io::Angle;
+/// use cyclide_io::document::Angle;
 /// assert_eq!(Angle::Degrees(180.0).radians(), Angle::Radians(std::f64::consts::PI).radians());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,7 +14,7 @@ use crate::input::points::MOST_POINTS;
 /// A point or vector with two or three coordinates; the third is 0 if left out.
 ///
 /// ```
-/// use cyclide_io::Coordinates;
+/// use cyclide_io::document::Coordinates;
 /// assert_eq!(Coordinates([1.0, 2.0, 0.0]).point().distance(cyclide::Point3::new(1.0, 0.0, 0.0)), 2.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -47,7 +47,7 @@ pub use schema::document_schema;
 /// The document version this crate reads.
 ///
 /// ```
-/// use cyclide_io::{DOCUMENT_VERSION, Document};
+/// use cyclide_io::{Document, document::DOCUMENT_VERSION};
 /// let text = format!("{{\"cyclide\": {DOCUMENT_VERSION}, \"objects\": {{}}}}");
 /// assert!(text.parse::<Document>().is_ok());
 /// ```

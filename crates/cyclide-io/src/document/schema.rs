@@ -35,7 +35,7 @@ struct DocumentShape {
 /// The JSON Schema (draft 2020-12) of the model document, as text.
 ///
 /// ```
-/// let schema = cyclide_io::document_schema();
+/// let schema = cyclide_io::document::document_schema();
 /// assert!(schema.contains("cyclide model document"));
 /// ```
 #[must_use]

@@ -10,7 +10,7 @@ use std::str::FromStr;
 /// right view (from the side of positive x) has a quarter turn; the elevation is a quarter turn from above.
 ///
 /// ```
-/// use cyclide_io::Camera;
+/// use cyclide_io::export::Camera;
 /// assert_eq!("front".parse::<Camera>(), Ok(Camera::new(0.0, 0.0).unwrap_or_else(|| unreachable!("it is upright"))));
 /// assert!("30,91".parse::<Camera>().is_err());
 /// ```

@@ -13,7 +13,7 @@ use cyclide::{
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export};
+/// use cyclide_io::{ExportOptions, Format, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;

@@ -9,7 +9,7 @@ use cyclide::{
 ///
 /// ```
 /// use cyclide::{Point3, surface::QuadGrid};
-/// use cyclide_io::GivenSurface;
+/// use cyclide_io::export::GivenSurface;
 /// let points = (0..9).map(|k| Point3::new((k % 3) as f64, (k / 3) as f64, 0.0)).collect();
 /// let given = GivenSurface::from_grid(&QuadGrid::new(points, [3, 3], [false, false])?);
 /// assert_eq!((given.points.len(), given.triangles.len()), (9, 8));
@@ -97,7 +97,7 @@ fn edge_has_quad(grid: &QuadGrid, at: [usize; 2], direction: usize, k: usize) ->
 /// The lines of curvature of a surface, and the grids along them.
 ///
 /// ```
-/// let field = cyclide_io::LaidField::default();
+/// let field = cyclide_io::export::LaidField::default();
 /// assert!(field.along.len() == field.surface.triangles.len() && field.umbilics.is_empty());
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]

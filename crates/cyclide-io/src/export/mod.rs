@@ -26,3 +26,13 @@ pub(crate) mod side_use;
 pub(crate) mod single_mesh;
 pub(crate) mod spline_patches;
 pub(crate) mod triangle_cells;
+
+pub use camera::Camera;
+pub use error::ExportError;
+pub use exported::Exported;
+pub use given_surface::{GivenSurface, LaidField};
+pub use options::{
+    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, PictureColour, StepEdges, StepFaces, StepProducts, VtuCells,
+    VtuEncoding,
+};
+pub use provenance::Provenance;

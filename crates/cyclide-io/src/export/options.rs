@@ -9,7 +9,7 @@ use crate::export::camera::Camera;
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, DxfVersion, export};
+/// use cyclide_io::{ExportOptions, Format, export::DxfVersion, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let options = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };
@@ -32,7 +32,7 @@ pub enum DxfVersion {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, StepEdges, export};
+/// use cyclide_io::{ExportOptions, Format, export::StepEdges, formats::export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let size = |step_edges| export(&model, Format::Step, &ExportOptions { step_edges, ..Default::default() }).map(|file| file.bytes.len());
@@ -59,12 +59,12 @@ pub enum StepEdges {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, StepFaces, export};
+/// use cyclide_io::{ExportOptions, Format, export::StepFaces, formats::export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let faces = |step_faces| {
 ///     let file = export(&model, Format::Step, &ExportOptions { step_faces, ..Default::default() })?;
-///     Ok::<usize, cyclide_io::ExportError>(String::from_utf8_lossy(&file.bytes).matches("ADVANCED_FACE").count())
+///     Ok::<usize, cyclide_io::export::ExportError>(String::from_utf8_lossy(&file.bytes).matches("ADVANCED_FACE").count())
 /// };
 /// assert_eq!([StepFaces::Auto, StepFaces::Merged, StepFaces::Split].map(|form| faces(form).ok()), [Some(1), Some(1), Some(16)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -88,7 +88,7 @@ pub enum StepFaces {
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, StepProducts, export};
+/// use cyclide_io::{ExportOptions, Format, export::StepProducts, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let options = ExportOptions { step_products: StepProducts::One, ..ExportOptions::default() };
@@ -114,7 +114,7 @@ pub enum StepProducts {
 ///
 /// ```
 /// use cyclide::{Point3, Vec3, model::Model, volume::{CyclideVolume, Grading, SphericalCube, VolumeFrame}};
-/// use cyclide_io::{ExportOptions, Exporter, Format, Provenance, VtuCells};
+/// use cyclide_io::{ExportOptions, Exporter, Format, export::{Provenance, VtuCells}};
 /// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
 /// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
 /// let halves = Grading::Uniform.places(2)?;
@@ -138,7 +138,7 @@ pub enum VtuCells {
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, VtuEncoding, export};
+/// use cyclide_io::{ExportOptions, Format, export::VtuEncoding, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let options = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };
@@ -162,7 +162,7 @@ pub enum VtuEncoding {
 ///
 /// ```
 /// use cyclide::{model::Model, surface::DupinCyclide};
-/// use cyclide_io::{ExportOptions, Format, PictureColour, export};
+/// use cyclide_io::{ExportOptions, Format, export::PictureColour, formats::export};
 /// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
 /// let model = Model::default().with_surface("ring", ring);
 /// let picture = |png_colour| export(&model, Format::Png, &ExportOptions { png_colour, ..Default::default() }).map(|file| file.bytes);
@@ -192,7 +192,7 @@ pub enum PictureColour {
 /// Default limit of the pieces in a file of a small model: about half a gigabyte of memory and a minute.
 ///
 /// ```
-/// assert_eq!(cyclide_io::DEFAULT_MOST_PIECES, 1_000_000);
+/// assert_eq!(cyclide_io::export::DEFAULT_MOST_PIECES, 1_000_000);
 /// ```
 pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
 
@@ -203,7 +203,7 @@ pub(crate) const PIECES_OF_EACH: usize = 16;
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export};
+/// use cyclide_io::{ExportOptions, Format, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let options = ExportOptions { svg_points: true, ..ExportOptions::default() };

@@ -12,7 +12,7 @@ use cyclide::{
 ///
 /// ```
 /// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
-/// use cyclide_io::{ExportOptions, Exporter, Format, Provenance};
+/// use cyclide_io::{ExportOptions, Exporter, Format, export::Provenance};
 /// let rim = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("rim", rim);
 /// let mirrored = [Provenance { kind: "transform", ..Provenance::default() }];

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let files = ["a.txt", "no/such/folder/b.txt"].map(|name| (folder.path().join(name), b""));
-/// let failed = cyclide_io::write_files(&files, cyclide_io::WriteOptions::default()).unwrap_err();
+/// let failed = cyclide_io::file::write_files(&files, cyclide_io::file::WriteOptions::default()).unwrap_err();
 /// assert_eq!((failed.index, failed.written.len(), files[0].0.exists()), (1, 0, false));
 /// # Ok::<(), std::io::Error>(())
 /// ```
@@ -45,7 +45,7 @@ impl Error for WriteError {
 /// All files are in place, but the names in a folder could not be flushed to disk: inside an [`io::Error`].
 ///
 /// ```
-/// use cyclide_io::{NotDurable, WriteOptions, write_file};
+/// use cyclide_io::file::{NotDurable, WriteOptions, write_file};
 /// let folder = tempfile::tempdir()?;
 /// match write_file(&folder.path().join("a.txt"), b"text", WriteOptions { durable: true, ..WriteOptions::default() }) {
 ///     Err(error) if error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()) => eprintln!("written, but: {error}"),

@@ -42,8 +42,8 @@ use under_way::step;
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("a.txt");
-/// let options = cyclide_io::WriteOptions { durable: true, ..Default::default() };
-/// cyclide_io::write_file(&path, b"text", options)?;
+/// let options = cyclide_io::file::WriteOptions { durable: true, ..Default::default() };
+/// cyclide_io::file::write_file(&path, b"text", options)?;
 /// assert_eq!(std::fs::read(&path)?, b"text");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -60,7 +60,7 @@ pub struct WriteOptions {
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("a.txt");
-/// cyclide_io::write_file(&path, b"text", cyclide_io::WriteOptions::default())?;
+/// cyclide_io::file::write_file(&path, b"text", cyclide_io::file::WriteOptions::default())?;
 /// assert_eq!(std::fs::read(&path)?, b"text");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -76,7 +76,7 @@ pub fn write_file(path: &Path, bytes: &[u8], options: WriteOptions) -> io::Resul
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let files = ["a.txt", "b.txt"].map(|name| (folder.path().join(name), name.as_bytes()));
-/// cyclide_io::write_files(&files, cyclide_io::WriteOptions::default())?;
+/// cyclide_io::file::write_files(&files, cyclide_io::file::WriteOptions::default())?;
 /// assert_eq!(std::fs::read(&files[1].0)?, b"b.txt");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -90,7 +90,7 @@ pub fn write_files<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)], options: Wr
 /// Files that are complete but not yet in place; they are removed when this is dropped.
 ///
 /// ```
-/// use cyclide_io::{StagedFiles, WriteOptions};
+/// use cyclide_io::file::{StagedFiles, WriteOptions};
 /// let folder = tempfile::tempdir()?;
 /// let files = [(folder.path().join("a.txt"), b"text")];
 /// let staged = StagedFiles::new(&files, WriteOptions::default())?;
@@ -144,7 +144,7 @@ impl<'a> StagedFiles<'a> {
     /// anything other than regular files with these names or is the working directory: then the files are replaced one by one.
     ///
     /// ```
-    /// use cyclide_io::{StagedFiles, WriteOptions};
+    /// use cyclide_io::file::{StagedFiles, WriteOptions};
     /// let folder = tempfile::tempdir()?;
     /// let files = ["a.txt", "b.txt"].map(|name| (folder.path().join("set").join(name), name.as_bytes()));
     /// StagedFiles::whole_folder(&files, WriteOptions::default())?.commit()?;

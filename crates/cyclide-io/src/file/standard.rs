@@ -7,7 +7,7 @@ use std::path::Path;
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// // Nothing reads from a name that does not exist.
-/// assert!(!cyclide_io::leads_to_standard_input(&folder.path().join("m.json")));
+/// assert!(!cyclide_io::file::leads_to_standard_input(&folder.path().join("m.json")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
@@ -19,7 +19,7 @@ pub fn leads_to_standard_input(path: &Path) -> bool {
 /// False for the null device, where nothing can be mixed.
 ///
 /// ```
-/// assert!(!cyclide_io::leads_to_standard_output(std::path::Path::new("/dev/null")));
+/// assert!(!cyclide_io::file::leads_to_standard_output(std::path::Path::new("/dev/null")));
 /// ```
 #[must_use]
 pub fn leads_to_standard_output(path: &Path) -> bool {

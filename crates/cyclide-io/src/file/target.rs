@@ -20,7 +20,7 @@ pub(super) enum Target {
 ///
 /// ```
 /// use std::path::Path;
-/// assert!(cyclide_io::is_folder_name(Path::new("out.step/")) && !cyclide_io::is_folder_name(Path::new("out.step")));
+/// assert!(cyclide_io::file::is_folder_name(Path::new("out.step/")) && !cyclide_io::file::is_folder_name(Path::new("out.step")));
 /// ```
 #[must_use]
 pub fn is_folder_name(path: &Path) -> bool {
@@ -77,7 +77,7 @@ pub(super) fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("a.txt");
 /// std::fs::write(&path, "1,2")?;
-/// assert!(cyclide_io::same_file(&path, &folder.path().join(".").join("a.txt")));
+/// assert!(cyclide_io::file::same_file(&path, &folder.path().join(".").join("a.txt")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]

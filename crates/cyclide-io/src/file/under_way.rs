@@ -30,9 +30,9 @@ pub(super) fn forget(folder: &Path) {
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let files = [(folder.path().join("a.txt"), b"text")];
-/// let staged = cyclide_io::StagedFiles::new(&files, cyclide_io::WriteOptions::default()).map_err(|error| error.error)?;
+/// let staged = cyclide_io::file::StagedFiles::new(&files, cyclide_io::file::WriteOptions::default()).map_err(|error| error.error)?;
 /// // What a thread does that has been told of a signal, before it ends the process.
-/// drop(cyclide_io::Abandoned::all());
+/// drop(cyclide_io::file::Abandoned::all());
 /// assert_eq!(std::fs::read_dir(folder.path())?.count(), 0);
 /// assert!(staged.commit().is_err());
 /// # Ok::<(), std::io::Error>(())

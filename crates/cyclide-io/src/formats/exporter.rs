@@ -19,7 +19,7 @@ use cyclide::model::{Geometry, Item, Model};
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export};
+/// use cyclide_io::{ExportOptions, Format, formats::export};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let file = export(&model, Format::Dxf, &ExportOptions::default())?;
@@ -89,10 +89,10 @@ impl<'a> Exporter<'a> {
         self
     }
 
-    /// As [`export`](crate::export()).
+    /// As [`export`](crate::formats::export).
     ///
     /// # Errors
-    /// As [`export`](crate::export()).
+    /// As [`export`](crate::formats::export).
     pub fn export(&self, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
         let job = Job::new(&self.ready, options)?;
         let entry = format.entry();
@@ -108,10 +108,10 @@ impl<'a> Exporter<'a> {
         Ok(file)
     }
 
-    /// As [`file_deviation`](crate::file_deviation).
+    /// As [`file_deviation`](crate::formats::file_deviation).
     ///
     /// # Errors
-    /// As [`file_deviation`](crate::file_deviation).
+    /// As [`file_deviation`](crate::formats::file_deviation).
     pub fn deviation(&self, format: Format, file: &Exported) -> Result<f64, ReadError> {
         Ok(deviations_of(&self.ready, format, file)?.largest())
     }

@@ -9,7 +9,7 @@ use crate::text::lines::lines;
 /// The kind of an input file.
 ///
 /// ```
-/// use cyclide_io::InputKind;
+/// use cyclide_io::formats::InputKind;
 /// assert_eq!(InputKind::of_path("scan.ply".as_ref()), Some(InputKind::PolygonMesh));
 /// assert_eq!(InputKind::of_bytes(b"x;y\n0;1\n"), Some(InputKind::Points));
 /// ```

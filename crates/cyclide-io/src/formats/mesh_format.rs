@@ -12,7 +12,7 @@ macro_rules! mesh_formats {
         /// A mesh format that can be read.
         ///
         /// ```
-        /// use cyclide_io::MeshFormat;
+        /// use cyclide_io::formats::MeshFormat;
         /// let words: Vec<&str> = MeshFormat::ALL.iter().map(|format| format.word()).collect();
         /// assert_eq!(words, ["obj", "stl", "ply", "glb"]);
         /// ```

@@ -45,7 +45,7 @@ macro_rules! formats {
         /// ```
         /// use cyclide_io::Format;
         /// assert_eq!(Format::from_path("model.stp".as_ref())?, Format::Step);
-        /// # Ok::<(), cyclide_io::ExportError>(())
+        /// # Ok::<(), cyclide_io::export::ExportError>(())
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]

@@ -11,11 +11,11 @@ use crate::formats::Format;
 use crate::formats::entry::Reading;
 use cyclide::model::Model;
 
-/// Reads a file that [`export`](crate::export()) wrote.
+/// Reads a file that [`export`](crate::formats::export) wrote.
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, read_back}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let file = export(&model, Format::Step, &ExportOptions::default())?;
@@ -37,7 +37,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 ///
 /// ```
 /// use cyclide::{Point3, curve::Arc, model::Model};
-/// use cyclide_io::{ExportOptions, Format, export, file_deviation};
+/// use cyclide_io::{ExportOptions, Format, formats::{export, file_deviation}};
 /// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
 /// let model = Model::default().with_curve("line", segment);
 /// let file = export(&model, Format::Svg, &ExportOptions::default())?;

@@ -17,7 +17,7 @@ use crate::input::file::{RegularFile, not_regular};
 /// std::fs::create_dir(folder.path().join("data"))?;
 /// std::fs::write(folder.path().join("data/a.csv"), "1,2")?;
 /// std::fs::write(folder.path().join("secret"), "x")?;
-/// let data = cyclide_io::ReadFolder::open(&folder.path().join("data"))?;
+/// let data = cyclide_io::input::ReadFolder::open(&folder.path().join("data"))?;
 /// assert_eq!(data.read(&folder.path().join("data/a.csv"))?, b"1,2");
 /// assert!(data.read(&folder.path().join("data/../secret")).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -53,7 +53,7 @@ impl ReadFolder {
     /// The bytes of a regular file below the folder; `path` is not relative to it, it is taken as any program takes it.
     ///
     /// # Errors
-    /// As of [`read_input`](crate::read_input); a file that is not below the folder, whether it exists or not.
+    /// As of [`read_input`](crate::input::read_input); a file that is not below the folder, whether it exists or not.
     pub fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let found = self.below(path)?;
         self.open_below(&found)?.read()

@@ -9,8 +9,8 @@ use std::path::Path;
 /// ```
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("large.csv");
-/// std::fs::File::create(&path)?.set_len(cyclide_io::MOST_INPUT_BYTES + 1)?;
-/// assert!(cyclide_io::read_input(&path).is_err());
+/// std::fs::File::create(&path)?.set_len(cyclide_io::input::MOST_INPUT_BYTES + 1)?;
+/// assert!(cyclide_io::input::read_input(&path).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub const MOST_INPUT_BYTES: u64 = 1 << 29;
@@ -21,7 +21,7 @@ pub const MOST_INPUT_BYTES: u64 = 1 << 29;
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("a.txt");
 /// std::fs::write(&path, "1,2")?;
-/// assert_eq!(cyclide_io::read_input(&path)?, b"1,2");
+/// assert_eq!(cyclide_io::input::read_input(&path)?, b"1,2");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -37,7 +37,7 @@ pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("a.txt");
 /// std::fs::write(&path, "1,2")?;
-/// assert_eq!(cyclide_io::read_head(&path, 1)?, b"1");
+/// assert_eq!(cyclide_io::input::read_head(&path, 1)?, b"1");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -50,7 +50,7 @@ pub fn read_head(path: &Path, count: u64) -> io::Result<Vec<u8>> {
 /// The bytes of standard input, to its end.
 ///
 /// ```no_run
-/// let document: cyclide_io::Document = String::from_utf8(cyclide_io::read_standard_input()?)?.parse()?;
+/// let document: cyclide_io::Document = String::from_utf8(cyclide_io::input::read_standard_input()?)?.parse()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

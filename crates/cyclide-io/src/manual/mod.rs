@@ -18,7 +18,7 @@ use entries::{Definitions, Entry};
 /// The page of a kind of object.
 ///
 /// ```
-/// use cyclide_io::KindPage;
+/// use cyclide_io::manual::KindPage;
 /// let page = KindPage::of("pipe-tee").expect("there is such a kind");
 /// assert_eq!((page.word(), page.group()), ("pipe-tee", "Pipes and blends"));
 /// assert!(page.to_text().contains("branches (required): list of 1 or more objects"));
@@ -86,7 +86,7 @@ impl KindPage {
     /// A list of all kinds by group, a sentence each, as plain text for a terminal.
     ///
     /// ```
-    /// assert!(cyclide_io::KindPage::list().contains("\n  circle "));
+    /// assert!(cyclide_io::manual::KindPage::list().contains("\n  circle "));
     /// ```
     #[must_use]
     pub fn list() -> String {
@@ -96,7 +96,7 @@ impl KindPage {
     /// The list as Markdown, each kind with a link to its page `KIND.md`.
     ///
     /// ```
-    /// assert!(cyclide_io::KindPage::index().contains("- [`circle`](circle.md): A full circle.\n"));
+    /// assert!(cyclide_io::manual::KindPage::index().contains("- [`circle`](circle.md): A full circle.\n"));
     /// ```
     #[must_use]
     pub fn index() -> String {

@@ -7,7 +7,7 @@ use serde::Serialize;
 /// How a direction of blocks is divided into cells, with the parameter found for the length of the first cell.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let corners = "[[0,0,0], [1,0,0], [0,1,0], [0,0,1]]";
 /// let cells = r#"[4, 4, {"count": 2, "first": 0.25}]"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}, "cells": {cells}}}}}}}"#);

@@ -10,8 +10,8 @@ use serde::Serialize;
 /// let grid: Vec<Vec<[f64; 3]>> = (0..4).map(|j| (0..8).map(|i| point(place(i, j))).collect()).collect();
 /// let object = format!(r#"{{"type": "cyclidic-net", "closed": [true, false], "make_circular": true, "grid": {grid:?}}}"#);
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"tube": {object}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let [closing] = found.circular.expect("it was asked for").closing[..] else { unreachable!("one direction is closed") };
 /// assert!(closing.direction == "s" && closing.angle_before > 1e-3 && closing.angle_after < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -53,8 +53,8 @@ impl ClosingReport {
 /// ```
 /// let plane = r#"{"type": "cyclidic-net", "make_circular": true, "grid": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]}"#;
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"n": {plane}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.circular.expect("it was asked for").round.is_none()); // a single grid
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

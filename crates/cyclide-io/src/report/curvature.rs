@@ -12,8 +12,8 @@ use serde::Serialize;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"r": {"type": "cyclide", "a": 3, "mu": 1}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// // Of the tube, whose radius is 1.
 /// let [s, t] = [found.curvature_s, found.curvature_t].map(|range| range.max.abs().max(range.min.abs()));
 /// assert!((s.max(t) - 1.0).abs() < 1e-12);

@@ -39,7 +39,7 @@ impl SamplePlaces {
 /// What to sample along curves.
 ///
 /// ```
-/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// use cyclide_io::{Document, report::{CurveSamples, SampleOptions, SamplePlaces}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
 /// let options = SampleOptions { places: SamplePlaces::Step(1.0), frames: Some(cyclide::curve::FrameRule::Frenet) };
@@ -58,7 +58,7 @@ pub struct SampleOptions {
 /// The samples of the curves of an object.
 ///
 /// ```
-/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces, Spacing};
+/// use cyclide_io::{Document, report::{CurveSamples, SampleOptions, SamplePlaces, Spacing}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
 /// let places = SamplePlaces::Count { count: 5, spacing: Spacing::Length };
@@ -84,7 +84,7 @@ pub struct CurveSamples {
 /// The samples of one connected curve.
 ///
 /// ```
-/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// use cyclide_io::{Document, report::{CurveSamples, SampleOptions, SamplePlaces}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
 /// let frames = Some(cyclide::curve::FrameRule::rotation_minimizing());
@@ -117,7 +117,7 @@ pub struct ContourSamples {
 /// A sample of a curve; quantities that do not exist there are `None`.
 ///
 /// ```
-/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// use cyclide_io::{Document, report::{CurveSamples, SampleOptions, SamplePlaces}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
 /// let samples = CurveSamples::new(&built[0], &SampleOptions { places: SamplePlaces::Step(1.0), frames: None })?;

@@ -11,8 +11,8 @@ use crate::document::BuiltObject;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!(found.fairness.jumps, 2);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -11,14 +11,14 @@ use super::warning::WarningReport;
 /// The reason of warnings about motions that exceed the given speed limits.
 ///
 /// ```
-/// assert_eq!(cyclide_io::FASTER_THAN_LIMIT, "faster-than-limit");
+/// assert_eq!(cyclide_io::report::FASTER_THAN_LIMIT, "faster-than-limit");
 /// ```
 pub const FASTER_THAN_LIMIT: &str = "faster-than-limit";
 
 /// An interval in which a motion is faster than a limit, with its fastest moment; times in seconds from the start.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, Report, SpeedLimits};
+/// use cyclide_io::{Document, Report, report::{GeometryReport, SpeedLimits}};
 /// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [4, 0]}], "kind": "conic"}}}"#;
 /// let document: Document = text.parse()?;
 /// let built = document.build()?;
@@ -49,7 +49,7 @@ pub struct FastPlaceReport {
 /// Speed limits of a machine, in the length units of the document, seconds and radians.
 ///
 /// ```
-/// assert!(cyclide_io::SpeedLimits::default().speed.is_none());
+/// assert!(cyclide_io::report::SpeedLimits::default().speed.is_none());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct SpeedLimits {
@@ -62,7 +62,7 @@ pub struct SpeedLimits {
 /// The intervals in which a motion exceeds speed limits.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, Report, SpeedLimits};
+/// use cyclide_io::{Document, Report, report::{GeometryReport, SpeedLimits}};
 /// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [1, 0]}]}}}"#;
 /// let document: Document = text.parse()?;
 /// let built = document.build()?;

@@ -58,7 +58,7 @@ pub struct FileReport {
 ///
 /// ```
 /// use cyclide::{Point3, Vec3, curve::Circle, model::{Model, Units}};
-/// use cyclide_io::{CheckError, ExportOptions, Exporter, Format};
+/// use cyclide_io::{ExportOptions, Exporter, Format, report::CheckError};
 /// let ring = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("ring", ring);
 /// let exporter = Exporter::new(&model)?;

@@ -14,7 +14,7 @@ pub(super) type Axes = [Vec3; 3];
 /// Neighboring samples between which the frame turns by more than 90 degrees.
 ///
 /// ```
-/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces, Spacing};
+/// use cyclide_io::{Document, report::{CurveSamples, SampleOptions, SamplePlaces, Spacing}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "polyline", "points": [[-1, 0, 1], [1, 0, 1]]}}}"#;
 /// let built = text.parse::<Document>()?.build()?;
 /// let places = SamplePlaces::Count { count: 4, spacing: Spacing::Parameter };

@@ -1,4 +1,15 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
+//!
+//! | topic | names |
+//! |---|---|
+//! | the whole | [`Report`], [`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`] |
+//! | curves | [`CurvesReport`], [`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`PrincipalReport`], [`GridPieceReport`], [`UmbilicReport`], [`TightReport`], [`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`] |
+//! | surfaces | [`SurfaceReport`], [`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`], [`ClosingReport`], [`RoundReport`], [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`] |
+//! | smooth meshes | [`SmoothReport`], [`ComparisonReport`] |
+//! | curves through points | [`QbReport`] |
+//! | volumes | [`VolumeReport`], [`FoldsReport`], [`CellsReport`], [`CellLawReport`], [`CellPlace`], [`sample_cells`] |
+//! | motions | [`MotionReport`], [`PlaceReport`], [`PeakReport`], [`ReversalReport`], [`OffChordsReport`], [`MotionClosingReport`], [`DeviationReport`], [`FastReport`], [`FastPlaceReport`], [`SpeedLimits`], [`FASTER_THAN_LIMIT`], [`MotionSamples`], [`MotionSample`] |
+//! | samples | [`sample`], [`SampleOptions`], [`SamplePlaces`], [`Spacing`], [`CurveSamples`], [`ContourSamples`], [`CurveSample`], [`FrameTurn`] |
 
 mod cell_laws;
 mod closing;
@@ -29,6 +40,8 @@ mod torus;
 mod tube;
 mod volume;
 mod warning;
+
+pub use crate::measure::joints::SurfaceJointReport;
 
 use cyclide::model::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
@@ -90,7 +103,7 @@ pub struct Report {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
 /// assert_eq!((report.r#type.as_str(), report.warnings.len()), ("circle", 0));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -118,8 +131,8 @@ pub struct ObjectReport {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.closed);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

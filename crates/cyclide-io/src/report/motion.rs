@@ -35,7 +35,7 @@ const CONSTANT: f64 = 1e-9;
 /// are infinite, `null` in JSON). Lengths are in the units of the document, times in seconds.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let report = ObjectReport::new(&document.build()?[0], None);
 /// let GeometryReport::Motion(found) = report.geometry else { unreachable!("by its type") };
@@ -111,7 +111,7 @@ pub struct MotionReport {
 /// A moment of a motion.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "law": "eased", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
 /// assert!(found.speed_at.span == 0 && (found.speed_at.time - 0.5).abs() < 1e-6);
@@ -134,7 +134,7 @@ impl From<MotionPlace> for PlaceReport {
 /// Where the path reverses under a law by path length.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let poses = r#"[{"position": [1, 0]}, {"position": [0, 0]}, {"position": [1, 0]}]"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "kind": "conic", "law": "constant-speed", "poses": {poses}}}}}}}"#);
 /// let document: Document = text.parse()?;
@@ -157,7 +157,7 @@ pub struct ReversalReport {
 /// Where a body is fast relative to the average over the span.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "law": "eased", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
 /// let peak = found.peak.expect("it moves");

@@ -9,7 +9,7 @@ use serde::Serialize;
 /// The distance of the origin of a body from the straight lines between its poses.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "kind": "linear", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
 /// assert_eq!(found.off_chords.expect("it has poses").distance, 0.0);
@@ -26,7 +26,7 @@ pub struct OffChordsReport {
 /// How a motion that returns to its first pose continues from its end to its beginning.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let poses = r#"[{"position": [0, 0]}, {"position": [30, 0]}, {"position": [30, 30]}]"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "closed": true, "poses": {poses}}}}}}}"#);
 /// let document: Document = text.parse()?;
@@ -66,7 +66,7 @@ impl MotionClosingReport {
 /// The deviation of a smoothed motion from its poses, at their times.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let poses = r#"[{"position": [0, 0]}, {"position": [10, 1]}, {"position": [20, 0]}, {"position": [30, 1]}]"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 0.6}}, "poses": {poses}}}}}}}"#);
 /// let document: Document = text.parse()?;

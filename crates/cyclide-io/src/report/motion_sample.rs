@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-12;
 /// The samples of a motion, both ends included.
 ///
 /// ```
-/// use cyclide_io::{Document, MotionSamples, SamplePlaces};
+/// use cyclide_io::{Document, report::{MotionSamples, SamplePlaces}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let samples = MotionSamples::new(&document.build()?[0], SamplePlaces::Step(0.375)).expect("it is a motion");
 /// let times: Vec<f64> = samples.samples.iter().map(|sample| sample.time).collect();
@@ -38,7 +38,7 @@ pub struct MotionSamples {
 /// The state of a body at one time.
 ///
 /// ```
-/// use cyclide_io::{Document, MotionSamples, SamplePlaces, Spacing};
+/// use cyclide_io::{Document, report::{MotionSamples, SamplePlaces, Spacing}};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
 /// let places = SamplePlaces::Count { count: 3, spacing: Spacing::Parameter };
 /// let samples = MotionSamples::new(&document.build()?[0], places).expect("it is a motion");

@@ -16,8 +16,8 @@ use crate::document::BuiltObject;
 /// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
 /// let grid = format!(r#"{{"type": "principal-grid", "vertices": {vertices:?}, "faces": {faces:?}, "edge_length": 0.7}}"#);
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// let laid = found.principal.expect("by its type");
 /// assert!(laid.coverage > 0.4 && laid.umbilics.is_empty() && laid.pieces[0].edges.max < 0.75);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -61,8 +61,8 @@ pub struct PrincipalReport {
 /// let faces: Vec<[usize; 4]> = (0..256).map(|k| k / 16 * 17 + k % 16).map(|a| [a, a + 1, a + 18, a + 17]).collect();
 /// let grid = format!(r#"{{"type": "principal-grid", "vertices": {vertices:?}, "faces": {faces:?}, "edge_length": 0.7}}"#);
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"g": {grid}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// let piece = &found.principal.expect("by its type").pieces[0];
 /// assert!(piece.columns > 5 && piece.rows > 5 && !piece.closed);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -85,7 +85,7 @@ pub struct GridPieceReport {
 /// A point where a surface bends equally in all directions.
 ///
 /// ```
-/// let report = cyclide_io::UmbilicReport { point: [0.0; 3], index: -0.5 };
+/// let report = cyclide_io::report::UmbilicReport { point: [0.0; 3], index: -0.5 };
 /// assert!(report.index < 0.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -14,8 +14,8 @@ use crate::document::BuiltObject;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "qb-interpolation", "points": [[0, 0], [1, 2], [3, 2], [5, 1], [6, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!(found.qb.map(|qb| (qb.degree, qb.rational_degree)), Some((2, 4)));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -37,7 +37,7 @@ use crate::text::number::push_plain;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Parameter);
+/// let rows = cyclide_io::report::sample(&built[0], 5, cyclide_io::report::Spacing::Parameter);
 /// assert!(rows.starts_with("t,x,y,z,") && rows.lines().count() == 6);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -71,7 +71,7 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
 /// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
 /// let cells = r#"[1, 1, {"count": 2, "ratio": 3}]"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}, "cells": {cells}}}}}}}"#);
-/// let rows = cyclide_io::sample_cells(&text.parse::<Document>()?.build()?[0]).ok_or("it has cells")?;
+/// let rows = cyclide_io::report::sample_cells(&text.parse::<Document>()?.build()?[0]).ok_or("it has cells")?;
 /// assert_eq!(rows.lines().count(), 1 + 2 * 2 * 3);
 /// assert!(rows.contains("0,0,0.25,0,0,0.25,6"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

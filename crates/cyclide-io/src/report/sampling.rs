@@ -8,7 +8,7 @@ use crate::text::number::push_plain;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
-/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Length);
+/// let rows = cyclide_io::report::sample(&built[0], 5, cyclide_io::report::Spacing::Length);
 /// assert_eq!(rows.lines().count(), 6);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -24,7 +24,7 @@ pub enum Spacing {
 /// The locations of the samples of a curve, which include both ends of each contour.
 ///
 /// ```
-/// assert!(matches!(cyclide_io::SamplePlaces::Step(0.5), cyclide_io::SamplePlaces::Step(step) if step > 0.0));
+/// assert!(matches!(cyclide_io::report::SamplePlaces::Step(0.5), cyclide_io::report::SamplePlaces::Step(step) if step > 0.0));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SamplePlaces {

@@ -14,8 +14,8 @@ use crate::document::BuiltObject;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!((found.triangles, found.vertices, found.closed), (8, 6, true));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -64,8 +64,8 @@ pub struct SmoothReport {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
 /// let comparison = found.comparison.expect("it is a smooth mesh");
 /// assert!(comparison.jump < 1e-6 && comparison.flat_jump > 1.0);
 /// # Ok::<(), cyclide_io::Error>(())

@@ -28,8 +28,8 @@ const SAMPLES: usize = 5;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.patches == 1 && (found.total_area - 2.0).abs() < 1e-12);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -100,8 +100,8 @@ pub struct SurfaceReport {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!((found.parts.len(), found.parts[0].patches), (1, 2));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -168,8 +168,8 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
 /// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
 /// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"roof": {object}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let made = found.circular.expect("it was asked for");
 /// assert!(made.residual_after < 1e-9 && made.residual_after < made.residual_before && made.move_max < 0.5);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -217,8 +217,8 @@ pub struct CircularReport {
 /// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
 /// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
 /// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"roof": {object}}}}}"#).parse()?;
-/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// let shape = found.circular.and_then(|made| made.shape).expect("it is not flat");
 /// assert!(shape.lost_relief < 0.5 && shape.bending > Some(0.5));
 /// # Ok::<(), cyclide_io::Error>(())
@@ -256,8 +256,8 @@ impl From<&ShapeChange> for ShapeReport {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.flipped.iter().all(|place| place.patch < found.patches));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -276,8 +276,8 @@ pub struct PatchPlace {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.singular.is_empty());
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

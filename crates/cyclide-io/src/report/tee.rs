@@ -11,8 +11,8 @@ use super::range::RangeReport;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// // One radius to a thousandth.
 /// assert!((found.blends[0].radius.min - 3.0).abs() < 3e-3 + 1e-9);
 /// # Ok::<(), cyclide_io::Error>(())

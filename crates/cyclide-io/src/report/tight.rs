@@ -9,14 +9,14 @@ use crate::document::BuiltObject;
 /// The reason of warnings about parts of curves that are tighter than a given radius.
 ///
 /// ```
-/// assert_eq!(cyclide_io::TIGHTER_THAN_RADIUS, "tighter-than-radius");
+/// assert_eq!(cyclide_io::report::TIGHTER_THAN_RADIUS, "tighter-than-radius");
 /// ```
 pub const TIGHTER_THAN_RADIUS: &str = "tighter-than-radius";
 
 /// A part of a curve that is tighter than a given radius, with its tightest point.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, Report};
+/// use cyclide_io::{Document, Report, report::GeometryReport};
 /// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [9, 0], [9, 9]], "radius": 2}}}"#;
 /// let document: Document = text.parse()?;
 /// let built = document.build()?;
@@ -48,7 +48,7 @@ pub struct TightPlaceReport {
 /// The parts of the curves of an object that are tighter than a radius.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, Report};
+/// use cyclide_io::{Document, Report, report::GeometryReport};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// let built = document.build()?;
 /// let report = Report::new(document.units, &built, None).with_min_radius(&built, 1.0)?;

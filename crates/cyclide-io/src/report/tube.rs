@@ -13,8 +13,8 @@ use crate::document::kinds::RadiusOf;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
 /// assert!(found.tubes[0].proof == "exact" && found.tubes[0].within == 0.0);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -18,7 +18,7 @@ const PLACES: usize = 9;
 /// The report on an object of volumes. Lengths are in the document's units.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}}}}}}}"#);
 /// let document: Document = text.parse()?;
@@ -68,7 +68,7 @@ pub struct VolumeReport {
 /// Whether a block folds, and where.
 ///
 /// ```
-/// use cyclide_io::FoldsReport;
+/// use cyclide_io::report::FoldsReport;
 /// let text = serde_json::to_string(&FoldsReport::Folded { block: 0, at: [0.5, 0.0, 1.0] });
 /// assert_eq!(text.expect("it is plain"), r#"{"verdict":"folded","block":0,"at":[0.5,0.0,1.0]}"#);
 /// ```
@@ -123,7 +123,7 @@ impl FoldsReport {
 /// measure.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}, "cells": 4}}}}}}"#);
 /// let document: Document = text.parse()?;
@@ -165,7 +165,7 @@ pub struct CellsReport {
 /// Which cell of a structured grid.
 ///
 /// ```
-/// use cyclide_io::CellPlace;
+/// use cyclide_io::report::CellPlace;
 /// let text = serde_json::to_string(&CellPlace { block: 3, at: [0, 7, 1] });
 /// assert_eq!(text.expect("it is plain"), r#"{"block":3,"at":[0,7,1]}"#);
 /// ```

@@ -10,7 +10,7 @@ use crate::document::Remark;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[0, 0], [1, 1], [1, 1], [3, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
 /// assert_eq!(report.warnings[0].reason, "points-merged");
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

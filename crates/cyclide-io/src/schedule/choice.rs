@@ -12,7 +12,7 @@ use crate::document::{BuiltObject, OfPanels};
 /// An object that is not in a schedule.
 ///
 /// ```
-/// use cyclide_io::{Document, ScheduleOptions, WorkshopSchedule};
+/// use cyclide_io::{Document, schedule::{ScheduleOptions, WorkshopSchedule}};
 /// let text = r#"{"cyclide": 1, "objects": {
 ///     "p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]},
 ///     "c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;

@@ -3,7 +3,7 @@
 /// Why a model has no schedule.
 ///
 /// ```
-/// use cyclide_io::{Document, ScheduleError, ScheduleOptions, WorkshopSchedule};
+/// use cyclide_io::{Document, schedule::{ScheduleError, ScheduleOptions, WorkshopSchedule}};
 /// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
 /// let document: Document = text.parse()?;
 /// let error = WorkshopSchedule::new(document.units, &document.build()?, &ScheduleOptions::default()).unwrap_err();

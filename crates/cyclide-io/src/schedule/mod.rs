@@ -43,7 +43,7 @@ const LENGTH_LIMIT: f64 = 1e-9;
 /// Options of a schedule.
 ///
 /// ```
-/// use cyclide_io::ScheduleOptions;
+/// use cyclide_io::schedule::ScheduleOptions;
 /// let options = ScheduleOptions { thickness: Some(0.02), ..ScheduleOptions::default() };
 /// assert!(options.objects.is_empty() && options.beam_depth.is_none());
 /// ```
@@ -64,7 +64,7 @@ pub struct ScheduleOptions {
 /// The schedule of the nets of a model.
 ///
 /// ```
-/// use cyclide_io::{Document, ScheduleOptions, WorkshopSchedule};
+/// use cyclide_io::{Document, schedule::{ScheduleOptions, WorkshopSchedule}};
 /// let text = r#"{"cyclide": 1, "units": "m", "objects": {"ring": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]}}}"#;
 /// let document: Document = text.parse()?;
 /// let options = ScheduleOptions { thickness: Some(-0.1), ..ScheduleOptions::default() };

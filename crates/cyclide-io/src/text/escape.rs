@@ -47,8 +47,8 @@ fn is_hidden(c: char) -> bool {
 /// A name or a piece of a file as one line of a message shows it: line ends and tabs too are escaped.
 ///
 /// ```
-/// assert_eq!(cyclide_io::escaped("gnp.\u{202e}exe\n"), r"gnp.\u{202e}exe\n");
-/// assert_eq!(cyclide_io::escaped("Möbius"), "Möbius");
+/// assert_eq!(cyclide_io::text::escaped("gnp.\u{202e}exe\n"), r"gnp.\u{202e}exe\n");
+/// assert_eq!(cyclide_io::text::escaped("Möbius"), "Möbius");
 /// ```
 #[must_use]
 pub fn escaped(text: &str) -> Cow<'_, str> {
@@ -58,7 +58,7 @@ pub fn escaped(text: &str) -> Cow<'_, str> {
 /// A text of several lines as a terminal shows it: as [`escaped`], except for the line feeds.
 ///
 /// ```
-/// assert_eq!(cyclide_io::escaped_lines("one\n\u{1b}[2Jtwo\n"), "one\n\\u{1b}[2Jtwo\n");
+/// assert_eq!(cyclide_io::text::escaped_lines("one\n\u{1b}[2Jtwo\n"), "one\n\\u{1b}[2Jtwo\n");
 /// ```
 #[must_use]
 pub fn escaped_lines(text: &str) -> Cow<'_, str> {
@@ -68,7 +68,7 @@ pub fn escaped_lines(text: &str) -> Cow<'_, str> {
 /// A JSON text with the same characters escaped in its strings, as JSON does it: the value stays what it is.
 ///
 /// ```
-/// assert_eq!(cyclide_io::escaped_json("{\n\t\"a\": \"\u{202e}\u{e0041}\"}"), "{\n\t\"a\": \"\\u202e\\udb40\\udc41\"}");
+/// assert_eq!(cyclide_io::text::escaped_json("{\n\t\"a\": \"\u{202e}\u{e0041}\"}"), "{\n\t\"a\": \"\\u202e\\udb40\\udc41\"}");
 /// ```
 #[must_use]
 pub fn escaped_json(text: &str) -> Cow<'_, str> {

@@ -8,3 +8,7 @@ pub(crate) mod number;
 pub(crate) mod place;
 pub(crate) mod suggest;
 pub(crate) mod xml;
+
+pub use escape::{escaped, escaped_json, escaped_lines};
+pub use place::{Diagnostic, Source, decode};
+pub use suggest::{did_you_mean, similar};

@@ -10,7 +10,7 @@ use crate::text::lines::line_ends;
 /// A text with the name under which messages speak of it.
 ///
 /// ```
-/// use cyclide_io::Source;
+/// use cyclide_io::text::Source;
 /// let source = Source { name: "p.csv", text: "1,2\n3;4\n" };
 /// let message = source.diagnostic(5..6, "", "a comma is needed");
 /// assert!(message.to_string().contains("p.csv:2:2"));
@@ -28,7 +28,7 @@ pub struct Source<'a> {
 /// Displayed as `file:line:column: path: message`, then the line with carets under the piece.
 ///
 /// ```
-/// use cyclide_io::Source;
+/// use cyclide_io::text::Source;
 /// let source = Source { name: "p.csv", text: "1,2\n3;4\n" };
 /// let message = source.diagnostic(5..6, "", "a comma is needed");
 /// assert!(message.to_string().contains("p.csv:2:2"));
@@ -177,9 +177,9 @@ const HEAD: usize = 4096;
 /// The text of bytes that must be UTF-8, without a byte-order mark.
 ///
 /// ```
-/// assert_eq!(cyclide_io::decode("a.csv", b"\xef\xbb\xbf1,2")?.trim_start_matches('\u{feff}'), "1,2");
-/// assert!(cyclide_io::decode("a.csv", b"\xff\xff").is_err());
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// assert_eq!(cyclide_io::text::decode("a.csv", b"\xef\xbb\xbf1,2")?.trim_start_matches('\u{feff}'), "1,2");
+/// assert!(cyclide_io::text::decode("a.csv", b"\xff\xff").is_err());
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 ///
 /// # Errors

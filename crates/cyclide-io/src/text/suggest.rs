@@ -14,7 +14,7 @@ const SHORTEST_PART: usize = 3;
 /// those that begin alike (`tol`, `tolerance`; `rotate`, `rotation`). Capitals and the kind of dash do not count.
 ///
 /// ```
-/// assert_eq!(cyclide_io::similar("circel", ["circle", "arc"]), ["circle"]);
+/// assert_eq!(cyclide_io::text::similar("circel", ["circle", "arc"]), ["circle"]);
 /// ```
 #[must_use]
 pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
@@ -52,7 +52,7 @@ pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<
 /// The end of a message about an unknown word: `; did you mean `radius`?`, or nothing.
 ///
 /// ```
-/// assert_eq!(cyclide_io::did_you_mean("circel", ["circle", "arc"]), "; did you mean `circle`?");
+/// assert_eq!(cyclide_io::text::did_you_mean("circel", ["circle", "arc"]), "; did you mean `circle`?");
 /// ```
 #[must_use]
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {

@@ -12,7 +12,9 @@ use cyclide::{
     volume::{CyclideGrid, CyclideVolume, Grading, SphericalCube, VolumeFrame},
 };
 use cyclide_io::{
-    ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,
+    ExportOptions, Exporter, Format,
+    export::{Provenance, VtuCells, VtuEncoding},
+    formats::{export, file_deviation, read_back},
 };
 
 const FORMATS: [Format; 3] = [Format::Vtu, Format::Mfem, Format::Gismo];

@@ -5,7 +5,10 @@ use cyclide::{
     model::{GridObject, Item, Model, SurfaceObject, Units},
     surface::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, QuadGrid},
 };
-use cyclide_io::{ExportOptions, Exported, Exporter, Format, GivenSurface, LaidField, PictureColour, Provenance};
+use cyclide_io::{
+    ExportOptions, Exporter, Format,
+    export::{Exported, GivenSurface, LaidField, PictureColour, Provenance},
+};
 use tiny_skia::Pixmap;
 
 fn options(colour: PictureColour, plain: bool) -> ExportOptions {

@@ -8,7 +8,10 @@ use cyclide::{
     curve::BlendVariant,
     model::{CurveObject, Model},
 };
-use cyclide_io::{DxfVersion, ExportOptions, Format, StepEdges};
+use cyclide_io::{
+    ExportOptions, Format,
+    export::{DxfVersion, StepEdges},
+};
 use serde_json::{Value, json};
 
 /// Two curves in space, each of several arcs and segments.

@@ -1,7 +1,12 @@
 //! Damaged copies of right files.
 
 use cyclide::model::Model;
-use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation};
+use cyclide_io::{
+    ExportOptions, Format,
+    check::ReadError,
+    export::Exported,
+    formats::{export, file_deviation},
+};
 
 /// A right file of a model, of which damaged copies are checked.
 pub struct Damage {

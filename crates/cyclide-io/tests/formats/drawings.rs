@@ -7,7 +7,10 @@ use cyclide::{
     curve::BlendVariant,
     model::{CurveObject, Model, Units},
 };
-use cyclide_io::{ExportOptions, Format, export, file_deviation};
+use cyclide_io::{
+    ExportOptions, Format,
+    formats::{export, file_deviation},
+};
 
 fn svg(m: &Model, options: &ExportOptions) -> String {
     String::from_utf8(export(m, Format::Svg, options).unwrap().bytes).unwrap()
@@ -134,7 +137,7 @@ fn plans_of_surfaces_are_measured_line_by_line() {
         assert!((file_deviation(&m, Format::Svg, &wrong).unwrap() - 5.0).abs() < 2.0);
         // A line less: said.
         wrong.bytes = text.replacen("<path d=", "<path data-d=", 1).into_bytes();
-        assert!(matches!(file_deviation(&m, Format::Svg, &wrong), Err(cyclide_io::ReadError::LineCount { .. })));
+        assert!(matches!(file_deviation(&m, Format::Svg, &wrong), Err(cyclide_io::check::ReadError::LineCount { .. })));
     }
 }
 

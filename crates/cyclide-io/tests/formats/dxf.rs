@@ -5,7 +5,11 @@ use cyclide::{
     curve::BlendVariant,
     model::{CurveObject, Model, Units},
 };
-use cyclide_io::{DxfVersion, ExportOptions, Format, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    export::DxfVersion,
+    formats::{export, file_deviation, read_back},
+};
 
 fn with(m: &Model, options: &ExportOptions) -> Vec<(u16, String)> {
     let text = String::from_utf8(export(m, Format::Dxf, options).unwrap().bytes).unwrap();

@@ -2,7 +2,10 @@
 
 use crate::models::{annulus, bent_quad, curve_and_surfaces, octant, surfaces, torus_part};
 use cyclide::Point3;
-use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    formats::{export, file_deviation, read_back},
+};
 use serde_json::Value;
 
 #[test]

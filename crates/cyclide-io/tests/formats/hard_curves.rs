@@ -1,7 +1,7 @@
 //! Curves at the edge of what doubles carry: every format keeps its promise, or the document is refused by name.
 
 use cyclide::model::Model;
-use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, export};
+use cyclide_io::{Document, ExportOptions, Format, ModelBuilder, formats::export, report::FileReport};
 use serde_json::{Value, json};
 use std::path::Path;
 

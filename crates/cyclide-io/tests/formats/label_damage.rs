@@ -6,7 +6,10 @@ use cyclide::{
     Point3,
     model::{Model, Units},
 };
-use cyclide_io::{DxfVersion, ExportOptions, Format, StepProducts};
+use cyclide_io::{
+    ExportOptions, Format,
+    export::{DxfVersion, StepProducts},
+};
 
 /// Two objects with the same curve in other places, in inches.
 pub fn twins() -> Model {

@@ -2,7 +2,11 @@
 
 use crate::models::{coil, flat, mixed, model, space_chain};
 use cyclide::model::{CurveObject, Model};
-use cyclide_io::{DxfVersion, ExportOptions, Format, VtuEncoding, export, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    export::{DxfVersion, VtuEncoding},
+    formats::{export, read_back},
+};
 use proptest::prelude::*;
 use std::sync::OnceLock;
 
@@ -138,7 +142,7 @@ fn what_is_wrong_is_said_with_its_place() {
         assert!(message.contains(part), "{format:?}: {message}");
     }
     #[cfg(feature = "png")]
-    assert_eq!(read_back(Format::Png, b"x").unwrap_err(), cyclide_io::ReadError::NoGeometry { format: "png" });
+    assert_eq!(read_back(Format::Png, b"x").unwrap_err(), cyclide_io::check::ReadError::NoGeometry { format: "png" });
 }
 
 #[test]

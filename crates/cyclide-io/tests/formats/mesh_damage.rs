@@ -2,7 +2,12 @@
 
 use crate::models::{bent_quad, surfaces, torus_part};
 use cyclide::{Point3, model::Model};
-use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation};
+use cyclide_io::{
+    ExportOptions, Format,
+    check::ReadError,
+    export::Exported,
+    formats::{export, file_deviation},
+};
 
 /// Head of an STL file, and its records.
 const HEAD: usize = 84;

@@ -7,7 +7,10 @@ use cyclide::{
     model::{CurveObject, Item, Model, SurfaceObject},
     surface::DupinCyclide,
 };
-use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    formats::{export, file_deviation, read_back},
+};
 use std::collections::HashMap;
 
 const FORMATS: [Format; 4] = [Format::Glb, Format::Obj, Format::Stl, Format::Ply];

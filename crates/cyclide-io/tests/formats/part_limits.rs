@@ -6,7 +6,7 @@ use cyclide::{
     curve::{Arc, ArcPath, CircleSpline, CircleSplineOptions},
     model::{CurveObject, Model},
 };
-use cyclide_io::{CheckError, ExportOptions, Exporter, Format};
+use cyclide_io::{ExportOptions, Exporter, Format, report::CheckError};
 use std::path::Path;
 
 /// The message about a file in which one word was exchanged, and that the file is right without.

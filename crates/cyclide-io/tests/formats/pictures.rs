@@ -7,7 +7,7 @@ use cyclide::{
     model::{CurveObject, Item, Model, Units},
     surface::CyclidePatch,
 };
-use cyclide_io::{ExportOptions, Format, export};
+use cyclide_io::{ExportOptions, Format, formats::export};
 use tiny_skia::Pixmap;
 
 fn model(surface: CyclidePatch) -> Model {
@@ -112,7 +112,8 @@ fn blocks_show_their_inside() {
     let halves = || vec![0.0, 0.5, 1.0];
     let one = || vec![0.0, 1.0];
     let divided = |places| {
-        let given = [cyclide_io::Provenance { kind: "cyclide-volume", places: Some(places), ..Default::default() }];
+        let given =
+            [cyclide_io::export::Provenance { kind: "cyclide-volume", places: Some(places), ..Default::default() }];
         let options = ExportOptions { png_plain: true, ..ExportOptions::default() };
         let exporter = cyclide_io::Exporter::with_provenance(&model, &given).unwrap();
         Pixmap::decode_png(&exporter.export(Format::Png, &options).unwrap().bytes).unwrap()

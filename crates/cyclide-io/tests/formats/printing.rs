@@ -7,7 +7,10 @@ use cyclide::{
     model::{Model, Units},
     surface::DupinCyclide,
 };
-use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    formats::{export, file_deviation, read_back},
+};
 
 fn with_tolerance(tolerance: f64) -> ExportOptions {
     ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() }
@@ -81,7 +84,7 @@ fn damage_of_ply_is_found_out() {
     let damage = Damage::new(curve_and_surfaces(), Format::Ply);
     let text = String::from_utf8_lossy(&damage.file.bytes).into_owned();
     let start = text.find("end_header\n").unwrap() + 11;
-    let of = |changed: Result<f64, cyclide_io::ReadError>| {
+    let of = |changed: Result<f64, cyclide_io::check::ReadError>| {
         changed.map_or_else(|e| e.to_string(), |off| format!("off by {off:e}"))
     };
     // The sign of the first coordinate, of the first normal, and the object of the first vertex.

@@ -5,7 +5,7 @@ use cyclide::{
     rational::RationalBezierSurface,
     topology::{Body, Shell},
 };
-use cyclide_io::{ExportOptions, Exporter, FileReport, Format, StepEdges, read_back};
+use cyclide_io::{ExportOptions, Exporter, Format, export::StepEdges, formats::read_back, report::FileReport};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 use std::path::Path;
 

@@ -1,7 +1,11 @@
 //! Documents whose files are right and were once refused, or whose bound was once exceeded without a word.
 
 use cyclide::model::Model;
-use cyclide_io::{CheckError, Document, DxfVersion, ExportOptions, Exporter, FileReport, Format, ModelBuilder};
+use cyclide_io::{
+    Document, ExportOptions, Exporter, Format, ModelBuilder,
+    export::DxfVersion,
+    report::{CheckError, FileReport},
+};
 use serde_json::{Value, json};
 use std::path::Path;
 

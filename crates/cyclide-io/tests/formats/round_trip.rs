@@ -6,7 +6,12 @@ use cyclide::{
     curve::{Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, ParamCurve, bounds},
     model::{CurveObject, Model},
 };
-use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Format,
+    check::ReadError,
+    export::Exported,
+    formats::{export, file_deviation, read_back},
+};
 
 const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
 

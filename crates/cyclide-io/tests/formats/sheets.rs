@@ -6,7 +6,11 @@ use cyclide::{
     curve::{Arc, BlendVariant, Circle},
     model::{CurveObject, Model},
 };
-use cyclide_io::{Camera, ExportOptions, Exporter, Format, Provenance, export};
+use cyclide_io::{
+    ExportOptions, Exporter, Format,
+    export::{Camera, Provenance},
+    formats::export,
+};
 use std::collections::HashMap;
 use tiny_skia::Pixmap;
 

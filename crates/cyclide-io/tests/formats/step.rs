@@ -2,7 +2,10 @@
 
 use crate::models::{Map, bulges, flat, mixed, model, splines, tilted};
 use cyclide::model::{CurveObject, Units};
-use cyclide_io::{ExportOptions, Format, export, file_deviation};
+use cyclide_io::{
+    ExportOptions, Format,
+    formats::{export, file_deviation},
+};
 
 fn text(m: &cyclide::model::Model) -> String {
     let file = export(m, Format::Step, &ExportOptions::default()).unwrap();

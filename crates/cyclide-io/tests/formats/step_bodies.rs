@@ -6,8 +6,10 @@ use cyclide::{
     surface::CyclidePatch,
 };
 use cyclide_io::{
-    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepFaces, StepProducts, export,
-    file_deviation, read_back,
+    ExportOptions, Format,
+    check::{FileSurface, ReadError},
+    export::{Exported, StepEdges, StepFaces, StepProducts},
+    formats::{export, file_deviation, read_back},
 };
 
 fn model(items: Vec<(&str, SurfaceObject)>) -> Model {

@@ -17,8 +17,9 @@ use cyclide::{
     motion::Pose,
 };
 use cyclide_io::{
-    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, MotionReport, MotionSamples,
-    Report, SamplePlaces, Spacing, sample,
+    Document, ExportOptions, Exporter, Format, ModelBuilder, Report,
+    document::BuiltObject,
+    report::{GeometryReport, MotionReport, MotionSamples, SamplePlaces, Spacing, sample},
 };
 
 /// Builds all objects; `poses.csv` and `box.obj` are files.
@@ -434,7 +435,7 @@ fn the_report_says_when_poses_are_passed() {
     let table = "name,t,x,y,z\nhome,0,0,0,0\npick,1,30,0,0\nplace,4,120,0,0\n";
     let report = |fields: &str| {
         let all = build_all(&motion(&format!(r#""poses": {{"csv": "poses.csv"}}, "kind": "sclerp"{fields}"#)), table);
-        match cyclide_io::ObjectReport::new(&all.unwrap()[0], None).geometry {
+        match cyclide_io::report::ObjectReport::new(&all.unwrap()[0], None).geometry {
             GeometryReport::Motion(found) => found.pose_times,
             _ => None,
         }
@@ -470,7 +471,7 @@ fn times_of_cubics_and_far_poses() {
     let poses = r#"[{"position": [0, 1, 0], "quaternion": [1, 0.3, 0, 0.1]}, {"position": [1, 1, 0.2], "quaternion": [1, 0.3, 0.5, 0.1]},
         {"position": [2.2, 1, 1], "quaternion": [0.8, 0.3, 0.9, 0.1]}, {"position": [3, 1, 1], "quaternion": [0.4, 0.3, 1.2, 0.1]}]"#;
     let built = build(&motion(&format!(r#""kind": "cubic", "poses": {poses}, "duration": 6"#))).unwrap();
-    let GeometryReport::Motion(found) = cyclide_io::ObjectReport::new(&built, None).geometry else {
+    let GeometryReport::Motion(found) = cyclide_io::report::ObjectReport::new(&built, None).geometry else {
         panic!("a motion")
     };
     let times = found.pose_times.unwrap();

@@ -2,7 +2,7 @@
 
 use crate::{build, build_all, end, motion};
 use cyclide::{Vec3, motion::Pose};
-use cyclide_io::BuiltObject;
+use cyclide_io::document::BuiltObject;
 
 #[test]
 fn tables_of_matrices_are_poses() {

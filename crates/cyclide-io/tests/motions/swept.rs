@@ -1,7 +1,10 @@
 //! Files of what moving curves run over: out and back, and over rests.
 
 use crate::{build_all, model};
-use cyclide_io::{ExportOptions, Exporter, Format, GeometryReport, ObjectReport};
+use cyclide_io::{
+    ExportOptions, Exporter, Format,
+    report::{GeometryReport, ObjectReport},
+};
 
 const CIRCLE: &str =
     r#"{"type": "circle", "center": [0, 0, 0], "radius": 1, "normal": [1, 0, 0], "construction": true}"#;

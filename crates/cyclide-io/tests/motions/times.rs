@@ -1,7 +1,7 @@
 //! When bodies are sampled, how fast they are then, and times that follow from the poses.
 
 use crate::{build, build_all, motion, reported};
-use cyclide_io::{MotionSamples, SamplePlaces};
+use cyclide_io::report::{MotionSamples, SamplePlaces};
 
 /// Every so many seconds and at the end, with speeds that are those of the poses; what was sampled is a table of poses.
 #[test]
@@ -126,7 +126,7 @@ fn places_faster_than_limits_are_named() {
             assert!(found.windows(2).all(|parts| parts[0].to < parts[1].from), "{found:?}");
         }
     }
-    let limits = cyclide_io::SpeedLimits { speed: Some(5.0), angular_speed: Some(100.0) };
+    let limits = cyclide_io::report::SpeedLimits { speed: Some(5.0), angular_speed: Some(100.0) };
     let built = [build(&motion(fields)).unwrap()];
     let report =
         cyclide_io::Report::new(cyclide::model::Units::Millimetre, &built, None).with_speed_limits(&built, limits);

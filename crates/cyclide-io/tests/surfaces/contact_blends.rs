@@ -2,7 +2,7 @@
 
 use super::{build, surface};
 
-fn blend(fields: &str) -> Result<cyclide_io::BuiltObject, String> {
+fn blend(fields: &str) -> Result<cyclide_io::document::BuiltObject, String> {
     build(&format!(r#""c": {{"type": "contact-blend", {fields}}}"#))
 }
 

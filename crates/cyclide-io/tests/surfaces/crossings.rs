@@ -2,7 +2,7 @@
 
 use super::{build, surface};
 
-fn crossing(fields: &str) -> Result<cyclide_io::BuiltObject, String> {
+fn crossing(fields: &str) -> Result<cyclide_io::document::BuiltObject, String> {
     build(&format!(r#""c": {{"type": "pipe-crossing", {fields}}}"#))
 }
 

@@ -24,7 +24,7 @@ mod volumes;
 use std::path::Path;
 
 use cyclide::{Point3, surface::ParamSurface as _};
-use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, Report};
+use cyclide_io::{Document, ModelBuilder, Report, document::BuiltObject, report::GeometryReport};
 
 /// Builds the last object of a document with these objects, written one per line from line 2.
 fn build(objects: &str) -> Result<BuiltObject, String> {
@@ -44,7 +44,7 @@ const OCTANT: &str =
     r#""o": {"type": "cyclide-patch", "corners": [[3,0,0],[1,2,0],[1,0,2],[1,0,2]], "frame": [[0,3,0],[0,0,1]]}"#;
 const CIRCLE: &str = r#""c": {"type": "circle", "center": [5, 0], "radius": 1}"#;
 
-fn surface(built: &BuiltObject) -> cyclide_io::SurfaceReport {
+fn surface(built: &BuiltObject) -> cyclide_io::report::SurfaceReport {
     let report = Report::new(cyclide::model::Units::Millimetre, std::slice::from_ref(built), None);
     let Some(GeometryReport::Surface(surface)) = report.objects.into_values().next().map(|o| o.geometry) else {
         panic!("a surface")

@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport};
+use cyclide_io::{
+    Document, ModelBuilder,
+    document::BuiltObject,
+    report::{GeometryReport, ObjectReport},
+};
 
 /// A dome of sectors of 5 x 5 quads round one vertex, whose edges cross at right angles from above.
 fn dome(sectors: usize, height: f64) -> String {

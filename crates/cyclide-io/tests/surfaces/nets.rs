@@ -3,7 +3,7 @@
 use cyclide::error::PatchError;
 use std::path::Path;
 
-use cyclide_io::{Document, Error, GeometryReport, ModelBuilder, Report};
+use cyclide_io::{Document, Error, ModelBuilder, Report, report::GeometryReport};
 
 use super::{build, cylinder, surface};
 

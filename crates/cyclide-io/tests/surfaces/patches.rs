@@ -1,7 +1,10 @@
 //! Patches: what their report says, frames, samples, joints.
 
 use cyclide::{Point3, Vec3, model::SurfaceObject};
-use cyclide_io::{GeometryReport, Report, Spacing, sample};
+use cyclide_io::{
+    Report,
+    report::{GeometryReport, Spacing, sample},
+};
 
 use super::{OCTANT, build, point, surface};
 

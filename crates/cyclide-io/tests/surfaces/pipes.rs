@@ -1,6 +1,6 @@
 //! Pipes about curves.
 
-use cyclide_io::BuiltObject;
+use cyclide_io::document::BuiltObject;
 
 use super::{build, surface};
 

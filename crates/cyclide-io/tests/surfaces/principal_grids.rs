@@ -5,8 +5,10 @@ use std::path::Path;
 
 use cyclide::model::{Model, Units};
 use cyclide_io::{
-    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, ObjectReport,
-    PrincipalReport, VtuCells,
+    Document, ExportOptions, Exporter, Format, ModelBuilder,
+    document::BuiltObject,
+    export::VtuCells,
+    report::{GeometryReport, ObjectReport, PrincipalReport},
 };
 
 const COUNT: usize = 17;

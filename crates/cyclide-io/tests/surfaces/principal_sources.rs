@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cyclide_io::BuiltObject;
+use cyclide_io::document::BuiltObject;
 
 use super::principal_grids::{NET, build_reading, obj, report};
 

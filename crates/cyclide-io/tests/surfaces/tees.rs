@@ -2,7 +2,7 @@
 
 use super::{build, surface};
 
-fn tee(branches: &str, rest: &str) -> Result<cyclide_io::BuiltObject, String> {
+fn tee(branches: &str, rest: &str) -> Result<cyclide_io::document::BuiltObject, String> {
     build(&format!(
         r#""t": {{"type": "pipe-tee", "main": {{"radius": 12, "ends": [-50, 60]}}, "branches": [{branches}]{rest}}}"#
     ))

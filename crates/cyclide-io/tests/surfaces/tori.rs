@@ -6,7 +6,11 @@ use cyclide::{
     model::CurveObject,
     surface::{Torus, TorusSpline},
 };
-use cyclide_io::{BuiltObject, CurvesReport, GeometryReport, Report, Spacing, sample};
+use cyclide_io::{
+    Report,
+    document::BuiltObject,
+    report::{CurvesReport, GeometryReport, Spacing, sample},
+};
 
 use super::{build, surface};
 

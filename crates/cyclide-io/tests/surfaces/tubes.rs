@@ -2,7 +2,7 @@
 
 use super::{build, surface};
 
-fn tube(fields: &str) -> Result<cyclide_io::BuiltObject, String> {
+fn tube(fields: &str) -> Result<cyclide_io::document::BuiltObject, String> {
     build(&format!(r#""t": {{"type": "tube", {fields}}}"#))
 }
 
@@ -29,7 +29,9 @@ fn tubes_along_curves_are_within_their_tolerance() {
     // Along segments any law is one of the parameter; balls of it are within a bound.
     let law = r#"[{"at": 0.2, "radius": 1}, {"at": 0.6, "radius": 2}]"#;
     let bulge = surface(&cone(law).unwrap());
-    assert!(bulge.tubes[0].proof == "exact" && bulge.tubes[0].radius_of == cyclide_io::kinds::RadiusOf::Sections);
+    assert!(
+        bulge.tubes[0].proof == "exact" && bulge.tubes[0].radius_of == cyclide_io::document::kinds::RadiusOf::Sections
+    );
     let balls = surface(&cone(&format!(r#"{law}, "radius_of": "balls""#)).unwrap());
     assert!(balls.tubes[0].proof == "proved" && balls.tubes[0].within <= 1e-3, "{:?}", balls.tubes);
     assert_eq!((bulge.tubes[0].radius.min, bulge.tubes[0].radius.max), (1.0, 2.0));

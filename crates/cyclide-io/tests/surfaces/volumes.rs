@@ -1,7 +1,7 @@
 //! Volumes: grids of blocks, layers, cells, the outer boundary, and what is refused of them.
 
 use cyclide::volume::ParamVolume as _;
-use cyclide_io::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
+use cyclide_io::report::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
 
 use super::build;
 
@@ -137,7 +137,7 @@ fn what_comes_too_near_infinity_is_right_or_not_known() {
 fn is_drawn(item: cyclide::model::Item) {
     let model = cyclide::model::Model { units: cyclide::model::Units::Millimetre, items: vec![item] };
     let options = cyclide_io::ExportOptions { max_pieces: Some(200_000), ..cyclide_io::ExportOptions::default() };
-    let drawn = cyclide_io::export(&model, cyclide_io::Format::Png, &options);
+    let drawn = cyclide_io::formats::export(&model, cyclide_io::Format::Png, &options);
     assert!(drawn.is_ok_and(|picture| picture.bytes.len() > 1000));
 }
 
@@ -372,7 +372,7 @@ fn the_table_of_cells_holds_the_nodes() {
 #[test]
 fn the_range_of_the_jacobian_has_the_fold() {
     let found = report(r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [2,0,0], [0,0,1]]}"#);
-    assert!(matches!(found.folds, cyclide_io::FoldsReport::Folded { .. }), "{:?}", found.folds);
+    assert!(matches!(found.folds, cyclide_io::report::FoldsReport::Folded { .. }), "{:?}", found.folds);
     assert!(found.jacobian.min <= 1e-12, "{:?}", found.jacobian);
 }
 

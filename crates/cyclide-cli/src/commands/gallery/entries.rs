@@ -1,6 +1,6 @@
 //! The models of the gallery: the documents of the folder `examples`, with what they show.
 
-use cyclide_io::{Format, PictureColour};
+use cyclide_io::{Format, export::PictureColour};
 
 /// One model.
 pub struct Entry {

@@ -5,7 +5,10 @@ use std::fmt::Write as _;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use cyclide::ShortNumber;
-use cyclide_io::{Format, GeometryReport, Report, SurfaceReport};
+use cyclide_io::{
+    Format, Report,
+    report::{GeometryReport, SurfaceReport},
+};
 
 use super::entries::Entry;
 

@@ -91,7 +91,7 @@ pub struct ContactBlendSpec {
 /// A cylinder, or with a taper a cone.
 ///
 /// ```
-/// use cyclide_io::{Document, ObjectSpec};
+/// use cyclide_io::{Document, document::ObjectSpec};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "tube": {"radius": 10, "taper": {"degrees": 5}, "length": 90}, "sphere": 40, "blend": 6}}}"#.parse()?;
 /// let ObjectSpec::ContactBlend(spec) = &document.objects[0].1 else { panic!("it is one") };
 /// let tube = spec.tube.as_ref().expect("it has one");

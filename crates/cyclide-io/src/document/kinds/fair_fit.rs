@@ -61,7 +61,7 @@ use crate::error::Result;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "fair-fit", "tolerance": 0.2, "points": [[0, 0], [1, 0.1], [2, 0], [3, 0.1], [4, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// let Some(cyclide_io::document::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
 /// assert!(certificate.deviation <= 0.2);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -137,7 +137,7 @@ pub struct FairFitSpec {
 /// let points: Vec<String> = (0..60).map(|k| format!("[{k}, {}]", 0.02 * f64::from(k * k % 7))).collect();
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"f": {{"type": "fair-fit", "tolerance": "auto", "points": [{}]}}}}}}"#, points.join(","));
 /// let built = text.parse::<Document>()?.build()?;
-/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// let Some(cyclide_io::document::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
 /// assert!(certificate.noise.is_some_and(|noise| noise > 0.02 && noise < 0.06));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
@@ -168,7 +168,7 @@ impl FairTolerance {
 /// The word `auto`.
 ///
 /// ```
-/// assert_eq!(cyclide_io::kinds::FairTolerance::AUTO.within(), None);
+/// assert_eq!(cyclide_io::document::kinds::FairTolerance::AUTO.within(), None);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]

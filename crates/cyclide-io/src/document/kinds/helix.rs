@@ -64,7 +64,7 @@ pub struct HelixSpec {
 /// The handedness of a helix.
 ///
 /// ```
-/// use cyclide_io::kinds::Hand;
+/// use cyclide_io::document::kinds::Hand;
 /// assert_eq!(Hand::default(), Hand::Right);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]

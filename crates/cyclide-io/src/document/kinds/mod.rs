@@ -89,7 +89,7 @@ macro_rules! kinds {
             /// The same by group, as manuals list them: the name of each group and the words of its types.
             ///
             /// ```
-            /// use cyclide_io::ObjectSpec;
+            /// use cyclide_io::document::ObjectSpec;
             /// let (name, words) = ObjectSpec::GROUPS[0];
             /// assert_eq!((name, words[0]), ("Curves", "arc"));
             /// ```

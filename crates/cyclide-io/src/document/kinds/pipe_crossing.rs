@@ -114,9 +114,9 @@ impl CrossingPipeSpec {
 /// The radius of the ball of a crossing, or a law of it.
 ///
 /// ```
-/// use cyclide_io::{Document, kinds::CrossingBlendSpec};
+/// use cyclide_io::{Document, document::kinds::CrossingBlendSpec};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::PipeCrossing(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::ObjectSpec::PipeCrossing(spec) = &document.objects[0].1 else { unreachable!("by its type") };
 /// assert_eq!(spec.blend, CrossingBlendSpec::Radius(4.0));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -131,8 +131,8 @@ pub struct TeeBranchSpec {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
-/// assert_eq!(spec.branches[0].blend, cyclide_io::kinds::TeeBlendSpec::Radius(3.0));
+/// let cyclide_io::document::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.branches[0].blend, cyclide_io::document::kinds::TeeBlendSpec::Radius(3.0));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
@@ -150,8 +150,8 @@ pub enum TeeBlendSpec {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"crotch": 4, "flank": 2}}]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
-/// let cyclide_io::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// let cyclide_io::document::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
 /// assert_eq!((law.crotch, law.flank), (Some(4.0), Some(2.0)));
 /// let built = document.build()?;
 /// assert!(built[0].bodies[0].is_solid());
@@ -193,8 +193,8 @@ pub struct TeeLawSpec {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"values": [{"angle": 0, "radius": 4}, {"angle": {"degrees": 90}, "radius": 2}]}}]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
-/// let cyclide_io::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// let cyclide_io::document::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::kinds::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
 /// let values = law.values.as_ref().expect("they are given");
 /// assert_eq!((values[1].angle.radians(), values[1].radius), (std::f64::consts::FRAC_PI_2, 2.0));
 /// # Ok::<(), cyclide_io::Error>(())

@@ -35,8 +35,8 @@ use crate::input::triangle_mesh::{BadPolygons, TriangleMesh};
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
 /// // Rounder than the octahedron, and within the ball.
 /// assert!(found.volume.is_some_and(|volume| volume > 4.0 / 3.0 && volume < 4.2));
 /// # Ok::<(), cyclide_io::Error>(())
@@ -80,8 +80,8 @@ pub struct SmoothMeshSpec {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!(found.normals, Some("sphere"));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -25,8 +25,8 @@ use crate::error::{Error, Result};
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "sphere-blend", "corners": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "normals": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let report = cyclide_io::ObjectReport::new(&built[0], None);
-/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// let report = cyclide_io::report::ObjectReport::new(&built[0], None);
+/// let cyclide_io::report::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
 /// assert_eq!((found.triangles, found.vertices, found.closed), (1, 3, false));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

@@ -88,7 +88,7 @@ pub struct SweepSpec {
 /// How what a closed curve runs over ends.
 ///
 /// ```
-/// use cyclide_io::kinds::SweepEnds;
+/// use cyclide_io::document::kinds::SweepEnds;
 /// assert_eq!(SweepEnds::default(), SweepEnds::Flat);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]

@@ -102,8 +102,8 @@ pub struct TorusSplineSpec {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
-/// assert_eq!(spec.method, cyclide_io::kinds::TorusMethod::General);
+/// let cyclide_io::document::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.method, cyclide_io::document::kinds::TorusMethod::General);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
@@ -123,8 +123,8 @@ pub enum TorusMethod {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [3, 0]], "closed": true, "winding": [1, 2]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
-/// assert_eq!(spec.winding, Some(cyclide_io::kinds::WindingSpec::Total([1, 2])));
+/// let cyclide_io::document::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.winding, Some(cyclide_io::document::kinds::WindingSpec::Total([1, 2])));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]

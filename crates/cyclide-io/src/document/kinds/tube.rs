@@ -94,7 +94,7 @@ pub struct TubeSpec {
 /// The radius along a curve, as fractions of its length and radii there.
 ///
 /// ```
-/// use cyclide_io::kinds::RadiusLawSpec;
+/// use cyclide_io::document::kinds::RadiusLawSpec;
 /// let law: RadiusLawSpec = serde_json::from_str("[2, 3, 2]")?;
 /// assert_eq!(law.values, [[0.0, 2.0], [0.5, 3.0], [1.0, 2.0]]);
 /// # Ok::<(), serde_json::Error>(())

@@ -42,7 +42,7 @@ pub struct ContourFacts {
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[0, 0], [1, 0.05], [2, 0]]}}}"#.parse()?;
 /// let built = document.build()?;
-/// let Some(cyclide_io::Fitted::Arcs(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// let Some(cyclide_io::document::Fitted::Arcs(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
 /// assert!(certificate.deviation <= 0.1);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```

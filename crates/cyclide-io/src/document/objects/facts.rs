@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// Facts about an object from its construction, besides the geometry.
 ///
 /// ```
-/// use cyclide_io::{Document, Facts};
+/// use cyclide_io::{Document, document::Facts};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// assert!(matches!(&built[0].facts, Facts::Tubes(tubes) if tubes[0].radii == [2.0, 3.0]));
@@ -81,7 +81,7 @@ of_variant! {
 /// What is known of a net over a grid.
 ///
 /// ```
-/// use cyclide_io::{Document, Facts};
+/// use cyclide_io::{Document, document::Facts};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0]], [[0, 1], [1, 1]]]}}}"#.parse()?;
 /// let built = document.build()?;
 /// let Facts::Net(facts) = &built[0].facts else { unreachable!("it is a net") };
@@ -106,7 +106,7 @@ impl NetFacts {
 /// What is known of the blends of a tee, a crossing or a contact blend.
 ///
 /// ```
-/// use cyclide_io::{BlendFacts, Document};
+/// use cyclide_io::{Document, document::BlendFacts};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// assert_eq!(document.build()?[0].facts.blends(), None::<&BlendFacts>);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -122,7 +122,7 @@ pub struct BlendFacts {
 /// How blocks are divided into cells.
 ///
 /// ```
-/// use cyclide_io::{CellFacts, Document};
+/// use cyclide_io::{Document, document::CellFacts};
 /// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
 /// assert_eq!(document.build()?[0].facts.cells(), None::<&CellFacts>);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -265,7 +265,7 @@ pub(in crate::document) struct MeshNames {
 /// What has the radius of a tube along a curve.
 ///
 /// ```
-/// use cyclide_io::kinds::RadiusOf;
+/// use cyclide_io::document::kinds::RadiusOf;
 /// let word: RadiusOf = serde_json::from_str("\"balls\"")?;
 /// assert_eq!((word, RadiusOf::default()), (RadiusOf::Balls, RadiusOf::Sections));
 /// # Ok::<(), serde_json::Error>(())

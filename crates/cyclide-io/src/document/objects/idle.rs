@@ -19,7 +19,7 @@ use crate::document::objects::contours::Contour;
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": "free", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
 /// let built = document.build()?;
-/// assert_eq!(built[0].remarks[0].reason, cyclide_io::NO_EFFECT);
+/// assert_eq!(built[0].remarks[0].reason, cyclide_io::document::NO_EFFECT);
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 pub const NO_EFFECT: &str = "no-effect";

@@ -18,9 +18,9 @@ use crate::text::place::{Diagnostic, Source, decode};
 ///
 /// ```
 /// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// let read = cyclide_io::formats::read_quad_grid("a.obj", quads)?;
 /// assert_eq!(read.grid.size(), [2, 2]);
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjGrid {
@@ -38,10 +38,10 @@ pub struct ObjGrid {
 /// A mesh of quads with extraordinary vertices, read from a file.
 ///
 /// ```
-/// use cyclide_io::{ObjQuads, read_quads};
+/// use cyclide_io::formats::{ObjQuads, read_quads};
 /// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 /// assert!(matches!(read_quads("a.obj", quads)?, ObjQuads::Grid(_))); // it has none
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjLayout {
@@ -58,9 +58,9 @@ pub struct ObjLayout {
 /// ```
 /// // Two quads, each with vertices of its own; the second is seen from below.
 /// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 1 2 3 4\nf 8 7 6 5\n";
-/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// let read = cyclide_io::formats::read_quad_grid("a.obj", quads)?;
 /// assert_eq!((read.grid.size(), read.mended.merged, read.mended.turned), ([3, 2], 2, vec![10]));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MendedQuads {
@@ -74,7 +74,7 @@ pub struct MendedQuads {
 ///
 /// ```
 /// let triangle = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
-/// let message = cyclide_io::read_quads("a.obj", triangle).unwrap_err().to_string();
+/// let message = cyclide_io::formats::read_quads("a.obj", triangle).unwrap_err().to_string();
 /// assert!(message.contains("not a quad: a `principal-grid` computes a grid of quads"));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -93,9 +93,9 @@ pub enum ObjQuads {
 ///
 /// ```
 /// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// let read = cyclide_io::formats::read_quad_grid("a.obj", quads)?;
 /// assert_eq!(read.grid.size(), [2, 2]);
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 ///
 /// # Errors
@@ -114,10 +114,10 @@ pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnosti
 /// Reads a mesh of quads from the bytes of an OBJ file, regular or with extraordinary vertices, as [`read_quad_grid`].
 ///
 /// ```
-/// use cyclide_io::{ObjQuads, read_quads};
+/// use cyclide_io::formats::{ObjQuads, read_quads};
 /// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 /// assert!(matches!(read_quads("a.obj", quads)?, ObjQuads::Grid(_)));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 ///
 /// # Errors

@@ -5,7 +5,7 @@ use crate::text::xml::escaped_in_quotes;
 /// The text of a `.vtm` file, which ParaView and VTK read as blocks with names, from these names and the files beside it that hold them.
 ///
 /// ```
-/// let index = cyclide_io::vtk_multi_block(&[("duct".to_owned(), "model-duct.vtu".to_owned())]);
+/// let index = cyclide_io::formats::vtk_multi_block(&[("duct".to_owned(), "model-duct.vtu".to_owned())]);
 /// let text = String::from_utf8(index)?;
 /// assert!(text.contains("<DataSet index=\"0\" name=\"duct\" file=\"model-duct.vtu\"/>"));
 /// # Ok::<(), std::string::FromUtf8Error>(())

@@ -11,7 +11,7 @@ use crate::text::place::Source;
 /// A unit that columns name.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, unit_of_columns};
+/// use cyclide_io::input::{PointColumns, unit_of_columns};
 /// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
 /// assert!(found.is_some_and(|found| found.unit == cyclide::model::Units::Metre));
 /// ```
@@ -27,7 +27,7 @@ pub struct ColumnUnit {
 /// read as [`read_points`](super::read_points) does; `None` if they speak of none, or are refused.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, unit_of_columns};
+/// use cyclide_io::input::{PointColumns, unit_of_columns};
 /// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
 /// assert!(found.is_some_and(|found| found.unit == cyclide::model::Units::Metre));
 /// ```

@@ -77,10 +77,10 @@ pub(crate) const MOST_POINTS: usize = 10_000_000;
 /// Reads a point list from the bytes of a file; `name` is what messages call it.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, read_points};
+/// use cyclide_io::input::{PointColumns, read_points};
 /// let table = read_points("p.csv", b"x,y\n0,0\n3,4\n", &PointColumns::default())?;
 /// assert_eq!(table.contours[0].points[1], cyclide::Point3::new(3.0, 4.0, 0.0));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 ///
 /// # Errors

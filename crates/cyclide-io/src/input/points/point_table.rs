@@ -7,11 +7,11 @@ use cyclide::{Point3, model::Units};
 /// Which columns to read.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, read_points};
+/// use cyclide_io::input::{PointColumns, read_points};
 /// let columns = PointColumns { coordinates: Some(vec!["b".to_owned(), "a".to_owned()]), ..PointColumns::default() };
 /// let table = read_points("p.csv", b"a,b\n1,2\n", &columns)?;
 /// assert_eq!(table.contours[0].points[0], cyclide::Point3::new(2.0, 1.0, 0.0));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PointColumns {
@@ -25,10 +25,10 @@ pub struct PointColumns {
 /// The points of a file.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, read_points};
+/// use cyclide_io::input::{PointColumns, read_points};
 /// let table = read_points("p.csv", b"x,y\n0,0\n3,4\n\n5,5\n6,7\n", &PointColumns::default())?;
 /// assert_eq!(table.contours.len(), 2);
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointTable {
@@ -45,10 +45,10 @@ pub struct PointTable {
 /// What was read in one of several possible ways.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, read_points};
+/// use cyclide_io::input::{PointColumns, read_points};
 /// let table = read_points("p.csv", b"1,2,3.5,4\n", &PointColumns::default())?;
 /// assert_eq!(table.remarks[0].reason, "columns-taken");
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
@@ -62,10 +62,10 @@ pub struct PointRemark {
 /// One contour's points.
 ///
 /// ```
-/// use cyclide_io::{PointColumns, read_points};
+/// use cyclide_io::input::{PointColumns, read_points};
 /// let table = read_points("p.csv", b"x,y,corner\n0,0,0\n3,4,1\n5,5,0\n", &PointColumns::default())?;
 /// assert_eq!(table.contours[0].corners, [1]);
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointList {

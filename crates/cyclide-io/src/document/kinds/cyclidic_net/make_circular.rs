@@ -9,7 +9,7 @@ use crate::document::forms::forms;
 /// do.
 ///
 /// ```
-/// use cyclide_io::kinds::MakeCircularSpec;
+/// use cyclide_io::document::kinds::MakeCircularSpec;
 /// let read: MakeCircularSpec = serde_json::from_str(r#"true"#)?;
 /// assert_eq!(read, MakeCircularSpec::Switch(true));
 /// # Ok::<(), serde_json::Error>(())
@@ -33,7 +33,7 @@ impl Default for MakeCircularSpec {
 /// How the vertices of a net are moved.
 ///
 /// ```
-/// use cyclide_io::kinds::{MakeCircularOptions, MakeCircularSpec};
+/// use cyclide_io::document::kinds::{MakeCircularOptions, MakeCircularSpec};
 /// let read: MakeCircularSpec = serde_json::from_str(r#"{"max_steps": 50}"#)?;
 /// let expected = MakeCircularOptions { max_steps: Some(50), ..Default::default() };
 /// assert_eq!(read, MakeCircularSpec::Options(expected));
@@ -56,7 +56,7 @@ pub struct MakeCircularOptions {
 /// What the border of a net may do: a word, or curves to slide on.
 ///
 /// ```
-/// use cyclide_io::kinds::{BorderSpec, BorderWord, MakeCircularSpec};
+/// use cyclide_io::document::kinds::{BorderSpec, BorderWord, MakeCircularSpec};
 /// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": "pinned"}"#)?;
 /// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
 /// assert_eq!(options.border, BorderSpec::Word(BorderWord::Pinned));
@@ -81,7 +81,7 @@ impl Default for BorderSpec {
 /// What every side of a border may do.
 ///
 /// ```
-/// use cyclide_io::kinds::BorderWord;
+/// use cyclide_io::document::kinds::BorderWord;
 /// assert_eq!(serde_json::from_str::<BorderWord>(r#""pinned""#)?, BorderWord::Pinned);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
@@ -100,7 +100,7 @@ pub enum BorderWord {
 /// columns along t; for a grid from a file see the field `frame` of the net.
 ///
 /// ```
-/// use cyclide_io::kinds::{BorderCurves, BorderSpec, MakeCircularSpec};
+/// use cyclide_io::document::kinds::{BorderCurves, BorderSpec, MakeCircularSpec};
 /// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": {"first_row": "eaves"}}"#)?;
 /// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
 /// let curves = BorderCurves { first_row: Some("eaves".to_owned()), ..Default::default() };

@@ -90,12 +90,12 @@ pub enum GridSource {
 /// A grid of a `principal-grid`.
 ///
 /// ```
-/// use cyclide_io::{Document, ObjectSpec, kinds::{GridSource, LaidGrid}};
+/// use cyclide_io::{Document, document::{ObjectSpec, kinds::{GridSource, LaidGrid}}};
 /// let text = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": {"of": "lattice", "piece": 1}}}}"#;
 /// let document = Document::parse("n.json", text.as_bytes())?;
 /// let ObjectSpec::CyclidicNet(net) = &document.objects[0].1 else { unreachable!("the type says so") };
 /// assert_eq!(net.grid, GridSource::Laid(LaidGrid { of: "lattice".to_owned(), piece: Some(1) }));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 /// How blocks are divided into cells: a number for all three directions, or numbers or laws along s, t and u.
 ///
 /// ```
-/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// use cyclide_io::{Document, report::{GeometryReport, ObjectReport}};
 /// let cells = r#"[4, 2, {"count": 10, "first": 0.01, "fine": "end"}]"#;
 /// let wall = format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 3, "mu": [0.5, 1]}}, "cells": {cells}}}"#);
 /// let built = format!(r#"{{"cyclide": 1, "objects": {{{wall}}}}}"#).parse::<Document>()?.build()?;
@@ -102,7 +102,7 @@ impl<'de> Deserialize<'de> for CellsAlongSpec {
 /// Cells of different lengths along one direction, by one of `ratio`, `stretch` and `first`.
 ///
 /// ```
-/// use cyclide_io::{Document, kinds::CellLaw};
+/// use cyclide_io::{Document, document::kinds::CellLaw};
 /// let law = r#"{"count": 12, "law": "tanh", "first": 0.01, "fine": "both"}"#;
 /// let wall = format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 3, "mu": [0.5, 1]}}, "cells": [4, 2, {law}]}}"#);
 /// let built = format!(r#"{{"cyclide": 1, "objects": {{{wall}}}}}"#).parse::<Document>()?.build()?;
@@ -138,7 +138,7 @@ pub struct GradedCellsSpec {
 /// Laws of the lengths of cells.
 ///
 /// ```
-/// use cyclide_io::kinds::CellLaw;
+/// use cyclide_io::document::kinds::CellLaw;
 /// let law: CellLaw = serde_json::from_str(r#""tanh""#)?;
 /// assert_eq!(law, CellLaw::Tanh);
 /// # Ok::<(), serde_json::Error>(())

@@ -11,13 +11,13 @@ use crate::formats::MeshFormat;
 /// A mesh in a file of its own: an object with one field, the word of its format.
 ///
 /// ```
-/// use cyclide_io::{Document, MeshFormat, ObjectSpec};
+/// use cyclide_io::{Document, document::ObjectSpec, formats::MeshFormat};
 /// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "mesh": {"stl": "scan.stl"}}}}"#;
 /// let document = Document::parse("m.json", text.as_bytes())?;
 /// let ObjectSpec::SmoothMesh(spec) = &document.objects[0].1 else { unreachable!("the type says so") };
 /// let file = spec.mesh.as_ref().expect("it is given");
 /// assert_eq!((file.format, file.path.as_str()), (MeshFormat::Stl, "scan.stl"));
-/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// # Ok::<(), Box<cyclide_io::text::Diagnostic>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PolygonMeshFile {

@@ -14,7 +14,7 @@ use crate::document::coordinates::Coordinates;
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": {"degrees": [[0, 0], [90, 45]]}, "rates": [[1, 1], "free"]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
 /// let angles = spec.angles.as_ref().expect("they are given");
 /// assert!(angles.in_degrees && angles.pairs[1] == [std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_4]);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -32,7 +32,7 @@ pub struct AnglePairs {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": {"degrees": [[0, 0], [90, 45]]}, "rates": [[1, 1], "free"]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
 /// let rates = spec.rates.as_ref().expect("they are given");
 /// assert_eq!(rates.pairs, [Some([1.0, 1.0]), None]);
 /// # Ok::<(), cyclide_io::Error>(())
@@ -50,7 +50,7 @@ pub struct RatePairs {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1]], "tangents": ["free", [0, 10, 5]]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::document::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
 /// let tangents = spec.tangents.as_ref().expect("they are given");
 /// assert!(tangents[0].0.is_none() && tangents[1].0.is_some());
 /// # Ok::<(), cyclide_io::Error>(())

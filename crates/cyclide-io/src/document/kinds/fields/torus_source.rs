@@ -57,8 +57,8 @@ pub struct TorusSpec {
 /// ```
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"ring": {"type": "cyclide", "a": 40, "mu": 15}, "k": {"type": "torus-knot", "torus": "ring", "turns": [2, 3]}}}"#.parse()?;
-/// let cyclide_io::ObjectSpec::TorusKnot(spec) = &document.objects[1].1 else { unreachable!("by its type") };
-/// assert_eq!(spec.torus, cyclide_io::kinds::TorusSource::Named("ring".to_owned()));
+/// let cyclide_io::document::ObjectSpec::TorusKnot(spec) = &document.objects[1].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.torus, cyclide_io::document::kinds::TorusSource::Named("ring".to_owned()));
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]

@@ -107,7 +107,7 @@ pub struct MotionSpec {
 /// How a body goes from pose to pose.
 ///
 /// ```
-/// use cyclide_io::kinds::MotionKind;
+/// use cyclide_io::document::kinds::MotionKind;
 /// assert_eq!(MotionKind::default(), MotionKind::Spline);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
@@ -134,7 +134,7 @@ pub enum MotionKind {
 /// The curve through the positions of poses.
 ///
 /// ```
-/// use cyclide_io::kinds::PositionCurve;
+/// use cyclide_io::document::kinds::PositionCurve;
 /// assert_eq!(serde_json::from_str::<PositionCurve>("\"fair\"")?, PositionCurve::Fair);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
@@ -153,7 +153,7 @@ pub enum PositionCurve {
 /// How far a motion may be from noisy poses. A part whose bound is omitted is interpolated.
 ///
 /// ```
-/// use cyclide_io::kinds::PoseTolerance;
+/// use cyclide_io::document::kinds::PoseTolerance;
 /// let tolerance: PoseTolerance = serde_json::from_str(r#"{"place": 5, "angle": {"degrees": 1}}"#)?;
 /// assert_eq!(tolerance.place, Some(5.0));
 /// # Ok::<(), serde_json::Error>(())
@@ -171,7 +171,7 @@ pub struct PoseTolerance {
 /// Where the poses of a motion come from.
 ///
 /// ```
-/// use cyclide_io::kinds::PoseSource;
+/// use cyclide_io::document::kinds::PoseSource;
 /// let source: PoseSource = serde_json::from_str(r#"[{"position": [1, 2, 3]}]"#)?;
 /// assert!(matches!(source, PoseSource::Inline(poses) if poses.len() == 1));
 /// # Ok::<(), serde_json::Error>(())
@@ -213,7 +213,7 @@ pub struct PoseFile {
 /// One pose: a position with a rotation in one of two notations, or a matrix.
 ///
 /// ```
-/// use cyclide_io::kinds::PoseSpec;
+/// use cyclide_io::document::kinds::PoseSpec;
 /// let pose: PoseSpec = serde_json::from_str(r#"{"time": 2, "position": [1, 2, 3], "quaternion": [1, 0, 0, 0]}"#)?;
 /// assert_eq!(pose.time, Some(2.0));
 /// # Ok::<(), serde_json::Error>(())
@@ -242,7 +242,7 @@ pub struct PoseSpec {
 /// Rotation of a body at the start, in one of two notations.
 ///
 /// ```
-/// use cyclide_io::kinds::StartSpec;
+/// use cyclide_io::document::kinds::StartSpec;
 /// let start: StartSpec = serde_json::from_str(r#"{"rpy": [0, 0, {"degrees": 90}]}"#)?;
 /// assert!(start.quaternion.is_none() && start.rpy.is_some());
 /// # Ok::<(), serde_json::Error>(())

@@ -8,7 +8,7 @@ use crate::document::coordinates::Coordinates;
 /// A rational B-spline surface (NURBS), given by its degrees, knots, control points and weights, like `nurbs` curves.
 ///
 /// ```
-/// use cyclide_io::{Document, ObjectSpec};
+/// use cyclide_io::{Document, document::ObjectSpec};
 /// let hypar = r#"{"degrees": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "control_points": [[[0, 0, 0], [4, 0, 0]], [[0, 4, 0], [4, 4, 1]]]}"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"g": {{"type": "principal-grid", "nurbs": {hypar}, "edge_length": 0.5}}}}}}"#);
 /// let document: Document = text.parse()?;
@@ -37,7 +37,7 @@ pub struct NurbsSurfaceSpec {
 /// Heights over a grid in the plane z = 0, in a file (`csv`) or row by row (`z`).
 ///
 /// ```
-/// use cyclide_io::{Document, ObjectSpec};
+/// use cyclide_io::{Document, document::ObjectSpec};
 /// let heights = r#"{"z": [[0, 0, 0], [0, 0.1, 0.2], [0, null, 0.4]], "spacing": [2, 2]}"#;
 /// let text = format!(r#"{{"cyclide": 1, "objects": {{"g": {{"type": "principal-grid", "heights": {heights}, "edge_length": 2}}}}}}"#);
 /// let document: Document = text.parse()?;
