@@ -30,10 +30,15 @@ table! {
             radius: f64,
             /// Half of the overlap of the pipes along the common normal of their axes: the radius must be below this.
             limit: f64,
+            /// A radius with which the body is made, where that was looked for and one was found.
+            works: Option<f64>,
         }
         reason "crossing-ball-too-large";
         when *limit <= 0.0, says "the pipes do not overlap, so there is no edge to round: they are {} apart",
             ShortNumber(-2.0 * *limit);
+        when works.is_some(), says "a ball of radius {radius} cannot roll along the edge: the radius must be below \
+            {limit}, half of the overlap of the pipes, and may have to be smaller for its hole; {} works",
+            ShortNumber::no_more(works.unwrap_or_default());
         says "a ball of radius {radius} cannot roll along the edge: the radius must be below {limit}, half of the \
             overlap of the pipes";
 

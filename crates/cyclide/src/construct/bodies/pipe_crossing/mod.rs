@@ -14,6 +14,7 @@ mod law_fold;
 mod mixed;
 mod skin;
 mod torus_pair;
+mod working_radius;
 
 use super::angle_law::Law;
 use super::ball_centers::BallCenters;
@@ -32,6 +33,7 @@ use law_fold::LawFold;
 use mixed::MixedPair;
 use std::f64::consts::PI;
 use torus_pair::TorusPair;
+use working_radius::SMALLER;
 
 /// Axes nearer to parallel than this, radians, are refused: the places of the blend, so much longer than wide, have lost their digits.
 const LEAST_ANGLE: f64 = 1e-5;
@@ -273,6 +275,20 @@ impl PipeCrossing {
     /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball). Of pipes with a taper also `radius-not-positive` (one that comes to an end before its own),
     /// `angle-out-of-range` (the angle of the axes, or its supplement, is not above the sum of the tapers), `crossing-needs-cylinders` (mixed, or a radius that changes).
     pub fn made(&self) -> Result<MadeCrossing> {
+        self.made_as_asked().map_err(|error| match error {
+            Error::Crossing(CrossingError::BallTooLarge { radius, limit, .. }) if limit > 0.0 => {
+                let works = self.working_radius(limit, SMALLER);
+                CrossingError::BallTooLarge { radius, limit, works }.into()
+            }
+            Error::Ball(BallError::RadiusTooSmall { radius, limit, .. }) => {
+                let works = self.working_radius(limit, 1.0 / SMALLER);
+                BallError::RadiusTooSmall { radius, limit, works }.into()
+            }
+            error => error,
+        })
+    }
+
+    fn made_as_asked(&self) -> Result<MadeCrossing> {
         self.check_tapers()?;
         let mantles = [0, 1].map(|pipe: usize| skin::mantle(&self.axes, pipe, &self.pipes[pipe]));
         let pair = TorusPair::new(&self.pipes, &self.axes, &mantles)?;
@@ -292,7 +308,7 @@ impl PipeCrossing {
         };
         if self.side.is_in_material() {
             if !(most < limit) {
-                return Err(CrossingError::BallTooLarge { radius: most, limit }.into());
+                return Err(CrossingError::BallTooLarge { radius: most, limit, works: None }.into());
             }
             if depth >= least {
                 return Err(NumberError::ParameterOutOfRange {
@@ -304,7 +320,7 @@ impl PipeCrossing {
                 .into());
             }
         } else if !(least > limit) {
-            return Err(BallError::RadiusTooSmall { radius: least, limit }.into());
+            return Err(BallError::RadiusTooSmall { radius: least, limit, works: None }.into());
         }
         // The larger balls are those of the inner skin, in the material those of the outer one.
         let larger = if self.side.is_in_material() { 0.0 } else { depth };
