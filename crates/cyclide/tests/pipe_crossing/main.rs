@@ -349,3 +349,18 @@ fn the_radius_that_a_refusal_names_is_made() {
         assert!(with(typed.parse().expect("a number")).is_ok(), "{sentence}");
     }
 }
+
+/// Between leaning pipes with a gap no radius works, which is said: at right angles one does.
+#[test]
+fn pipes_that_no_ball_joins_are_to_be_turned() {
+    let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-600.0, 600.0] };
+    let with = |blend| PipeCrossing::new([pipe(10.9), pipe(7.6)], 20.81, blend).expect("a crossing");
+    let leaning = |blend: f64| with(blend).with_angle(29.3_f64.to_radians()).and_then(|crossing| crossing.made());
+    let error = leaning(0.1).map(|_| ()).expect_err("too small");
+    assert!(matches!(error, Error::Crossing(CrossingError::NoBallWorks { .. })), "{error}");
+    assert!([1.2, 2.0, 3.0, 8.0, 50.0].into_iter().all(|blend| leaning(blend).is_err()));
+    let Err(Error::Ball(BallError::RadiusTooSmall { works: Some(works), .. })) = with(0.1).made() else {
+        panic!("a radius works at right angles")
+    };
+    assert!(with(works).made().is_ok());
+}

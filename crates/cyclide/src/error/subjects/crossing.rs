@@ -42,6 +42,18 @@ table! {
         says "a ball of radius {radius} cannot roll along the edge: the radius must be below {limit}, half of the \
             overlap of the pipes";
 
+        /// A ball is beyond its bound, and none within it works either.
+        NoBallWorks {
+            /// Its radius.
+            radius: f64,
+            /// The bound: half of the gap between the pipes, or half of their overlap.
+            limit: f64,
+        }
+        reason "crossing-no-ball";
+        says "a ball of radius {radius} does not fit, its bound is {limit}, and no radius within the bound works: the \
+            blend self-intersects, or its hole reaches too far round a pipe; turn the axes closer to a right angle, \
+            move them, or use a thinner wall";
+
         /// One pipe is to be cut by the other, but they do not intersect, or only barely.
         PipesApart {
             /// The distance of their axes.

@@ -33,7 +33,6 @@ use law_fold::LawFold;
 use mixed::MixedPair;
 use std::f64::consts::PI;
 use torus_pair::TorusPair;
-use working_radius::SMALLER;
 
 /// Axes nearer to parallel than this, radians, are refused: the places of the blend, so much longer than wide, have lost their digits.
 const LEAST_ANGLE: f64 = 1e-5;
@@ -270,22 +269,12 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `crossing-axes-too-near` (unless their distance is more than the radii differ), `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
+    /// `crossing-no-ball` (no radius works between these pipes), `crossing-axes-too-near` (unless their distance is more than the radii differ), `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
     /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`,
     /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball). Of pipes with a taper also `radius-not-positive` (one that comes to an end before its own),
     /// `angle-out-of-range` (the angle of the axes, or its supplement, is not above the sum of the tapers), `crossing-needs-cylinders` (mixed, or a radius that changes).
     pub fn made(&self) -> Result<MadeCrossing> {
-        self.made_as_asked().map_err(|error| match error {
-            Error::Crossing(CrossingError::BallTooLarge { radius, limit, .. }) if limit > 0.0 => {
-                let works = self.working_radius(limit, SMALLER);
-                CrossingError::BallTooLarge { radius, limit, works }.into()
-            }
-            Error::Ball(BallError::RadiusTooSmall { radius, limit, .. }) => {
-                let works = self.working_radius(limit, 1.0 / SMALLER);
-                BallError::RadiusTooSmall { radius, limit, works }.into()
-            }
-            error => error,
-        })
+        self.made_as_asked().map_err(|error| self.with_working_radius(error))
     }
 
     fn made_as_asked(&self) -> Result<MadeCrossing> {
