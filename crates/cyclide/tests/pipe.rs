@@ -245,3 +245,30 @@ fn spikes_and_rims_that_run_into_the_pipe_are_found() {
     assert_eq!(body(&slanted(2.35), 4.0, 2.0), Err("pipe-meets-itself"));
     assert!(body(&slanted(3.2), 4.0, 2.0).is_ok());
 }
+
+/// No thinner pipe helps where the spine crosses itself, at however acute an angle: that is said, and moving the curve apart helps.
+#[test]
+fn a_spine_that_crosses_itself_is_to_be_moved_apart() {
+    let path = |up: f64| {
+        let points = [
+            [10.5, -49.7, 0.0],
+            [-37.3, 23.4, 0.0],
+            [-60.8, -14.9, 0.0],
+            [69.2, 3.3, up],
+            [-2.7, 41.8, up],
+            [-82.7, 62.7, up],
+            [37.9, -77.9, up],
+        ];
+        ArcPath::rounded_polyline(&points.map(Point3::from), false, &[0.0, 3.0, 3.0, 3.0, 3.0, 3.0, 0.0]).unwrap()
+    };
+    for radius in [2.0, 0.36, 1e-3] {
+        let error = Pipe::new(radius).and_then(|pipe| pipe.body(&path(0.0))).unwrap_err().to_string();
+        assert!(error.contains("they cross: move the curve apart") && !error.contains("thinner"), "{error}");
+    }
+    assert!(Pipe::new(2.0).and_then(|pipe| pipe.body(&path(20.0))).is_ok());
+    // Without a crossing a thinner pipe helps.
+    let near = path(3.0);
+    let error = Pipe::new(2.0).and_then(|pipe| pipe.body(&near)).unwrap_err().to_string();
+    assert!(error.contains("thinner"), "{error}");
+    assert!(Pipe::new(0.2).and_then(|pipe| pipe.body(&near)).is_ok());
+}

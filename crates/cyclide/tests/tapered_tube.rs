@@ -180,3 +180,19 @@ fn what_folds_or_meets_itself_is_refused() {
     assert!(made(&[5.99, 5.0, 5.99]).is_ok());
     assert_eq!(reason(made(&[6.1, 5.0, 6.1])), "pipe-meets-itself");
 }
+
+/// Where the spine crosses itself no thinner tube helps, and that is said; the first disks that meet are somewhere else.
+#[test]
+fn a_spine_that_crosses_itself_is_to_be_moved_apart() {
+    let spine = |up: f64| {
+        let points = [[0.0, 0.0, 0.0], [100.0, 0.0, 0.0], [100.0, 50.0, 0.0], [40.0, 50.0, up], [60.0, -50.0, up]];
+        path(&points, 8.0, false)
+    };
+    let body =
+        |up: f64, wide: f64| TaperedTube::along(&spine(up), &law(&[wide, 0.5 * wide]), 1e-3).and_then(|t| t.body());
+    for wide in [4.0, 0.1] {
+        let error = body(0.0, wide).map(|_| ()).unwrap_err().to_string();
+        assert!(error.contains("they cross: move the curve apart") && !error.contains("thinner"), "{error}");
+    }
+    assert!(body(20.0, 4.0).is_ok());
+}

@@ -107,7 +107,23 @@ fn limits_of_a_machine_are_kept_or_refused_with_the_place() {
         let message = folder.fails(1, &format!("curve culdesac.csv --kind arc-fit --tolerance 0.02 {limit} -o c.dxf"));
         assert!(message.contains(word) && message.contains("arc-limit-not-kept"), "{message}");
         assert!(!folder.has("c.dxf"));
+        // What the message names is kept.
+        let works = message.split("tolerance, or `").nth(1).and_then(|rest| rest.split('`').nth(1)).unwrap();
+        let works = works.split(" [").next().unwrap().trim();
+        let option = limit.split(' ').next().unwrap();
+        let kept = fit(&folder, "culdesac", &format!("--tolerance 0.02 {option} {works}"));
+        assert_eq!(counts(&kept), (2, 3), "{message}");
     }
+    // Both limits that are missed are named.
+    let both = "--tolerance 0.02 --min-radius 9 --min-arc-length 40";
+    let message = folder.fails(1, &format!("curve culdesac.csv --kind arc-fit {both} -o c.dxf"));
+    let numbers = |word: &str| {
+        let rest = message.split("or both ").nth(1)?.split(&format!("`{word}` ")).nth(1)?;
+        rest.split([' ', '[']).next().map(str::to_owned)
+    };
+    let [radius, length] = ["min_radius", "min_arc_length"].map(|word| numbers(word).unwrap());
+    let kept = fit(&folder, "culdesac", &format!("--tolerance 0.02 --min-radius {radius} --min-arc-length {length}"));
+    assert_eq!(counts(&kept), (2, 3), "{message}");
     let message = folder.fails(2, "curve culdesac.csv --kind fair-spline --min-arc-length 9 -o c.dxf");
     assert!(message.contains("--min-arc-length requires --kind arc-fit"), "{message}");
 }

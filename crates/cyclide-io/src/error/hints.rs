@@ -47,6 +47,9 @@ pub(crate) fn words_of_warning(warning: &Warning) -> String {
             "; `--outliers drop` leaves it out (in a document `\"outliers\": \"drop\"`)"
         }
         Warning::PoseFit(PoseFitWarning::Outlier { dropped: false, .. }) => "; `\"outliers\": \"drop\"` leaves it out",
+        Warning::PoseFit(PoseFitWarning::Swings { .. }) => {
+            "; poses without a `time` get such times from `\"times\": \"chord\"`"
+        }
         Warning::Noise(NoiseWarning::BeyondNoise { .. }) => BY_NOISE,
         Warning::Noise(warning @ NoiseWarning::LeansOnWalls { .. }) if warning.is_of_noisy_points() => BY_NOISE,
         _ => "",

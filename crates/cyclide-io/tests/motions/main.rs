@@ -4,6 +4,7 @@
 
 mod animations;
 mod extremes;
+mod remedies;
 mod sources;
 mod swept;
 mod times;

@@ -17,11 +17,11 @@ const SWINGS: f64 = 3.0;
 /// A part of the motion that is looked at alone swings if it runs beyond its poses by more than this part of the largest step beside it.
 const BEYOND: f64 = 0.02;
 /// Places that run beyond by up to this part of the extent of all poses are measured ones, with their noise,
-const SAME_PLACE: f64 = 1e-4;
+pub(super) const SAME_PLACE: f64 = 1e-4;
 /// or, where they are far from the origin, by so many roundings of their coordinates,
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// and so are turns by up to this, in radians.
-const SAME_TURN: f64 = 1e-3;
+pub(super) const SAME_TURN: f64 = 1e-3;
 /// Steps up to this part of those beside them are none: there is no average speed.
 const NO_STEP: f64 = 1e-9;
 /// Towards a crest the samples of a wave slow down at least to this part of their speed: those of a sine with 12 samples to 0.58, with 8 to 0.71.
@@ -96,7 +96,7 @@ impl Swings {
 
 /// How place or turn go over a span.
 #[derive(Debug, Clone, Copy)]
-struct Run {
+pub(super) struct Run {
     /// From end to end.
     step: f64,
     /// The same by time, with its direction.
@@ -105,7 +105,41 @@ struct Run {
     ends: [Vec3; 2],
 }
 
+/// Where a part of a motion runs beyond its poses and back.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PartSwings {
+    /// The span where it is most so.
+    pub(super) span: usize,
+    /// How many such spans there are.
+    pub(super) count: usize,
+    /// How many times as fast as on average it starts or ends there.
+    pub(super) ratio: f64,
+    /// How far: a length, or radians of a turn.
+    pub(super) beyond: f64,
+}
+
+impl PartSwings {
+    /// Of a part that goes so over its spans, by more than `least`.
+    pub(super) fn of(runs: Vec<Run>, closed: bool, least: f64, way: impl Fn(usize) -> f64) -> Option<Self> {
+        let runs = Runs { runs, closed };
+        let mut found: Option<Self> = None;
+        for span in 0..runs.runs.len() {
+            if let Some((ratio, beyond)) = runs.swing(span, least, || way(span)) {
+                let count = found.map_or(0, |found| found.count) + 1;
+                let most = found.filter(|found| found.ratio >= ratio);
+                found = Some(Self { count, ..most.unwrap_or(Self { span, count, ratio, beyond }) });
+            }
+        }
+        found
+    }
+}
+
 impl Run {
+    /// From end to end in a time, with the velocities at both ends by the part of the span.
+    pub(super) fn new(chord: Vec3, time: f64, ends: [Vec3; 2]) -> Self {
+        Self { step: chord.length(), average: chord / time, ends }
+    }
+
     fn of_place(span: &MotionSpan, unit: f64, time: f64) -> Self {
         let chord = place(span, unit, 1.0) - place(span, unit, 0.0);
         let ends = [0.0, 1.0].map(|s| {
@@ -115,7 +149,7 @@ impl Run {
             let moving = by.dual * back - at.dual * back * (by.real * back);
             moving.vector() * (2.0 * unit)
         });
-        Self { step: chord.length(), average: chord / time, ends }
+        Self::new(chord, time, ends)
     }
 
     fn of_turn(span: &MotionSpan, time: f64) -> Self {
@@ -123,8 +157,7 @@ impl Run {
             let [at, by] = bernstein::derivatives::<8, 2>(&span.0, s).map(DualQuat::from_array);
             (by.real * at.real.conj()).vector() * 2.0
         });
-        let turn = rotation_vector(span, 0.0, 1.0);
-        Self { step: turn.length(), average: turn / time, ends }
+        Self::new(rotation_vector(span, 0.0, 1.0), time, ends)
     }
 
     /// How far it runs beyond the ends, both together, by its way.
@@ -215,6 +248,6 @@ fn way_of_turn(span: &MotionSpan) -> f64 {
     parts().map(|[from, to]| rotation_vector(span, from, to).length()).sum()
 }
 
-fn parts() -> impl Iterator<Item = [f64; 2]> {
+pub(super) fn parts() -> impl Iterator<Item = [f64; 2]> {
     (0..PARTS).map(|k| [k, k + 1].map(|k| f64::from(k) / f64::from(PARTS)))
 }

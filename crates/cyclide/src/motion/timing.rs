@@ -113,7 +113,9 @@ impl<'a> Timing<'a> {
     fn check_ways(&self) -> Result<()> {
         let Measured { total, limit, at_rest, .. } = self.measured();
         if !(*total > *limit) {
-            return Err(MotionError::AtRest { length: *total, limit: *limit }.into());
+            return Err(
+                MotionError::AtRest { length: *total, limit: *limit, still: self.motion.turn() <= NO_TURN }.into()
+            );
         }
         for &span in at_rest {
             let ends = &self.motion.times()[span..span + 2];

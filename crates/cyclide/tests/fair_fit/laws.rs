@@ -186,9 +186,13 @@ fn the_polyline_is_bound_where_it_is_meant() {
     let coarse = FairFitOptions { edge_points: 3, ..closed(0.08) };
     let warned = |w: &Warning| w.reason() == "samples-too-coarse";
     assert!(!edges.warnings().iter().any(warned) || edges.certificate().polyline_deviation < 0.16);
-    if let Ok(fit) = FairFit::new(&points, &coarse) {
-        assert!(fit.warnings().iter().any(warned));
-    }
+    let fit = fitted(&points, &coarse);
+    let warning = fit.warnings().iter().find(|w| warned(w)).unwrap().to_string();
+    // A fair fit has no target; without the places on the edges, or with a larger tolerance, nothing is said.
+    assert!(!warning.contains("target") && warning.contains("leave `polyline` out"), "{warning}");
+    assert!(!samples.warnings().iter().any(warned));
+    let wider = FairFitOptions { edge_points: 3, ..closed(0.2) };
+    assert!(!fitted(&points, &wider).warnings().iter().any(warned));
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod data;
 mod decoupled;
 mod frames;
 mod jets;
+mod off_chords;
 mod planar;
 mod refusals;
 mod rounded;

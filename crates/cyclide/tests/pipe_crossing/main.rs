@@ -209,13 +209,21 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
         refused([2.0, 3.0], 1.0, 0.5),
         Error::Crossing(CrossingError::AxesTooNear { distance: 1.0, limit: 1.0 })
     );
-    assert_eq!(refused([2.0, 2.0], 5.0, 0.5), Error::Ball(BallError::RadiusTooSmall { radius: 0.5, limit: 0.5 }));
+    let too_small = refused([2.0, 2.0], 5.0, 0.5);
+    assert!(matches!(too_small, Error::Ball(BallError::RadiusTooSmall { radius: 0.5, limit: 0.5, .. })), "{too_small}");
     let inside = |distance, blend| {
         let whole = crossing([2.0, 2.0], distance, blend).expect("a crossing").with_side(CrossingSide::Inside);
         whole.made().map(|_| ()).expect_err("no ball inside")
     };
-    assert_eq!(inside(3.0, 0.5), Error::Crossing(CrossingError::BallTooLarge { radius: 0.5, limit: 0.5 }));
-    assert_eq!(inside(5.0, 0.1), Error::Crossing(CrossingError::BallTooLarge { radius: 0.1, limit: -0.5 }));
+    let too_large = inside(3.0, 0.5);
+    assert!(
+        matches!(too_large, Error::Crossing(CrossingError::BallTooLarge { radius: 0.5, limit: 0.5, .. })),
+        "{too_large}"
+    );
+    assert_eq!(
+        inside(5.0, 0.1),
+        Error::Crossing(CrossingError::BallTooLarge { radius: 0.1, limit: -0.5, works: None })
+    );
     assert_eq!(refused([2.0, -2.0], 3.0, 0.5).reason(), "radius-not-positive");
     assert_eq!(refused([2.0, 2.0], f64::NAN, 0.5).reason(), "not-finite");
     // Contacts with the first pipe go as far as the second is wide, and farther.
@@ -315,4 +323,47 @@ fn long_pipes_and_the_smallest_balls() {
     let equal = [20.0, 20.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-80.0, 80.0] });
     let wide = PipeCrossing::new(equal, 0.01, 1.0).expect("a pair").made().expect_err("too wide");
     assert_eq!(wide.reason(), "crossing-hole-too-wide");
+}
+
+/// The bound of the ball alone is not enough where the blend folds on a bridge, or the hole of a mixed edge goes round its pipe: what is named works.
+#[test]
+fn the_radius_that_a_refusal_names_is_made() {
+    for (radii, distance, blend, side) in [
+        ([2.0, 2.0], 5.0, 0.5, CrossingSide::Outside),
+        ([10.9, 7.6], 20.81, 0.1, CrossingSide::Outside),
+        ([24.1, 9.9], 30.62, 17.53, CrossingSide::Mixed),
+        ([6.5, 9.2], 12.16, 29.99, CrossingSide::Mixed),
+        ([12.0, 28.6], 18.15, 12.03, CrossingSide::Inside),
+    ] {
+        let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-300.0, 300.0] };
+        let with =
+            |blend| PipeCrossing::new(radii.map(pipe), distance, blend).expect("a crossing").with_side(side).made();
+        let error = with(blend).map(|_| ()).expect_err("beyond the bound");
+        let (works, bound) = match error {
+            Error::Ball(BallError::RadiusTooSmall { works, limit, .. }) => (works, limit),
+            Error::Crossing(CrossingError::BallTooLarge { works, limit, .. }) => (works, limit),
+            ref other => panic!("{other}"),
+        };
+        let works = works.unwrap_or_else(|| panic!("{error}"));
+        assert!(with(works).is_ok() && (works < bound) == (side != CrossingSide::Outside), "{error}");
+        // As it is typed.
+        let sentence = error.to_string();
+        let typed = sentence.split("; ").last().and_then(|end| end.split(' ').next()).expect("a number");
+        assert!(with(typed.parse().expect("a number")).is_ok(), "{sentence}");
+    }
+}
+
+/// Between leaning pipes with a gap no radius works, which is said: at right angles one does.
+#[test]
+fn pipes_that_no_ball_joins_are_to_be_turned() {
+    let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-600.0, 600.0] };
+    let with = |blend| PipeCrossing::new([pipe(10.9), pipe(7.6)], 20.81, blend).expect("a crossing");
+    let leaning = |blend: f64| with(blend).with_angle(29.3_f64.to_radians()).and_then(|crossing| crossing.made());
+    let error = leaning(0.1).map(|_| ()).expect_err("too small");
+    assert!(matches!(error, Error::Crossing(CrossingError::NoBallWorks { .. })), "{error}");
+    assert!([1.2, 2.0, 3.0, 8.0, 50.0].into_iter().all(|blend| leaning(blend).is_err()));
+    let Err(Error::Ball(BallError::RadiusTooSmall { works: Some(works), .. })) = with(0.1).made() else {
+        panic!("a radius works at right angles")
+    };
+    assert!(with(works).made().is_ok());
 }

@@ -248,7 +248,7 @@ pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cycli
         E::Crossing(CrossingError::NeedsCylinders { what, .. }) => Blame::Field(what.word()),
         E::Number(NumberError::AngleOutOfRange { .. }) if spec.angle.is_some() => Blame::Field(I::Angle.word()),
         E::Ball(BallError::RadiusTooSmall { .. })
-        | E::Crossing(CrossingError::BallTooLarge { .. })
+        | E::Crossing(CrossingError::BallTooLarge { .. } | CrossingError::NoBallWorks { .. })
         | E::Point(
             PointError::CoincidentPoints { .. }
             | PointError::TooFewPoints { .. }

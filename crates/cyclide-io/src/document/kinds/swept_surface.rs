@@ -85,7 +85,7 @@ impl Builder<'_> {
             let make = if spec.ends == SweepEnds::Flat { SweptSurface::solid } else { SweptSurface::new };
             let swept = curve.exact_pieces().and_then(|(pieces, closed)| make(&pieces, closed, form.motion()));
             let swept = swept.map_err(|e| match e {
-                cyclide::Error::Motion(MotionError::AtRest { length, limit }) => {
+                cyclide::Error::Motion(MotionError::AtRest { length, limit, .. }) => {
                     let words = format!(
                         "the motion is at rest: the profile moves by {}, which must exceed {} to sweep a surface",
                         ShortNumber(length),

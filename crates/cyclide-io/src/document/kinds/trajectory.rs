@@ -66,7 +66,7 @@ impl Builder<'_> {
         let range = bounds(&path);
         let (length, limit) = (range.diagonal(), AT_REST * range.max_abs());
         if length <= limit {
-            let error = cyclide::Error::Motion(MotionError::AtRest { length, limit });
+            let error = cyclide::Error::Motion(MotionError::AtRest { length, limit, still: false });
             let place = if spec.point.is_some() { "point" } else { "of" };
             return Err(self.refused_in_words(
                 [place.into()],

@@ -50,6 +50,7 @@ impl PoseColumns {
         let mut meanings: Vec<Option<Meaning>> = table.header.iter().enumerate().map(of).collect();
         leave_tangents(table, &mut meanings);
         let from_zero = take_entries(table, &mut meanings);
+        take_bare_quaternion(table, &mut meanings);
         let mut notes = Vec::new();
         take_places(table, &mut meanings, &mut notes);
         refuse_globe(table, &meanings)?;
@@ -246,5 +247,27 @@ fn leave_tangents(table: &Table<'_>, meanings: &mut [Option<Meaning>]) {
                 *meaning = Some(Meaning::Label);
             }
         }
+    }
+}
+
+/// Where places have other names, `px, py, pz`, a bare `x, y, z, w` is the quaternion.
+fn take_bare_quaternion(table: &Table<'_>, meanings: &mut [Option<Meaning>]) {
+    let is_bare = |column: usize, letter: &str| matches!(words_of(table.header[column].text).0.as_slice(), [only] if only == letter);
+    let only = |fits: &dyn Fn(usize) -> bool| {
+        let mut all = (0..table.header.len()).filter(|column| fits(*column));
+        all.next().filter(|_| all.next().is_none())
+    };
+    let bare = ["w", "x", "y", "z"].map(|letter| only(&|column| is_bare(column, letter)));
+    let is_placed = |axis: usize| {
+        let other = |column: usize| meanings[column] == Some(Meaning::Position(axis)) && bare[axis + 1] != Some(column);
+        only(&other).is_some()
+    };
+    let is_turned = meanings.iter().any(|meaning| matches!(meaning, Some(Meaning::Quaternion(_))));
+    if let [Some(w), Some(x), Some(y), Some(z)] = bare
+        && (0..3).all(is_placed)
+        && meanings[w].is_none()
+        && !is_turned
+    {
+        [w, x, y, z].into_iter().zip(0..).for_each(|(column, k)| meanings[column] = Some(Meaning::Quaternion(k)));
     }
 }

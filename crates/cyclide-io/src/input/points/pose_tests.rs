@@ -289,3 +289,19 @@ fn every_proposal_is_read_when_it_is_typed() {
     }
     assert!(typed >= 60 && open >= 60, "{typed} of {open}");
 }
+
+/// Beside places of other names a bare `x, y, z, w` can be the quaternion only.
+#[test]
+fn a_bare_quaternion_is_read_beside_named_places() {
+    for columns in [
+        "t,px=x,py=y,pz=z,x=qx,y=qy,z=qz,w=qw",
+        "t,pos_x=x,pos_y=y,pos_z=z,w=qw,x=qx,y=qy,z=qz",
+        "t,x=qx,y=qy,z=qz,w=qw,tx=x,ty=y,tz=z",
+    ] {
+        let found = read(&table(columns), None).unwrap_or_else(|message| panic!("{columns}: {message}"));
+        assert_right(&found, columns);
+    }
+    for columns in ["t,px=x,py=y,x=qx,y=qy,z=qz,w=qw", "t,px=x,py=y,pz=z,x=qx,y=qy,w=qw", "t,x,y,z,w=qw,qw,qx,qy,qz"] {
+        assert!(read(&table(columns), None).is_err(), "{columns}");
+    }
+}

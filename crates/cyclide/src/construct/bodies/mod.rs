@@ -4,6 +4,7 @@ mod angle_law;
 mod ball_centers;
 mod bands;
 mod carried;
+mod center_line;
 mod circle_rail;
 mod circular_surface;
 mod contact_blend;

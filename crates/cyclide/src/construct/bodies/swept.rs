@@ -211,7 +211,7 @@ fn check_moves(pieces: &[EdgeCurve], motion: &RationalMotion) -> Result<()> {
     let all = || places().flat_map(|time| moved(motion.pose(time)));
     let length = all().map(|(length, _)| length).fold(0.0, f64::max);
     let limit = AT_REST * all().map(|(_, p)| p.to_vec().max_abs()).fold(0.0, f64::max);
-    if length > limit { Ok(()) } else { Err(MotionError::AtRest { length, limit }.into()) }
+    if length > limit { Ok(()) } else { Err(MotionError::AtRest { length, limit, still: false }.into()) }
 }
 
 /// The warning of faces whose normals turn back from one place to the next, or over the border to the face before.

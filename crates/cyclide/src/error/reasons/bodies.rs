@@ -320,6 +320,19 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `crossing-no-ball`
+//! Two pipes with a gap of 2.31 between them pass each other at 29 degrees: small balls fold the blend on one side of the bridge, large
+//! ones on the other.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-600.0, 600.0] };
+//! let crossing = PipeCrossing::new([pipe(10.9), pipe(7.6)], 20.81, 0.1)?;
+//! let leaning = crossing.clone().with_angle(29.3_f64.to_radians())?;
+//! assert_eq!(leaning.made().unwrap_err().reason(), "crossing-no-ball");
+//! assert_eq!(crossing.made().unwrap_err().reason(), "radius-too-small"); // at right angles larger balls work
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `crossing-pipes-apart`
 //! One of two pipes is to be cut by the other, but they do not meet.
 //! ```

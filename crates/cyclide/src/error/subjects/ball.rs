@@ -1,5 +1,6 @@
 //! Why no ball rolls between two surfaces.
 
+use crate::short_number::ShortNumber;
 use crate::table::table;
 
 table! {
@@ -79,8 +80,13 @@ table! {
             radius: f64,
             /// It must be above this.
             limit: f64,
+            /// A radius with which the body is made, where that was looked for and one was found.
+            works: Option<f64>,
         }
         reason "radius-too-small";
+        when works.is_some(), says "a ball of radius {radius} cannot touch both cylinders: the radius must be above \
+            {limit}, and larger still for a blend without self-intersections; {} works",
+            ShortNumber::no_less(works.unwrap_or_default());
         says "a ball of radius {radius} cannot touch both cylinders: the radius must be above {limit}";
     }
 }

@@ -30,12 +30,29 @@ table! {
             radius: f64,
             /// Half of the overlap of the pipes along the common normal of their axes: the radius must be below this.
             limit: f64,
+            /// A radius with which the body is made, where that was looked for and one was found.
+            works: Option<f64>,
         }
         reason "crossing-ball-too-large";
         when *limit <= 0.0, says "the pipes do not overlap, so there is no edge to round: they are {} apart",
             ShortNumber(-2.0 * *limit);
+        when works.is_some(), says "a ball of radius {radius} cannot roll along the edge: the radius must be below \
+            {limit}, half of the overlap of the pipes, and may have to be smaller for its hole; {} works",
+            ShortNumber::no_more(works.unwrap_or_default());
         says "a ball of radius {radius} cannot roll along the edge: the radius must be below {limit}, half of the \
             overlap of the pipes";
+
+        /// A ball is beyond its bound, and none within it works either.
+        NoBallWorks {
+            /// Its radius.
+            radius: f64,
+            /// The bound: half of the gap between the pipes, or half of their overlap.
+            limit: f64,
+        }
+        reason "crossing-no-ball";
+        says "a ball of radius {radius} does not fit, its bound is {limit}, and no radius within the bound works: the \
+            blend self-intersects, or its hole reaches too far round a pipe; turn the axes closer to a right angle, \
+            move them, or use a thinner wall";
 
         /// One pipe is to be cut by the other, but they do not intersect, or only barely.
         PipesApart {

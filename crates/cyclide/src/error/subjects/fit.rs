@@ -37,11 +37,17 @@ table! {
             value: f64,
             /// The limit's value.
             limit: f64,
+            /// The other limit, if arcs miss that as well, with the smallest value of one.
+            also: Option<(ErrorItem, f64)>,
         }
         reason "arc-limit-not-kept";
         at *vertex;
-        says "no arcs within the tolerance satisfy `{name}` {limit}: the worst, at point {vertex}, has {}; use a \
-            larger tolerance or a smaller limit", ShortNumber::no_more(*value);
+        when also.is_some(), says "no arcs within the tolerance satisfy `{name}` {limit}: the worst, at point {vertex}, \
+            has {} {}; use a larger tolerance, or both {} and {}", measured(*name), ShortNumber::no_more(*value),
+            limit_that_works(*name, *value),
+            also.map_or_else(String::new, |(name, value)| limit_that_works(name, value));
+        says "no arcs within the tolerance satisfy `{name}` {limit}: the worst, at point {vertex}, has {} {}; use a \
+            larger tolerance, or {}", measured(*name), ShortNumber::no_more(*value), limit_that_works(*name, *value);
 
         /// No curve of the kind was found within the tolerance of these points.
         ToleranceNotReached {
@@ -101,6 +107,16 @@ table! {
             to {deviation} away from {}; use fewer points, farther apart than their noise, or give a tolerance",
             points_in_words(&points);
     }
+}
+
+/// What an arc has that a limit is for.
+fn measured(limit: ErrorItem) -> &'static str {
+    if limit == ErrorItem::MinRadius { "radius" } else { "length" }
+}
+
+/// The limit as the arcs keep it.
+fn limit_that_works(name: ErrorItem, value: f64) -> String {
+    format!("`{}` {}", name.word(), ShortNumber::no_more(value))
 }
 
 /// Outliers that are named one by one.

@@ -69,7 +69,10 @@ table! {
         }
         reason "no-cubic-motion";
         when roots.is_empty(), says "no motion of degree 3 passes through these four poses at any times: the \
-            discriminant is {discriminant}, must be at least 0";
+            discriminant is {discriminant}, must be at least 0; use a spline";
+        when !roots.iter().any(|x| (0.0..1.0).contains(x)), says "no motion of degree 3 passes through these four poses \
+            in order at any times: motions exist only at the cross-ratio(s) {} of the times, which must be between 0 \
+            and 1; use a spline", joined(&roots);
         says "no motion of degree 3 passes through these four poses in order at this cross-ratio of times: motions \
             exist only at {}; use one between 0 and 1", joined(&roots);
 
@@ -95,8 +98,12 @@ table! {
             length: f64,
             /// Lengths up to this are refused.
             limit: f64,
+            /// True if the body does not turn either: no other point of it moves.
+            still: bool,
         }
         reason "motion-at-rest";
+        when *still, says "the body is at rest all the time: path length {length} must exceed {limit}; give poses that \
+            differ, or use the time law `as-given`, which allows a rest";
         says "the motion is at rest: path length {length} must exceed {limit}; name a point that moves, or give an \
             `arm`";
 
@@ -118,7 +125,7 @@ table! {
             characteristic length that weights rotation against translation, or name a `tool` that moves",
             degrees(*turn);
         says "span {span}, from pose {span} to the next, is at rest: its path length {length} must exceed {limit}, \
-            or a law by path length gives it no time; give times";
+            or a law by path length gives it no time; give each pose a time instead, or leave one of the two out";
     }
 }
 

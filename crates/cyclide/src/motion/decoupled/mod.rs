@@ -194,7 +194,7 @@ impl DecoupledMotion {
 
     /// What should be known of it: that a pose is half a turn away from the one before, and the sign of its rotation decides (`half-turn`), of
     /// blends that are shorter than asked for (`blends-shortened`), of poses that do not belong to the others (`outlier`), and of tolerances that are below the noise of the
-    /// poses (`tolerance-below-noise`) or far above it (`shape-smoothed-away`, `wide-tolerance`).
+    /// poses (`tolerance-below-noise`) or far above it (`shape-smoothed-away`, `wide-tolerance`), and of smoothed motions that overshoot their poses (`motion-swings`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let short = self.short_blends.map(ShortBlends::warning);

@@ -10,6 +10,7 @@ use super::{DecoupledMotion, Given};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, NumberError, Result};
+use crate::motion::swings::{PartSwings, Run, SAME_PLACE, SAME_TURN, parts};
 use crate::motion::timed_pose::TimedPose;
 use crate::warning::{PoseFitWarning, Warning};
 
@@ -36,6 +37,8 @@ const ABOVE: f64 = 1.25;
 const FARTHER: f64 = 1.5;
 /// Tolerances above this part of the extent of the path are wide.
 const WIDE: f64 = 0.12;
+/// Places that run beyond their poses by so many roundings of their coordinates do not.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// Spans over which a closed spline is begun and goes on: beyond, its slopes do not know where it ended;
 const BEYOND: usize = 64;
 /// and over which closed values are smoothed before and after: a few times the length over which the strongest smoothing averages.
@@ -131,6 +134,7 @@ impl DecoupledMotion {
         let mut warnings: Vec<Warning> = read.iter().flat_map(|reading| reading.outliers(drop_outliers)).collect();
         let mut left = vec![true; poses.len()];
         read.iter().flat_map(|reading| &reading.strays).for_each(|stray| left[stray.pose] = false);
+        let numbers: Vec<usize> = (0..poses.len()).filter(|pose| !drop_outliers || left[*pose]).collect();
         let given = if drop_outliers && left.contains(&false) {
             let kept: Vec<TimedPose> =
                 poses.iter().zip(&left).filter(|(_, left)| **left).map(|(pose, _)| *pose).collect();
@@ -158,8 +162,49 @@ impl DecoupledMotion {
         };
         let deviation =
             MotionDeviation { place: places.farthest(&smooth_places), angle: turns.farthest(&smooth_turns) };
+        let closed = given.closed;
         let motion = given.into_motion(place_spans, turn_spans);
+        let [place_least, turn_least] = [&read[0], &read[1]].map(Reading::least_swing);
+        let place_swings = place_least.and_then(|least| motion.place_swings(closed, least));
+        let turn_swings = turn_least.and_then(|least| motion.turn_swings(closed, least));
+        let swinging = [place_swings.map(|found| (found, false)), turn_swings.map(|found| (found, true))];
+        let swinging = swinging.into_iter().flatten();
+        warnings.extend(swinging.map(|(PartSwings { span, count, ratio, beyond }, turning)| {
+            Warning::PoseFit(PoseFitWarning::Swings { span: numbers[span], count, turning, ratio, beyond })
+        }));
         Ok(Self { deviation: Some(deviation), smoothing: warnings, ..motion })
+    }
+}
+
+impl DecoupledMotion {
+    /// Where its places run beyond those of the poses, by more than this.
+    fn place_swings(&self, closed: bool, least: f64) -> Option<PartSwings> {
+        let place = |span: usize, u: f64| self.places[span].place(u, None);
+        let run = |(span, times): (usize, &[f64])| {
+            let ends = [0.0, 1.0].map(|u| self.places[span].jet(u, None).d1);
+            Run::new(place(span, 1.0) - place(span, 0.0), times[1] - times[0], ends)
+        };
+        let way = |span: usize| parts().map(|[from, to]| (place(span, to) - place(span, from)).length()).sum();
+        let first = self.pose_places[0];
+        let extent = self.pose_places.iter().map(|pose| (*pose - first).length()).fold(0.0, f64::max);
+        let size = self.pose_places.iter().map(|pose| pose.max_abs()).fold(0.0, f64::max);
+        let least = least.max(SAME_PLACE * extent + ROUNDINGS * size);
+        PartSwings::of(self.times.windows(2).enumerate().map(run).collect(), closed, least, way)
+    }
+
+    /// Where its turns do.
+    fn turn_swings(&self, closed: bool, least: f64) -> Option<PartSwings> {
+        let turn = |span: usize, [from, to]: [f64; 2]| {
+            let [a, b] = [from, to].map(|u| self.turns[span].rotation(u));
+            rotation_vector([a, if a.dot(b) < 0.0 { b * -1.0 } else { b }])
+        };
+        let run = |(span, times): (usize, &[f64])| {
+            let ends = [0.0, 1.0].map(|u| self.turns[span].jet(u).angular[0]);
+            Run::new(turn(span, [0.0, 1.0]), times[1] - times[0], ends)
+        };
+        let way = |span: usize| parts().map(|ends| turn(span, ends).length()).sum();
+        let runs = self.times.windows(2).enumerate().map(run).collect();
+        PartSwings::of(runs, closed, least.max(SAME_TURN), way)
     }
 }
 
@@ -206,6 +251,12 @@ impl Reading {
             })
         });
         named.collect()
+    }
+
+    /// Swings up to the tolerance and the noise are theirs; `None` where outliers are kept, which are named and throw the motion out.
+    fn least_swing(&self) -> Option<f64> {
+        let noise = self.noise.map_or(0.0, |noise| ROOM * noise.farthest(self.count));
+        self.strays.is_empty().then(|| self.tolerance.unwrap_or(0.0).max(noise))
     }
 
     /// What a tolerance does that is below the noise, or far above.

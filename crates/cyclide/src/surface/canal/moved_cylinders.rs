@@ -168,7 +168,7 @@ impl MovedCylinders {
         let smallest = form.smallest().ok_or(BallError::SphereAtInfinity { measured: -1.0, limit: 0.0 })?;
         let (limit, x) = (smallest - form.shift, radius + form.shift);
         if !(radius >= limit) {
-            return Err(BallError::RadiusTooSmall { radius, limit }.into());
+            return Err(BallError::RadiusTooSmall { radius, limit, works: None }.into());
         }
         let RadiusForm { s, t, z, .. } = form;
         let ([a, b], [a0, b0]) = (form.sides(x), form.sides(smallest));

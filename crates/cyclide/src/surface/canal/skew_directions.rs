@@ -35,7 +35,7 @@ impl SkewCylinders {
         let limit = self.smallest_radius();
         let excess = radius - limit;
         if !(excess > 0.0) {
-            return Err(BallError::RadiusTooSmall { radius, limit }.into());
+            return Err(BallError::RadiusTooSmall { radius, limit, works: None }.into());
         }
         let [p, q] = self.radii().map(|r| r + radius);
         if let Some(surface) = [p, q].into_iter().position(|distance| !(distance > 0.0)) {

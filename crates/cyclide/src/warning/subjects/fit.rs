@@ -39,6 +39,17 @@ table! {
         says "the median sagitta of the edges is {sagitta}, the limit for an arc over two edges is {limit}: if the \
             points are samples of a smooth curve, use the target `points`";
 
+        /// A fair fit is bound to edges that are farther from a smooth curve through their points than the tolerance.
+        EdgesTooCoarse {
+            /// Median sagitta of the edges.
+            sagitta: f64,
+            /// The tolerance.
+            limit: f64,
+        }
+        reason "samples-too-coarse";
+        says "the median sagitta of the edges is {sagitta}, above the tolerance of {limit} that they are bound to: if \
+            the points are samples of a smooth curve, leave `polyline` out, or use a larger tolerance";
+
         /// Arcs of a fit are much tighter than any circle of the data near them: they may hide a corner.
         TightArc {
             /// The piece that is tightest against its data, from 0.

@@ -54,6 +54,27 @@ table! {
             around it, whose noise has a standard deviation of {noise}{1}; kept, and the motion follows it within \
             the tolerance", of(*turning), unit(*turning);
 
+        /// A smoothed motion starts or ends a span much faster than it moves there on average: it overshoots the poses, as where two of
+        /// them are close together in time and farther apart than the tolerance.
+        Swings {
+            /// The span with the largest ratio, by the pose at its start, from 0.
+            span: usize,
+            /// How many such spans there are.
+            count: usize,
+            /// True for rotations, in radians; else for positions.
+            turning: bool,
+            /// How many times as fast; infinite where the two poses are equal.
+            ratio: f64,
+            /// How far it overshoots the poses there.
+            beyond: f64,
+        }
+        reason "motion-swings";
+        at *span;
+        says "the smoothed motion overshoots its poses in {0} in {count} span(s), most after pose {span}, by \
+            {beyond}{1}: its times do not fit the distances between the poses there; give times that fit the path \
+            lengths, leave out a pose that is too close to the next one in time, or use a larger tolerance",
+            of(*turning), unit(*turning);
+
         /// The tolerance of a smoothed motion is so large that its path is less than 0.8 times as long as the poses indicate.
         SmoothedAway {
             /// True for rotations, in radians; else for positions.

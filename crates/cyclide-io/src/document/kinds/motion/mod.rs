@@ -1,6 +1,7 @@
 //! A motion of a body, through poses or along a curve.
 
 mod poses;
+mod positions;
 
 use cyclide::{
     Quat, ShortNumber, Vec3,
@@ -188,7 +189,8 @@ pub enum PoseSource {
 /// A file of poses: delimited text with a header line. Columns are `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`,
 /// `pitch`, `yaw` (radians; in degrees `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix,
 /// row by row, which may replace the position as well; `t`, `time` or `timestamp`, if there are times. Names may carry
-/// units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles without a column are 0.
+/// units: `x_mm`, `time [s]`, `time_ns`, `yaw (deg)`. A `z` and angles without a column are 0. Beside positions with
+/// other names (`px`, `py`, `pz`), the columns `x`, `y`, `z`, `w` are a quaternion.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -409,6 +411,9 @@ impl Builder<'_> {
                 // They count the positions, which are fewer than the poses where the body stays.
                 for warning in curve.warnings() {
                     self.warn_at("positions", None, warning.clone());
+                    if let Some(remark) = self.remarks.last_mut() {
+                        remark.message = positions::words(warning, &remark.message);
+                    }
                 }
                 DecoupledMotion::on_curve(poses, closing, curve)
             }

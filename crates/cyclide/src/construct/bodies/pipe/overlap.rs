@@ -6,11 +6,12 @@
 //! found by closest points in turns. What a tube has beyond the balls about its spine, the spikes of miters and the rims of slanted plane ends, is
 //! looked at by points of its own. Chords are looked up by the cubes they lie in, so that time is linear in the length over the radius.
 
+use super::super::center_line::{CenterLine, Crossing};
 use super::PipeEnds;
 use super::frame::Spine;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
-use crate::error::{PipeError, Result};
+use crate::error::{Error, PipeError, Result};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -47,6 +48,30 @@ struct Measured<'a> {
 /// # Errors
 /// `pipe-meets-itself`.
 pub(super) fn check(spine: &Spine, radius: f64, ends: PipeEnds) -> Result<()> {
+    // Where the spine itself crosses, no thinner pipe helps: that is said first.
+    first_overlap(spine, radius, ends).map_err(|error| crossing(spine, radius).unwrap_or(error))
+}
+
+/// Where pieces of the spine cross.
+fn crossing(spine: &Spine, radius: f64) -> Option<Error> {
+    let arc = |piece: usize| &spine.pieces[piece].arc;
+    let sagitta = |piece: usize, [from, to]: [f64; 2]| {
+        0.125 * arc(piece).curvature() * arc(piece).piece_length(0, from, to).powi(2)
+    };
+    let line = CenterLine {
+        count: spine.pieces.len(),
+        closed: spine.closed,
+        point: &|piece, t| arc(piece).point(t),
+        sagitta: &sagitta,
+    };
+    let limit = 2.0 * radius;
+    line.crossing(limit).map(|Crossing { pieces, point, distance }| {
+        let [first, second] = pieces.map(|piece| spine.pieces[piece].source);
+        PipeError::MeetsItself { first, second, point: point.to_array(), distance, limit }.into()
+    })
+}
+
+fn first_overlap(spine: &Spine, radius: f64, ends: PipeEnds) -> Result<()> {
     let measured = Measured::new(spine, radius, ends);
     let step = (0.5 * radius).max(measured.length / MOST_CHORDS);
     let middles = measured.middles(step);

@@ -77,7 +77,7 @@ impl MixedPair {
         let height =
             [c / q, q / a].into_iter().filter(|z| z.is_finite()).max_by(|p, q| square(*p).total_cmp(&square(*q)));
         let Some(z) = height.filter(|z| radius < limit && square(*z) > 0.0) else {
-            return Err(CrossingError::BallTooLarge { radius, limit }.into());
+            return Err(CrossingError::BallTooLarge { radius, limit, works: None }.into());
         };
         let t = square(z);
         // Half the rate of t, and that of the height.

@@ -14,6 +14,7 @@ mod law_fold;
 mod mixed;
 mod skin;
 mod torus_pair;
+mod working_radius;
 
 use super::angle_law::Law;
 use super::ball_centers::BallCenters;
@@ -268,11 +269,15 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `crossing-axes-too-near` (unless their distance is more than the radii differ), `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
+    /// `crossing-no-ball` (no radius works between these pipes), `crossing-axes-too-near` (unless their distance is more than the radii differ), `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
     /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`,
     /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball). Of pipes with a taper also `radius-not-positive` (one that comes to an end before its own),
     /// `angle-out-of-range` (the angle of the axes, or its supplement, is not above the sum of the tapers), `crossing-needs-cylinders` (mixed, or a radius that changes).
     pub fn made(&self) -> Result<MadeCrossing> {
+        self.made_as_asked().map_err(|error| self.with_working_radius(error))
+    }
+
+    fn made_as_asked(&self) -> Result<MadeCrossing> {
         self.check_tapers()?;
         let mantles = [0, 1].map(|pipe: usize| skin::mantle(&self.axes, pipe, &self.pipes[pipe]));
         let pair = TorusPair::new(&self.pipes, &self.axes, &mantles)?;
@@ -292,7 +297,7 @@ impl PipeCrossing {
         };
         if self.side.is_in_material() {
             if !(most < limit) {
-                return Err(CrossingError::BallTooLarge { radius: most, limit }.into());
+                return Err(CrossingError::BallTooLarge { radius: most, limit, works: None }.into());
             }
             if depth >= least {
                 return Err(NumberError::ParameterOutOfRange {
@@ -304,7 +309,7 @@ impl PipeCrossing {
                 .into());
             }
         } else if !(least > limit) {
-            return Err(BallError::RadiusTooSmall { radius: least, limit }.into());
+            return Err(BallError::RadiusTooSmall { radius: least, limit, works: None }.into());
         }
         // The larger balls are those of the inner skin, in the material those of the outer one.
         let larger = if self.side.is_in_material() { 0.0 } else { depth };

@@ -1,6 +1,7 @@
 //! Whether a tube runs into itself: pairs of parts of its arcs, halved until they are apart, are neighbors, or are so short that their balls are compared
 //! (`docs/math/tubes.md#meeting`).
 
+use super::super::center_line::{CenterLine, Crossing};
 use super::ball::{Ball, Way};
 use super::ball_arc::{BallArc, Station};
 use crate::base::bounds::Aabb;
@@ -116,6 +117,19 @@ pub(super) fn check(course: Course<'_>) -> Result<()> {
     let mut left = MOST_PAIRS;
     let found = tube.tree.find_within(skip, |i, j| meeting([&tube, &tube], [i, j], &mut left));
     found.map_or(Ok(()), |Meeting { sources: [first, second], point, distance, limit, .. }| {
+        let arcs = tube.course.arcs;
+        let line = CenterLine {
+            count: arcs.len(),
+            closed: tube.course.closed,
+            point: &|arc, s| arcs[arc].station(s).ball.center,
+            sagitta: &|arc, range| arcs[arc].sagitta(range),
+        };
+        // No thinner tube helps there: that is said first.
+        let crossing = line.crossing(limit);
+        let ([first, second], point, distance) = crossing
+            .map_or(([first, second], point, distance), |Crossing { pieces, point, distance }| {
+                (pieces.map(|arc| arcs[arc].source), point, distance)
+            });
         let [first, second] = [first.min(second), first.max(second)];
         Err(PipeError::MeetsItself { first, second, point: point.to_array(), distance, limit }.into())
     })

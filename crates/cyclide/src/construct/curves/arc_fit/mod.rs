@@ -137,7 +137,15 @@ impl ArcFit {
         let nearest = |a: &&usize, b: &&usize| points[**a].distance(at).total_cmp(&points[**b].distance(at));
         let indices: Vec<usize> = (0..points.len()).collect();
         let vertex = *indices.iter().min_by(nearest)?;
-        Some(Error::Fit(FitError::ArcLimitNotKept { vertex, name, value, limit }))
+        let arcs = || self.path.arcs().iter().filter(|arc| !limits.allow(arc));
+        let (other, least, other_limit) = if name == ErrorItem::MinRadius {
+            (ErrorItem::MinArcLength, arcs().map(Arc::length).fold(f64::INFINITY, f64::min), limits.length)
+        } else {
+            let radii = arcs().map(|arc| 1.0 / arc.curvature());
+            (ErrorItem::MinRadius, radii.fold(f64::INFINITY, f64::min), 1.0 / limits.curvature)
+        };
+        let also = (least < other_limit).then_some((other, least));
+        Some(Error::Fit(FitError::ArcLimitNotKept { vertex, name, value, limit, also }))
     }
 
     fn in_any_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {

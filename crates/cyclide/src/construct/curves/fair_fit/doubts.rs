@@ -85,7 +85,7 @@ impl Doubts<'_> {
             return None;
         }
         let (sagitta, limit) = (sagitta_quantile(self.data, self.options.closed, 0.5), self.options.tolerance);
-        (sagitta > limit).then_some(Warning::Fit(FitWarning::SamplesTooCoarse { sagitta, limit }))
+        (sagitta > limit).then_some(Warning::Fit(FitWarning::EdgesTooCoarse { sagitta, limit }))
     }
 
     /// The piece that is farthest from the number of nodes asked for, and why.

@@ -1,6 +1,7 @@
 //! Whether a tube of circles runs into itself or into another: pairs of parts, halved until they are apart, are neighbors, or are so short that their
 //! disks are compared (`docs/math/tubes.md#disks-that-meet`).
 
+use super::super::super::center_line::{CenterLine, Crossing};
 use super::super::meeting::{MOST_PAIRS, SHORT, Section, TOUCHING};
 use super::piece::Piece;
 use crate::base::box_tree::BoxTree;
@@ -115,8 +116,27 @@ pub(super) fn check(course: &Course) -> Result<()> {
     let mut left = MOST_PAIRS;
     let found = course.tree.find_within(|_, _| false, |i, j| meeting([course, course], [i, j], true, &mut left));
     found.map_or(Ok(()), |Meeting { sources: [a, b], centers: [p, q], radii }| {
-        let point = p.midpoint(q).to_array();
-        let (distance, limit) = (p.distance(q), radii[0] + radii[1]);
+        let limit = radii[0] + radii[1];
+        // Round ends are no part of it.
+        let is_piece = |stretch: &&Stretch| matches!(stretch.radius, Radius::Law(_));
+        let stretches: Vec<&Stretch> = course.stretches.iter().filter(is_piece).collect();
+        let line = CenterLine {
+            count: stretches.len(),
+            closed: course.closed,
+            point: &|stretch, t| stretches[stretch].arc.point(t),
+            sagitta: &|stretch, [from, to]| {
+                let own = stretches[stretch];
+                0.125 * own.curvature * own.arc.piece_length(0, from, to).powi(2)
+            },
+        };
+        // No thinner tube helps there: that is said first.
+        let ([a, b], point, distance) = match line.crossing(limit) {
+            Some(Crossing { pieces, point, distance }) => {
+                (pieces.map(|stretch| stretches[stretch].source), point, distance)
+            }
+            None => ([a, b], p.midpoint(q), p.distance(q)),
+        };
+        let point = point.to_array();
         Err(PipeError::MeetsItself { first: a.min(b), second: a.max(b), point, distance, limit }.into())
     })
 }
