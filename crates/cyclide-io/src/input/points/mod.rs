@@ -19,6 +19,7 @@ mod compass;
 mod decimals;
 mod fields;
 mod find;
+mod globe;
 mod groups;
 mod headless;
 mod height_words;
@@ -103,12 +104,19 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         }
         pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
         bulges.refuse(source, &chosen.coordinates, row)?;
-        contours.add(source, &chosen, row)
+        contours.add(source, &chosen, &table.header, row)
     })?;
     let Contours { mut lists, decimals, last_label, .. } = contours;
     remarks::refuse_total(source, last_label)?;
+    let [plane, space] = [2, 3].map(|count| numbers_of(chosen.coordinates.iter().copied().take(count)));
     let mut remarks = Vec::new();
     let mut remark = |reason, message: String| remarks.push(PointRemark { reason, message });
+    if pairs.as_ref().is_some_and(Pairs::are_certain) {
+        let count = if chosen.coordinates.len() == 2 { &plane } else { &space };
+        return Err(table.refused(format!(
+            "the commas are decimal commas and separate the columns too, by the zeros behind them: separate the columns by semicolons; `--columns {count}` takes all numbers as whole ones nevertheless"
+        )));
+    }
     if pairs.is_some_and(|pairs| pairs.found()) {
         let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
         let message = format!(
@@ -155,11 +163,9 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     let heights = lists.iter().flat_map(|list| &list.points).map(|p| p.z);
     if let Some(missing) = MissingHeights::of(heights).filter(|_| columns.coordinates.is_none()) {
-        let [plane, space] = [2, 3].map(|count| numbers_of(chosen.coordinates.iter().copied().take(count)));
         let message = missing.of_points(&plane, &space);
         if missing.is_certain {
-            let start = lists.iter().flat_map(|list| &list.offsets).nth(missing.first).copied().unwrap_or_default();
-            return Err(source.diagnostic(start..start, "", message).with_reason(HEIGHTS_MISSING));
+            return Err(at_point(source, &lists, missing.first, message).with_reason(HEIGHTS_MISSING));
         }
         remark(HEIGHTS_MISSING, message);
     }
@@ -169,6 +175,12 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     let notes = remarks::notes(source, &table, &chosen, &decimals, decoded.encoding);
     Ok(PointTable { contours: lists, unit_hints, remarks, notes })
+}
+
+/// A message about a point, counted through all contours.
+fn at_point(source: Source<'_>, lists: &[PointList], point: usize, message: String) -> Box<Diagnostic> {
+    let start = lists.iter().flat_map(|list| &list.offsets).nth(point).copied().unwrap_or_default();
+    source.diagnostic(start..start, "", message)
 }
 
 /// The contours as far as they are read.
@@ -183,7 +195,13 @@ struct Contours<'a> {
 
 impl<'a> Contours<'a> {
     /// Adds the point of a line.
-    fn add(&mut self, source: Source<'_>, chosen: &Chosen, row: &Row<'_, 'a>) -> Result<(), Box<Diagnostic>> {
+    fn add(
+        &mut self,
+        source: Source<'_>,
+        chosen: &Chosen,
+        names: &[Field<'_>],
+        row: &Row<'_, 'a>,
+    ) -> Result<(), Box<Diagnostic>> {
         let target = match chosen.contour {
             Some(column) => {
                 let label = row.field(source, column, "contour")?.text;
@@ -210,7 +228,13 @@ impl<'a> Contours<'a> {
                     ),
                 ));
             }
-            *value = self.decimals.read(source, &field)?;
+            *value = self.decimals.read(source, &field).map_err(|mut refused| {
+                let ends = ["is not a number", "is missing", "is not a finite number"];
+                if ends.iter().any(|end| refused.message.ends_with(end)) {
+                    refused.message.push_str("; remove the line if it is no point");
+                }
+                remarks::no_point(source, chosen, names, row, self.last_label).unwrap_or(refused)
+            })?;
         }
         if let Some(column) = chosen.corner {
             let field = row.field(source, column, "corner")?;
@@ -232,7 +256,8 @@ impl<'a> Contours<'a> {
 
 /// True for what stands for no number.
 fn is_missing(text: &str) -> bool {
-    text.is_empty() || ["-", "--", "n/a", "na", "nan", "null", "none"].iter().any(|own| text.eq_ignore_ascii_case(own))
+    text.is_empty()
+        || ["-", "--", "---", "n/a", "na", "nan", "null", "none"].iter().any(|own| text.eq_ignore_ascii_case(own))
 }
 
 /// True if the first coordinates of at least three points are whole numbers that rise by one throughout, or rise from 0 in equal
