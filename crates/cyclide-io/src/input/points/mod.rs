@@ -11,6 +11,7 @@
 //! that is a choice it is said, and where it would be a guess it is refused. Above the header there may be titles, below it a
 //! line of units; the text may be UTF-8, UTF-16 or Windows-1252.
 
+mod bulges_as_z;
 mod civil_time;
 mod clock;
 mod column_unit;
@@ -54,6 +55,7 @@ use cyclide::Point3;
 
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source, quoted};
+use bulges_as_z::{BULGES_AS_Z, ThirdColumn};
 pub use column_unit::{ColumnUnit, unit_of_columns};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
@@ -150,6 +152,16 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {
         let message = "the file has no header line, and its first column increases in equal steps: it is taken as x; if it numbers the points, or is a station, choose the others (`--columns 2,3`, in a document `columns`)";
         remark("numbers-as-x", message.to_owned());
+    }
+    let is_third_z = table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3;
+    if let Some(third) = is_third_z.then(|| ThirdColumn::of(&lists)) {
+        let message = third.message(&plane, &space);
+        if let ThirdColumn::Bulges { first, .. } = third {
+            return Err(at_point(source, &lists, first, message).with_reason(BULGES_AS_Z));
+        }
+        if !message.is_empty() {
+            remark(BULGES_AS_Z, message);
+        }
     }
     if decimals.comma {
         remark("decimal-commas", "the numbers are read with decimal commas".to_owned());
