@@ -362,7 +362,7 @@ fn example(table: &Table<'_>, columns: &[usize]) -> String {
     let (plan, rest) = columns.split_at(columns.len().min(2));
     let is_height = |i: &&usize| {
         let own = table.header.get(**i).map(Role::of);
-        own.map_or(true, |role| rest.len() == 1 || matches!(role, Role::Height { .. }))
+        own.is_none_or(|role| rest.len() == 1 || matches!(role, Role::Height { .. }))
     };
     numbers_of(plan.iter().chain(rest.iter().find(is_height)).copied())
 }
