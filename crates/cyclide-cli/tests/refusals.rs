@@ -94,7 +94,10 @@ fn refused_input_shows_file_line_and_column() {
             "build kernel.json",
             "error: kernel.json:2:54: objects.c.radius: the radius 0 is not positive [radius-not-positive]",
         ),
-        ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
+        (
+            "sample csv.json --count 5",
+            "error: bad.csv:3:3: `nan` is not a finite number; remove the line if it is no point\n  3 | 1,nan\n    |   ^^^",
+        ),
         ("build empty.json", "error: o.step: the model has nothing to write [empty-model]"),
         ("curve bad.csv", "error: bad.csv:3:3: `nan` is not a finite number"),
         (

@@ -118,6 +118,14 @@ fn a_face_that_is_there_twice_is_named_with_both_lines() {
         let message = folder.fails(1, "report m.json");
         assert!(message.contains("doubled-face"), "{message}");
         assert!(message.contains(&format!("line {first}")) && message.contains(&line.to_string()), "{message}");
+        assert!(message.contains(": delete one of them"), "{message}");
+    }
+    // Of several the number is known, so that nobody deletes one after the other.
+    text += "f 1 2 7 6\nf 9 4 3 8\n";
+    for document in [NET, SMOOTH, LATTICE] {
+        let message = Folder::with(&[("m.json", document), ("m.obj", &text)]).fails(1, "report m.json");
+        let more = "and 2 more faces have those of earlier ones: delete all 3 repeated faces";
+        assert!(message.contains(more) && message.contains(&line.to_string()), "{message}");
     }
 }
 

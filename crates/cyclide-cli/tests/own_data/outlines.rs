@@ -28,6 +28,33 @@ fn an_outline_of_corners_is_lines() {
     }
 }
 
+/// A last point that was drawn beside the first makes no piece of its own, as one that repeats it does not.
+#[test]
+fn a_closing_point_near_the_first_leaves_no_hook() {
+    let box_of = |last: &str| format!("x,y\n0,0\n40,0\n40,20\n0,20\n{last}\n");
+    for (last, said) in [
+        ("0,0", "point 4 repeats the first point of the closed curve: merged"),
+        ("0.006,0.008", "point 4 repeats the first point of the closed curve (distance 0.01): merged"),
+    ] {
+        let folder = Folder::with(&[("c.csv", &box_of(last))]);
+        let run = folder.run("curve c.csv --kind arc-fit --closed --tolerance 0.02 -o c.dxf");
+        assert!(run.code == 0 && run.stderr.contains(said), "{}", run.stderr);
+        assert!(run.stdout.contains("0 arcs and 4 lines") && !run.stderr.contains("previous"), "{}", run.stdout);
+    }
+    // The tolerance tells these apart.
+    let folder = Folder::with(&[("c.csv", &box_of("0.3,0.4"))]);
+    assert!(folder.ok("curve c.csv --kind arc-fit --closed --tolerance 0.02 -o c.dxf").contains("0 arcs and 5 lines"));
+    // An ellipse: the hook would be an arc of a radius of 0.4 in 12.
+    let at = |i: u32| (f64::from(i) * std::f64::consts::TAU / 40.0).sin_cos();
+    let row = |(sin, cos): (f64, f64)| format!("{:.4},{:.4}\n", 10.0 * cos, 6.0 * sin);
+    let text = format!("x,y\n{}10.0060,0.0080\n", (0..40).map(at).map(row).collect::<String>());
+    let folder = Folder::with(&[("c.csv", &text)]);
+    let run = folder.run("curve c.csv --kind arc-fit --closed --tolerance 0.02 --json -o c.dxf");
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    // The curvature of the ellipse is at most 10/36.
+    assert!(report["objects"]["c"]["curvature"]["max"].as_f64().unwrap() < 0.35, "{}", run.stdout);
+}
+
 #[test]
 fn the_smooth_curve_that_nobody_asked_for_is_said() {
     for name in ["rect.csv", "ushape.csv"] {

@@ -269,6 +269,70 @@ fn what_points_alone_do_not_say_is_refused() {
     }
 }
 
+/// Tables as instruments, text editors and spreadsheets leave them: what they add is no point.
+#[test]
+fn what_is_drawn_around_a_table_is_passed_over() {
+    let rows = "1;10.5;20.5;3.5\n2;11.5;21.25;3.75\n3;13.5;20.5;4.5\n";
+    let expected = [[10.5, 20.5, 3.5], [11.5, 21.25, 3.75], [13.5, 20.5, 4.5]];
+    let lines = |table: &str, separator: &str| table.replace(';', separator);
+    let piped = |table: &str| table.lines().map(|row| format!("| {} |\n", row.replace(';', " | "))).collect::<String>();
+    for text in [
+        format!("Nr;Ost;Nord;H\n---;---;---;---\n{rows}"),
+        format!("Nr   Ost   Nord   H\n--------------------\n{}", lines(rows, "  ")),
+        format!("==========\nNr;Ost;Nord;H\n==========\n{rows}"),
+        format!("{}|----|---|---|---|\n{}", piped("Nr;Ost;Nord;H\n"), piped(rows)),
+        // Ctrl-Z ends files of DOS.
+        format!("Nr;Ost;Nord;H\n{rows}\u{1a}"),
+        // Names that tabs align, over fields that they do not.
+        format!("Nr\tOst\t\tNord\t\tH\n{}", lines(rows, "\t")),
+        format!("Nr\tOst\t\tNord\t\tH\n\t[m]\t\t[m]\t\t[m]\n{}", lines(rows, "\t")),
+        "Nr;;Ost;Nord;H\n1;;10.5;20.5;3.5\n2;;11.5;21.25;3.75\n3;;13.5;20.5;4.5\n".to_owned(),
+    ] {
+        let table =
+            read_points("t.csv", text.as_bytes(), &PointColumns::default()).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        assert_eq!(points_of(&table), expected, "{text}");
+    }
+}
+
+/// A refusal says what to do, and where.
+#[test]
+fn what_is_no_table_of_points_is_refused_with_a_remedy() {
+    for (text, message) in [
+        ("Punkt;Ost;Nord\n#100;10.5;20.5\n#101;11.5;21.5\n", "2:1: the file has no points; this line is a remark"),
+        ("\"x;y\"\n\"1,5;2,5\"\n", "2:1: the file has no points; this line is in quotes as a whole"),
+        ("x;y\n1.5 m;2.5 m\n", "2:1: the file has no points; no line has two numbers alone"),
+        ("Nr;x;y;d\n1;1.5;2.5;3\nSumme;;;3\n", "`Summe` is not the name of a point: remove this line"),
+        ("Nr;x;y\n1;1.5;2.5\nNr;x;y\n2;3;4\n", "3:1: the names of the columns are repeated here: remove"),
+        ("Nr;x;y\n1;1.5;2.5\nPrinted on Monday\n", "the line has 1 field; remove it if it is no point"),
+        ("Nr Ost Nord\nGP 1 1.5 2.5\n", "put names of several words in quotes"),
+        ("158,621,80,014\n152,853,91,250\n", "decimal commas and separate the columns too"),
+        ("Nr\tOst\t\tNord\t\tH\tCode\n1\t2.5\t3.5\t4.5\n", "4 columns"),
+    ] {
+        let refused =
+            read_points("t.csv", text.as_bytes(), &PointColumns::default()).map(|t| points_of(&t)).unwrap_err();
+        assert!(refused.to_string().contains(message), "{refused}");
+    }
+    // Commands that are offered keep the heights.
+    for text in [
+        "1000;456038.6;5432000.5;412.4;100\n1001;456032.8;5432011.5;413.1;101\n1002;456021.6;5432017.5;413.7;102\n",
+        "foo;bar;baz;Höhe\n456038.6;5432000.5;7.5;412.4\n456032.8;5432011.5;7.5;413.1\n",
+    ] {
+        let refused =
+            read_points("t.csv", text.as_bytes(), &PointColumns::default()).map(|t| points_of(&t)).unwrap_err();
+        let columns = PointColumns { coordinates: command_in(&refused.message), ..PointColumns::default() };
+        let table = read_points("t.csv", text.as_bytes(), &columns).unwrap();
+        assert!((points_of(&table)[0][2] - 412.4).abs() < 1e-9, "{refused}");
+    }
+    // The Hochwert of a second system is no height.
+    let two = "Nr;E UTM;N UTM;R GK;H GK\n1;456038.6;5432000.5;3456039.1;5432800.2\n2;456032.8;5432011.5;3456033.3;5432811.2\n";
+    let table = read_points("t.csv", two.as_bytes(), &PointColumns::default()).unwrap();
+    assert_eq!(points_of(&table)[0], [456_038.6, 5_432_000.5, 0.0]);
+    // Longitudes and latitudes that are called x and y are said.
+    let degrees = "X,Y\n13.4050123,52.5200123\n13.4060456,52.5201456\n13.4070789,52.5209789\n";
+    let table = read_points("t.csv", degrees.as_bytes(), &PointColumns::default()).unwrap();
+    assert!(table.remarks.iter().any(|remark| remark.message.contains("in degrees")), "{:?}", table.remarks);
+}
+
 /// Numbers that look random and are the same each time.
 struct Random(u64);
 

@@ -18,15 +18,42 @@ impl Counted {
     }
 }
 
-/// The first face with the same vertices as one before it: their indices, in this order. Vertices that are equal must have one index.
-pub(crate) fn doubled(faces: &[impl AsRef<[usize]>]) -> Option<[usize; 2]> {
-    let mut seen: HashMap<Vec<usize>, usize> = HashMap::with_capacity(faces.len());
-    faces.iter().enumerate().find_map(|(index, face)| {
-        let mut vertices = face.as_ref().to_vec();
-        vertices.sort_unstable();
-        let first = *seen.entry(vertices).or_insert(index);
-        (first != index).then_some([first, index])
-    })
+/// Faces with the same vertices as one before them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Doubled {
+    /// The first of them: the index of the earlier face, and its own.
+    pub(crate) faces: [usize; 2],
+    /// How many there are after it.
+    pub(crate) more: usize,
+}
+
+impl Doubled {
+    /// Finds them; vertices that are equal must have one index.
+    pub(crate) fn among(faces: &[impl AsRef<[usize]>]) -> Option<Self> {
+        let mut seen: HashMap<Vec<usize>, usize> = HashMap::with_capacity(faces.len());
+        let mut found: Option<Self> = None;
+        for (index, face) in faces.iter().enumerate() {
+            let mut vertices = face.as_ref().to_vec();
+            vertices.sort_unstable();
+            let first = *seen.entry(vertices).or_insert(index);
+            if first != index {
+                let more = found.map_or(0, |found| found.more + 1);
+                found = Some(Self { faces: found.map_or([first, index], |found| found.faces), more });
+            }
+        }
+        found
+    }
+
+    /// What is said of the others, and the remedy.
+    pub(crate) fn remedy(self) -> String {
+        match self.more {
+            0 => ": delete one of them".to_owned(),
+            1 => ", and 1 more face has those of an earlier one: delete both repeated faces".to_owned(),
+            more => {
+                format!(", and {more} more faces have those of earlier ones: delete all {} repeated faces", more + 1)
+            }
+        }
+    }
 }
 
 /// The faces whose corners run the other way than those of most faces that they are connected with.
@@ -120,8 +147,9 @@ mod tests {
 
     #[test]
     fn faces_that_are_there_twice_are_found_however_they_start() {
-        assert_eq!(doubled(&QUADS), None);
-        let faces = [[0, 1, 4, 3], [1, 2, 5, 4], [4, 1, 0, 3]];
-        assert_eq!(doubled(&faces), Some([0, 2]));
+        assert_eq!(Doubled::among(&QUADS), None);
+        let faces = [[0, 1, 4, 3], [1, 2, 5, 4], [4, 1, 0, 3], [5, 1, 2, 4], [0, 1, 4, 3]];
+        assert_eq!(Doubled::among(&faces[..3]), Some(Doubled { faces: [0, 2], more: 0 }));
+        assert_eq!(Doubled::among(&faces), Some(Doubled { faces: [0, 2], more: 2 }));
     }
 }

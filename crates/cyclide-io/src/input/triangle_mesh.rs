@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use cyclide::{Point3, Vec3};
 
-use crate::input::exported_faces::{Counted, doubled, turned_over};
+use crate::input::exported_faces::{Counted, Doubled, turned_over};
 use crate::input::polygon_mesh::PolygonMesh;
 
 /// Polygons with more corners are not cut: the work grows with the cube of their number.
@@ -37,8 +37,8 @@ pub(crate) struct TriangleMesh {
 pub(crate) enum BadPolygons {
     /// One that cannot be cut into triangles.
     Uncut { polygon: usize, corners: usize },
-    /// Two with the same vertices.
-    Doubled([usize; 2]),
+    /// Some with the same vertices as others.
+    Doubled(Doubled),
 }
 
 impl TriangleMesh {
@@ -69,8 +69,8 @@ impl TriangleMesh {
         let corners_of =
             |(index, loop_of): &(usize, Vec<usize>)| loop_of.iter().map(|k| same[given.faces[*index][*k]]).collect();
         let corners: Vec<Vec<usize>> = loops.iter().map(corners_of).collect();
-        if let Some(twice) = doubled(&corners) {
-            return Err(BadPolygons::Doubled(twice.map(|k| loops[k].0)));
+        if let Some(found) = Doubled::among(&corners) {
+            return Err(BadPolygons::Doubled(Doubled { faces: found.faces.map(|k| loops[k].0), ..found }));
         }
         for ((index, mut loop_of), turned) in loops.into_iter().zip(turned_over(&corners)) {
             let face = &given.faces[index];

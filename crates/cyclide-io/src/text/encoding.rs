@@ -23,7 +23,11 @@ const WINDOWS: [u16; 32] = [
 ///
 /// # Errors
 /// A message with the place of a byte that no such encoding has, or about zero bytes.
-pub(crate) fn decode_table<'a>(name: &str, bytes: &'a [u8]) -> Result<Decoded<'a>, Box<Diagnostic>> {
+pub(crate) fn decode_table<'a>(name: &str, mut bytes: &'a [u8]) -> Result<Decoded<'a>, Box<Diagnostic>> {
+    // The mark of DOS at the end of a file.
+    while let [rest @ .., 0x1A] = bytes {
+        bytes = rest;
+    }
     let utf16 = |little: bool, from: usize| {
         let unit = |pair: &[u8]| match pair {
             [a, b] if little => u16::from_le_bytes([*a, *b]),

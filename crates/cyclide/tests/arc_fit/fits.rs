@@ -295,7 +295,7 @@ fn equal_neighbors_are_merged_and_indices_stay_the_users() {
     let mut ring = circle(40, TAU, 1.0, Point3::ORIGIN);
     ring.push(ring[0]);
     let fit = ArcFit::new(&ring, &closed(1e-3)).unwrap();
-    assert!(matches!(fit.warnings(), [Warning::Point(PointWarning::PointsMerged { first: 40, count: 1, .. })]));
+    assert!(matches!(fit.warnings(), [Warning::Point(PointWarning::ClosingPointMerged { index: 40, .. })]));
 }
 
 #[test]

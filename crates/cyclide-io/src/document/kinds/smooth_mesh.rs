@@ -293,12 +293,13 @@ impl Builder<'_> {
                 );
                 ("polygon-not-simple", polygon, message)
             }
-            BadPolygons::Doubled([first, second]) => {
+            BadPolygons::Doubled(doubled) => {
+                let [first, second] = doubled.faces;
                 let name = |face: usize| match given.mesh.lines.get(face) {
                     Some(line) => format!("the face in line {line}"),
                     None => format!("face {face}"),
                 };
-                let message = format!("{} has the same vertices as {}: delete one of them", name(second), name(first));
+                let message = format!("{} has the same vertices as {}{}", name(second), name(first), doubled.remedy());
                 ("doubled-face", second, message)
             }
         };

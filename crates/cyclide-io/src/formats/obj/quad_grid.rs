@@ -9,7 +9,7 @@ use cyclide::{
 };
 
 use super::polygons::{Normals, Polygon, Polygons, parse};
-use crate::input::exported_faces::{doubled, turned_over};
+use crate::input::exported_faces::{Doubled, turned_over};
 use crate::input::triangle_mesh::distinct;
 use crate::text::lines::LineStarts;
 use crate::text::place::{Diagnostic, Source, decode};
@@ -225,9 +225,10 @@ impl<'a> Mesh<'a> {
             }
             quads.push(quad);
         }
-        if let Some([first, second]) = doubled(&quads) {
+        if let Some(doubled) = Doubled::among(&quads) {
+            let [first, second] = doubled.faces;
             let line = source.line_of(polygons.faces[first].span.start);
-            let message = format!("this face has the same vertices as the one in line {line}: delete one of them");
+            let message = format!("this face has the same vertices as the one in line {line}{}", doubled.remedy());
             return refused(&polygons.faces[second], "doubled-face", message);
         }
         for (index, (face, quad)) in polygons.faces.iter().zip(&quads).enumerate() {

@@ -64,7 +64,7 @@ impl Chosen {
             );
         }
         let taken: Vec<usize> = coordinates.iter().copied().chain(contour).chain(corner).collect();
-        let label = label(table, &taken);
+        let label = label(table, &sampled, &taken);
         let chosen = Self { coordinates, contour, corner, label, remark };
         chosen.refuse_several_units(table)?;
         Ok(chosen)
@@ -126,13 +126,13 @@ fn named(table: &Table<'_>, name: &str) -> Result<Option<usize>, Box<Diagnostic>
 }
 
 /// What the points are called: a column whose name says so, else the only one of texts in a file without names.
-fn label(table: &Table<'_>, taken: &[usize]) -> Option<usize> {
+fn label(table: &Table<'_>, sampled: &Sampled, taken: &[usize]) -> Option<usize> {
     let mut free = (0..table.width).filter(|i| !taken.contains(i));
     if table.header.is_empty() {
         let mut texts = free.filter(|i| table.first.get(*i).is_some_and(|f| !f.text.is_empty() && !is_number(f)));
         return texts.next().filter(|_| texts.next().is_none());
     }
-    free.find(|i| Role::of(&table.header[*i]) == Role::Label)
+    free.find(|i| Role::of(&table.header[*i]) == Role::Label && !sampled.is_empty(*i))
 }
 
 #[cfg(test)]

@@ -88,6 +88,9 @@ impl Decimals {
             None if text.contains(',') && text.replace([',', '.', '\''], "").parse::<f64>().is_ok() => {
                 refused("is not a number: write it without thousands separators")
             }
+            None if text.trim_matches(['(', ')', '[', ']', '{', '}']).parse::<f64>().is_ok() => {
+                refused("is not a number: write it without brackets")
+            }
             None => refused("is not a number"),
         }
     }
@@ -100,6 +103,8 @@ impl Decimals {
 pub(super) struct Pairs {
     /// The columns that may be fractions, one list for each way to read the rows.
     ways: Vec<&'static [usize]>,
+    /// Those of them in which a whole number begins with a zero, as fractions do.
+    begin_with_zero: [bool; 6],
 }
 
 impl Pairs {
@@ -111,7 +116,7 @@ impl Pairs {
             6 if plain => &[&[1, 3, 5]],
             _ => &[],
         };
-        Self { ways: ways.to_vec() }
+        Self { ways: ways.to_vec(), begin_with_zero: [false; 6] }
     }
 
     pub(super) fn row(&mut self, fields: &[Field<'_>]) {
@@ -124,6 +129,15 @@ impl Pairs {
             fields.iter().enumerate().all(field)
         };
         self.ways.retain(|fractions| fits(fractions));
+        for (begins, field) in self.begin_with_zero.iter_mut().zip(fields) {
+            *begins |= field.text.len() > 1 && field.text.starts_with('0');
+        }
+    }
+
+    /// True if the fields are numbers with decimal commas: what stands behind these begins with a zero in places.
+    pub(super) fn are_certain(&self) -> bool {
+        let begins = |column: &usize| self.begin_with_zero.get(*column).is_some_and(|begins| *begins);
+        self.ways.iter().any(|fractions| fractions.iter().any(begins))
     }
 
     pub(super) fn found(&self) -> bool {

@@ -2,8 +2,9 @@
 
 use super::compass::{has_direction, in_right_order, mirrored_by_figures, mirrored_by_words, proposed};
 use super::fields::is_number;
+use super::globe::{Degrees, on_the_globe, refused_on_the_globe};
 use super::height_words::is_over_ellipsoid;
-use super::names::{GLOBE, Role, axis_kind, is_letter, is_of_system, speaks_of, words_of};
+use super::names::{Role, axis_kind, is_letter, is_of_system, words_of};
 use super::northing::{Order, northing_first};
 use super::sampled::Sampled;
 use super::table::{Table, numbers_of};
@@ -29,7 +30,7 @@ pub(super) fn found(table: &Table<'_>, sampled: &Sampled, taken: &[Option<usize>
         return found_without_names(table, sampled, &free().filter(numeric).collect::<Vec<_>>(), free());
     }
     let mut roles: Vec<Role> = table.header.iter().map(Role::of).collect();
-    let globe = on_the_globe(table);
+    let globe = on_the_globe(table, sampled);
     for i in globe.into_iter().flatten() {
         roles[i] = Role::Other;
     }
@@ -37,26 +38,12 @@ pub(super) fn found(table: &Table<'_>, sampled: &Sampled, taken: &[Option<usize>
         return Ok(found);
     }
     if let Some(globe) = globe {
-        return Err(refused_on_the_globe(table, globe));
+        let mut lengths = globe.to_vec();
+        lengths.sort_unstable();
+        lengths.extend(height(table, sampled, &roles, None).0);
+        return Err(refused_on_the_globe(table, globe, &lengths));
     }
     only_numbers(table, sampled, &roles, &free().collect::<Vec<_>>())
-}
-
-/// The columns of longitudes and latitudes.
-pub(super) fn on_the_globe(table: &Table<'_>) -> Option<[usize; 2]> {
-    match GLOBE.map(|words| table.header.iter().position(|f| speaks_of(words, f))) {
-        [Some(lon), Some(lat)] => Some([lon, lat]),
-        _ => None,
-    }
-}
-
-/// The refusal of angles on the globe, with the remedy.
-pub(super) fn refused_on_the_globe(table: &Table<'_>, globe: [usize; 2]) -> Box<Diagnostic> {
-    let message = format!(
-        "{} are geographic angles: project them to a plane grid first (UTM or the national one, with a GIS program or `cs2cs`), and name the columns x_m, y_m",
-        table.names(globe)
-    );
-    table.header_refused(message)
 }
 
 /// Coordinates by their names.
@@ -90,9 +77,17 @@ fn by_names(table: &Table<'_>, sampled: &Sampled, roles: &[Role]) -> Result<Opti
         let (height, remark) = height(table, sampled, &beside, z);
         let height = height.or_else(|| letter_column(table, "u").filter(|i| sampled.is_of_numbers(*i)));
         let all: Vec<usize> = [x, y].into_iter().chain(height.filter(|z| *z != y)).collect();
+        let degrees = Degrees::of(table, sampled, [x, y]);
+        if degrees == Degrees::Certain {
+            return Err(refused_on_the_globe(table, [x, y], &all));
+        }
         let is_letter = |i: &usize| words_of(table.header[*i].text).0[0].len() == 1 && roles[*i] != Role::Axis;
         let chosen = all.iter().any(is_letter) || [x, y].iter().any(|i| !of_words(roles[*i]));
         let remark = if chosen { Some(taken_columns(table, &all)) } else { remark };
+        let remark = match degrees {
+            Degrees::Possible => Some(Degrees::remark(remark.unwrap_or_else(|| taken_columns(table, &all)))),
+            _ => remark,
+        };
         return Ok(Some((all, remark)));
     }
     let pair = [Role::Abscissa, Role::Ordinate].map(|role| candidates(table, roles, |own| own == role));
@@ -146,6 +141,16 @@ fn lettered(table: &Table<'_>, sampled: &Sampled, roles: &[Role]) -> Vec<[usize;
         by_directions.or_else(by_values).map(|k| [i, k])
     };
     all.clone().filter_map(partner).collect()
+}
+
+/// True for the `H` of a Hochwert, `GK_H` beside `GK_R`: it is no height.
+fn is_beside_rechtswert(table: &Table<'_>, sampled: &Sampled, column: usize) -> bool {
+    let Some(own) = beside_letter(table, column, "h").filter(|own| own.iter().all(|word| is_of_system(word))) else {
+        return false;
+    };
+    let is_partner =
+        |i: usize| sampled.are_numbers(i) && beside_letter(table, i, "r").is_some_and(|words| words == own);
+    (0..table.header.len()).any(is_partner)
 }
 
 /// The words of a name beside a letter at its beginning or end, if they may be those of a coordinate.
@@ -244,6 +249,10 @@ fn in_order(
             );
             Ok((all, Some(remark)))
         }
+        Order::Plain if Degrees::of(table, sampled, [all[0], all[1]]) != Degrees::No => {
+            let before = remark.unwrap_or_else(|| taken_columns(table, &all));
+            Ok((all, Some(Degrees::remark(before))))
+        }
         Order::Plain => Ok((all, remark)),
     }
 }
@@ -254,7 +263,8 @@ fn height(table: &Table<'_>, sampled: &Sampled, roles: &[Role], z: Option<usize>
         return (z, None);
     }
     let clear = candidates(table, roles, |role| role == Role::Height { clear: true });
-    let clear: Vec<usize> = clear.into_iter().filter(|i| !sampled.is_empty(*i)).collect();
+    let clear: Vec<usize> =
+        clear.into_iter().filter(|i| !sampled.is_empty(*i) && !is_beside_rechtswert(table, sampled, *i)).collect();
     if let [only] = clear[..] {
         return (Some(only), None);
     }
@@ -300,7 +310,7 @@ fn only_numbers(
     };
     let way = match which.len() {
         0 | 1 => "by their names or numbers (`--columns`, in a document `columns`)".to_owned(),
-        _ => format!("x first (`--columns {}`, in a document `columns`)", example(&which)),
+        _ => format!("x first (`--columns {}`, in a document `columns`)", example(table, &which)),
     };
     Err(table.header_refused(format!(
         "no column is named x or y; the columns are {names}: choose two or three of them, {way}"
@@ -329,7 +339,7 @@ fn found_without_names(
             "column {} seems to hold point numbers, and the file has no header line: choose the coordinates, x first \
              (`--columns {}`, in a document `columns`){both}; if it is x, `--columns {}`",
             numbers[0] + 1,
-            example(&others),
+            example(table, &others),
             numbers_of(numbers.iter().copied().take(3)),
         )));
     }
@@ -337,15 +347,24 @@ fn found_without_names(
         2 | 3 if numbers.len() == table.width => (numbers.to_vec(), None),
         0 | 1 => return Ok((free.take(2).collect(), None)),
         2 | 3 => (numbers.to_vec(), Some(taken_columns(table, numbers))),
-        _ => (numbers[..2].to_vec(), Some(taken_columns(table, &numbers[..2]))),
+        _ => {
+            let taken = taken_columns(table, &numbers[..2]);
+            let space = numbers_of(numbers[..3].iter().copied());
+            (numbers[..2].to_vec(), Some(format!("{taken}, and `--columns {space}` takes the third as z")))
+        }
     };
     in_order(table, sampled, all, None, remark)
 }
 
-/// Two or three columns of those that may be meant, as `--columns` takes them.
-fn example(columns: &[usize]) -> String {
-    let count = if columns.len() > 3 { 2 } else { columns.len() };
-    numbers_of(columns[..count].iter().copied())
+/// Two or three columns of those that may be meant, as `--columns` takes them: of more than three the first two, with the height. Without names
+/// that is the third, which codes stand behind.
+fn example(table: &Table<'_>, columns: &[usize]) -> String {
+    let (plan, rest) = columns.split_at(columns.len().min(2));
+    let is_height = |i: &&usize| {
+        let own = table.header.get(**i).map(Role::of);
+        own.is_none_or(|role| rest.len() == 1 || matches!(role, Role::Height { .. }))
+    };
+    numbers_of(plan.iter().chain(rest.iter().find(is_height)).copied())
 }
 
 /// The columns that may be meant, each x with its y and z, as a message offers them.

@@ -77,7 +77,7 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
             _ => kept.push(i),
         }
     }
-    let mut closing = 0;
+    let (mut closing, mut distance) = (0, 0.0_f64);
     while let [first, .., last] = *kept.as_slice()
         && closed
         && list.points[last].distance(list.points[first]) <= limit
@@ -85,6 +85,7 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
         marked[first] |= marked[last];
         kept.pop();
         closing = last;
+        distance = distance.max(list.points[last].distance(list.points[first]));
     }
     if kept.len() == n {
         return Merged { kept, warnings: Vec::new() };
@@ -95,7 +96,8 @@ pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {
     list.corners = kept.iter().enumerate().filter(|&(_, &i)| marked[i]).map(|(k, _)| k).collect();
     let merged =
         runs.into_iter().map(|(first, count)| Warning::Point(PointWarning::PointsMerged { first, count, limit }));
-    let closing = (closing > 0).then_some(Warning::Point(PointWarning::ClosingPointMerged { index: closing }));
+    let closing =
+        (closing > 0).then_some(Warning::Point(PointWarning::ClosingPointMerged { index: closing, distance }));
     Merged { kept, warnings: merged.chain(closing).collect() }
 }
 
@@ -120,7 +122,7 @@ mod tests {
         assert!(closed.ends_meet());
         assert_eq!(
             merge_repeated(&mut closed, true).warnings,
-            [Warning::Point(PointWarning::ClosingPointMerged { index: 4 })]
+            [Warning::Point(PointWarning::ClosingPointMerged { index: 4, distance: 0.0 })]
         );
         assert_eq!((closed.points.len(), &closed.corners[..]), (4, &[0][..]));
         let mut open = list(&square, &[4]);

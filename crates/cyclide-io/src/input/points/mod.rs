@@ -11,6 +11,7 @@
 //! that is a choice it is said, and where it would be a guess it is refused. Above the header there may be titles, below it a
 //! line of units; the text may be UTF-8, UTF-16 or Windows-1252.
 
+mod bulges_as_z;
 mod civil_time;
 mod clock;
 mod column_unit;
@@ -19,6 +20,7 @@ mod compass;
 mod decimals;
 mod fields;
 mod find;
+mod globe;
 mod groups;
 mod headless;
 mod height_words;
@@ -53,6 +55,7 @@ use cyclide::Point3;
 
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source, quoted};
+use bulges_as_z::{BULGES_AS_Z, ThirdColumn};
 pub use column_unit::{ColumnUnit, unit_of_columns};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
@@ -103,12 +106,19 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         }
         pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
         bulges.refuse(source, &chosen.coordinates, row)?;
-        contours.add(source, &chosen, row)
+        contours.add(source, &chosen, &table.header, row)
     })?;
     let Contours { mut lists, decimals, last_label, .. } = contours;
     remarks::refuse_total(source, last_label)?;
+    let [plane, space] = [2, 3].map(|count| numbers_of(chosen.coordinates.iter().copied().take(count)));
     let mut remarks = Vec::new();
     let mut remark = |reason, message: String| remarks.push(PointRemark { reason, message });
+    if pairs.as_ref().is_some_and(Pairs::are_certain) {
+        let count = if chosen.coordinates.len() == 2 { &plane } else { &space };
+        return Err(table.refused(format!(
+            "the commas are decimal commas and separate the columns too, by the zeros behind them: separate the columns by semicolons; `--columns {count}` takes all numbers as whole ones nevertheless"
+        )));
+    }
     if pairs.is_some_and(|pairs| pairs.found()) {
         let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
         let message = format!(
@@ -143,6 +153,16 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         let message = "the file has no header line, and its first column increases in equal steps: it is taken as x; if it numbers the points, or is a station, choose the others (`--columns 2,3`, in a document `columns`)";
         remark("numbers-as-x", message.to_owned());
     }
+    let is_third_z = table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3;
+    if let Some(third) = is_third_z.then(|| ThirdColumn::of(&lists)) {
+        let message = third.message(&plane, &space);
+        if let ThirdColumn::Bulges { first, .. } = third {
+            return Err(at_point(source, &lists, first, message).with_reason(BULGES_AS_Z));
+        }
+        if !message.is_empty() {
+            remark(BULGES_AS_Z, message);
+        }
+    }
     if decimals.comma {
         remark("decimal-commas", "the numbers are read with decimal commas".to_owned());
     }
@@ -155,11 +175,9 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     let heights = lists.iter().flat_map(|list| &list.points).map(|p| p.z);
     if let Some(missing) = MissingHeights::of(heights).filter(|_| columns.coordinates.is_none()) {
-        let [plane, space] = [2, 3].map(|count| numbers_of(chosen.coordinates.iter().copied().take(count)));
         let message = missing.of_points(&plane, &space);
         if missing.is_certain {
-            let start = lists.iter().flat_map(|list| &list.offsets).nth(missing.first).copied().unwrap_or_default();
-            return Err(source.diagnostic(start..start, "", message).with_reason(HEIGHTS_MISSING));
+            return Err(at_point(source, &lists, missing.first, message).with_reason(HEIGHTS_MISSING));
         }
         remark(HEIGHTS_MISSING, message);
     }
@@ -169,6 +187,12 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     }
     let notes = remarks::notes(source, &table, &chosen, &decimals, decoded.encoding);
     Ok(PointTable { contours: lists, unit_hints, remarks, notes })
+}
+
+/// A message about a point, counted through all contours.
+fn at_point(source: Source<'_>, lists: &[PointList], point: usize, message: String) -> Box<Diagnostic> {
+    let start = lists.iter().flat_map(|list| &list.offsets).nth(point).copied().unwrap_or_default();
+    source.diagnostic(start..start, "", message)
 }
 
 /// The contours as far as they are read.
@@ -183,7 +207,13 @@ struct Contours<'a> {
 
 impl<'a> Contours<'a> {
     /// Adds the point of a line.
-    fn add(&mut self, source: Source<'_>, chosen: &Chosen, row: &Row<'_, 'a>) -> Result<(), Box<Diagnostic>> {
+    fn add(
+        &mut self,
+        source: Source<'_>,
+        chosen: &Chosen,
+        names: &[Field<'_>],
+        row: &Row<'_, 'a>,
+    ) -> Result<(), Box<Diagnostic>> {
         let target = match chosen.contour {
             Some(column) => {
                 let label = row.field(source, column, "contour")?.text;
@@ -210,7 +240,13 @@ impl<'a> Contours<'a> {
                     ),
                 ));
             }
-            *value = self.decimals.read(source, &field)?;
+            *value = self.decimals.read(source, &field).map_err(|mut refused| {
+                let ends = ["is not a number", "is missing", "is not a finite number"];
+                if ends.iter().any(|end| refused.message.ends_with(end)) {
+                    refused.message.push_str("; remove the line if it is no point");
+                }
+                remarks::no_point(source, chosen, names, row, self.last_label).unwrap_or(refused)
+            })?;
         }
         if let Some(column) = chosen.corner {
             let field = row.field(source, column, "corner")?;
@@ -232,7 +268,8 @@ impl<'a> Contours<'a> {
 
 /// True for what stands for no number.
 fn is_missing(text: &str) -> bool {
-    text.is_empty() || ["-", "--", "n/a", "na", "nan", "null", "none"].iter().any(|own| text.eq_ignore_ascii_case(own))
+    text.is_empty()
+        || ["-", "--", "---", "n/a", "na", "nan", "null", "none"].iter().any(|own| text.eq_ignore_ascii_case(own))
 }
 
 /// True if the first coordinates of at least three points are whole numbers that rise by one throughout, or rise from 0 in equal

@@ -58,7 +58,8 @@ const FILLERS: &str = "of de du des di del della delle the der le la el il d";
 
 /// Words of columns that have numbers which are no coordinates.
 const OTHER: &str = "station stations stationing stationierung stazione estacion sta chainage ch km kp mp pk pr kilometer kilometre \
-    kilometrage kilometrierung progressiva progressive progressivo mileage milepost distance distancia distanza dist \
+    kilometrage kilometrierung progressiva progressive progressivo mileage milepost distance distancia distanza dist strecke strecken schragstrecke \
+    schraegstrecke horizontalstrecke \
     distanz abstand entfernung cumul cumulative offset offsets versatz deport time timestamp t stamp date datum fecha data \
     heure hora ora uhrzeit zeit temps tiempo tempo epoch week secs nsecs hz vz sd hd vd azimuth azimut bearing heading \
     course kurs richtung gisement winkel angle angolo angulo zenith tilt speed velocity geschwindigkeit vitesse velocidad \
@@ -83,12 +84,6 @@ const BEHIND_UNIT: &str = "us u s survey international intl int";
 /// Words beside the letter of an axis: `point_x`, `x coordinate`.
 const BESIDE: &str = "coord coords coordinate coordinates coor coordenada coordonnee coordinata koordinate koord wert value valor valeur \
     valore point pt pos position p loc location axis achse";
-
-/// Words that stand for the angles of places on the globe.
-pub(super) const GLOBE: [&[&str]; 2] = [
-    &["lon", "lng", "long", "longitude", "longitud", "longitudine", "langengrad"],
-    &["lat", "latitude", "latitud", "latitudine", "breitengrad"],
-];
 
 /// True for a word of a list.
 fn is_among(list: &str, word: &str) -> bool {

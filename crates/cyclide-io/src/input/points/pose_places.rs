@@ -1,8 +1,9 @@
 //! Places in a table of poses in other words than x, y, z: heights, coordinates of maps, numbered ones (`position[0]`).
 
-use super::find::{on_the_globe, refused_on_the_globe};
+use super::globe::{on_the_globe, refused_on_the_globe};
 use super::names::{Role, words_of};
 use super::pose_names::{Meaning, POSITION};
+use super::sampled::Sampled;
 use super::table::Table;
 use crate::text::place::{Diagnostic, quoted};
 
@@ -107,5 +108,6 @@ pub(super) fn refuse_globe(table: &Table<'_>, meanings: &[Option<Meaning>]) -> R
     if in_matrix(meanings) || has(meanings, 0) || has(meanings, 1) {
         return Ok(());
     }
-    on_the_globe(table).map_or(Ok(()), |globe| Err(refused_on_the_globe(table, globe)))
+    let globe = on_the_globe(table, &Sampled::of(table));
+    globe.map_or(Ok(()), |globe| Err(refused_on_the_globe(table, globe, &globe)))
 }

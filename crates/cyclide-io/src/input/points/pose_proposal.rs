@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::civil_time::CivilTime;
 use super::fields::Field;
-use super::names::{GLOBE, Role, speaks_of, words_of};
+use super::globe::GLOBE;
+use super::names::{Role, speaks_of, words_of};
 use super::pose_clocks::speaks_of_clocks;
 use super::pose_names::{ANGLES, Meaning, POSITION, QUATERNION, TimeUnit, meaning as own_meaning};
 use super::table::Table;

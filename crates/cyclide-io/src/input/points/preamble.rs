@@ -77,7 +77,7 @@ impl<'a> Preamble<'a> {
         if let Some(message) = other_format(source.text) {
             return Err(source.diagnostic(0..0, "", message));
         }
-        let empty = || source.diagnostic(0..0, "", "the file has no points");
+        let empty = || no_points(source);
         let delimiter = delimiter(source)?.ok_or_else(empty)?;
         // The last remark before the data that could be a header.
         let mut remark: Vec<Field<'a>> = Vec::new();
@@ -104,7 +104,7 @@ impl<'a> Preamble<'a> {
                 continue;
             }
             split(source, delimiter, start, line, &mut fields)?;
-            if fields.iter().all(|f| f.text.is_empty()) {
+            if fields.iter().all(|f| f.text.is_empty()) || is_ruled(&fields) {
                 continue;
             }
             if text.len() < MOST_TITLES && is_text(&fields, source, delimiter, (start, line.len()), !text.is_empty()) {
@@ -178,6 +178,34 @@ impl<'a> Preamble<'a> {
         }
         Ok(())
     }
+}
+
+/// True for a line that is drawn below names: `-----`, `---;---`, `|---|---|`, `+---+---+`.
+fn is_ruled(fields: &[Field<'_>]) -> bool {
+    let marks = || fields.iter().map(|field| field.text).filter(|text| !text.is_empty());
+    let is_drawn = |text: &str| text.len() > 1 && text.chars().all(|c| "-=_+*~:|".contains(c));
+    marks().all(is_drawn) && marks().any(|text| text.len() > 2)
+}
+
+/// The refusal of a file without points, with the first thing in it that is nearly one.
+fn no_points(source: Source<'_>) -> Box<Diagnostic> {
+    let has_digit = |line: &str| line.contains(|c: char| c.is_ascii_digit());
+    let lines = || lines(source.text).filter(|(_, line)| line.len() <= LONGEST_LINE && has_digit(line));
+    let plain = |(_, line): &(usize, &str)| !line.trim_start().starts_with('#');
+    let Some((start, line)) = lines().find(plain).or_else(|| lines().next()) else {
+        return source.diagnostic(0..0, "", "the file has no points");
+    };
+    let text = line.trim();
+    let start = start + (line.len() - line.trim_start().len());
+    let inner = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or_default();
+    let why = if text.starts_with('#') {
+        "this line is a remark, since it begins with `#`: if it is a point, remove that"
+    } else if !inner.contains('"') && inner.contains([',', ';', '\t', ' ']) {
+        "this line is in quotes as a whole, so it is one text: remove the quotes"
+    } else {
+        "no line has two numbers alone in their columns: write each point in a line of its own, its coordinates as plain numbers without units, separated by commas, semicolons, tabs or blanks"
+    };
+    source.diagnostic(start..start + text.len(), "", format!("the file has no points; {why}"))
 }
 
 /// True for a line of names: of several columns it says what they are.

@@ -5,11 +5,11 @@ use cyclide::Aabb;
 use super::columns::Chosen;
 use super::decimals::Decimals;
 use super::fields::Field;
-use super::find::on_the_globe;
+use super::globe::on_the_globe;
 use super::names::{Role, axis_kind};
 use super::point_table::PointList;
-use super::sampled::{GRID, PART_OF_GRID};
-use super::table::Table;
+use super::sampled::{GRID, PART_OF_GRID, Sampled};
+use super::table::{Row, Table};
 use super::unit::UnitWord;
 use crate::text::place::{Diagnostic, Source, quoted};
 
@@ -72,6 +72,23 @@ pub(super) fn refuse_total(source: Source<'_>, label: Option<Field<'_>>) -> Resu
     Err(field.refused(source, format!("`{}` is not the name of a point: remove this line", quoted(field.text))))
 }
 
+/// Why a line whose coordinates cannot be read is no point, where that is known: it has the names of the columns again, or sums.
+pub(super) fn no_point(
+    source: Source<'_>,
+    chosen: &Chosen,
+    names: &[Field<'_>],
+    row: &Row<'_, '_>,
+    label: Option<Field<'_>>,
+) -> Option<Box<Diagnostic>> {
+    if let Err(refused) = refuse_total(source, label) {
+        return Some(refused);
+    }
+    let is_name =
+        |i: &usize| row.fields.get(*i).zip(names.get(*i)).is_some_and(|(field, name)| field.text == name.text);
+    let field = row.fields.first().filter(|_| chosen.coordinates.iter().all(is_name))?;
+    Some(field.refused(source, "the names of the columns are repeated here: remove this line"))
+}
+
 /// What was chosen with certainty and is not plain.
 pub(super) fn notes(
     source: Source<'_>,
@@ -99,7 +116,8 @@ pub(super) fn notes(
     if !columns.is_empty() {
         notes.push(columns.join(", "));
     }
-    if let Some(globe) = on_the_globe(table).filter(|globe| globe.iter().all(|i| !chosen.coordinates.contains(i))) {
+    let globe = on_the_globe(table, &Sampled::of(table));
+    if let Some(globe) = globe.filter(|globe| globe.iter().all(|i| !chosen.coordinates.contains(i))) {
         notes.push(format!("{} are geographic angles and are ignored", globe.map(name).join(" and ")));
     }
     if let Some(start) = table.titles.first() {

@@ -36,6 +36,8 @@ struct Column {
     even: bool,
     rises: bool,
     range: Option<[f64; 2]>,
+    /// Most figures behind the point of a number.
+    decimals: usize,
     /// The range with numbers in any form.
     all_numbers: Option<[f64; 2]>,
     /// Whole numbers that were met, and whether one came twice.
@@ -141,6 +143,11 @@ impl Sampled {
         column.all_numbers
     }
 
+    /// Most figures behind the point of a number of a column.
+    pub(super) fn decimals(&self, column: usize) -> usize {
+        self.columns.get(column).map_or(0, |column| column.decimals)
+    }
+
     /// True if two columns are coordinates of a map grid by their figures: far from 0, and near to each other.
     pub(super) fn are_on_a_grid(&self, columns: [usize; 2]) -> bool {
         let ranges = columns.map(|i| self.columns.get(i).and_then(|column| column.all_numbers));
@@ -173,6 +180,8 @@ impl Column {
         self.empty += usize::from(text.is_empty());
         if let Some(number) = number_of(plain) {
             self.numbers += 1;
+            let behind = plain.rsplit_once(['.', ',']).map_or("", |(_, behind)| behind);
+            self.decimals = self.decimals.max(behind.bytes().take_while(u8::is_ascii_digit).count());
             self.nonzero |= number != 0.0;
             let [low, high] = self.all_numbers.unwrap_or([number; 2]);
             self.all_numbers = Some([low.min(number), high.max(number)]);

@@ -23,17 +23,27 @@ impl<'a> Row<'_, 'a> {
     pub(super) fn field(&self, source: Source<'_>, column: usize, what: &str) -> Result<Field<'a>, Box<Diagnostic>> {
         self.fields.get(column).copied().ok_or_else(|| {
             let count = self.fields.len();
-            let message = format!("the {what} of column {} is missing: the line has {count} fields", column + 1);
+            let fields = if count == 1 { "field" } else { "fields" };
+            let message = format!(
+                "the {what} of column {} is missing: the line has {count} {fields}; remove it if it is no point",
+                column + 1
+            );
             source.diagnostic(self.end..self.end, "", message)
         })
     }
 
     /// Refuses more fields than there are columns, as decimal commas make them; empty fields do not count.
-    fn refuse_longer(&self, source: Source<'_>, width: usize) -> Result<(), Box<Diagnostic>> {
+    fn refuse_longer(&self, source: Source<'_>, width: usize, delimiter: Delimiter) -> Result<(), Box<Diagnostic>> {
         let Some(beyond) = self.fields.iter().skip(width).find(|f| !f.text.is_empty()) else { return Ok(()) };
         let (count, whole) = (self.fields.len(), |f: &Field<'_>| f.text.parse::<i64>().is_ok());
         let pairs = width >= 2 && count <= 2 * width && self.fields.iter().all(whole);
-        let hint = if pairs { "; if its commas are decimal, separate the columns by semicolons" } else { "" };
+        let hint = match delimiter {
+            _ if pairs => "; if its commas are decimal, separate the columns by semicolons",
+            Delimiter::Blanks => {
+                "; put names of several words in quotes, or separate the columns by semicolons or tabs; if the first column has no name, write one"
+            }
+            Delimiter::Char(_) => "; put texts that contain the separator in quotes",
+        };
         Err(beyond.refused(source, format!("the line has {count} fields for {width} columns{hint}")))
     }
 }
@@ -78,7 +88,45 @@ impl<'a> Table<'a> {
         let Preamble { delimiter, header, units, unit_words, titles, said, first, start } = preamble;
         let width = if header.is_empty() { first.len() } else { header.len() };
         let table = Self { source, delimiter, header, units, unit_words, titles, said, width, first, start };
-        table.with_names_of_words(wanted)
+        table.with_names_of_words(wanted)?.without_gaps(wanted)
+    }
+
+    /// Leaves out names that are empty where no line has a field for them, as between two tabs that align names.
+    fn without_gaps(mut self, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
+        let is_named = |field: &Field<'_>| !field.text.is_empty();
+        let count = self.header.iter().rposition(is_named).map_or(0, |last| last + 1);
+        let gaps: Vec<usize> = (0..count).filter(|i| !is_named(&self.header[*i])).collect();
+        if gaps.is_empty() {
+            return Ok(self);
+        }
+        let (mut widest, mut are_filled) = (0, false);
+        self.for_first_rows(|fields| {
+            widest = widest.max(fields.len());
+            are_filled |= gaps.iter().any(|i| fields.get(*i).is_some_and(is_named));
+            widest < count
+        });
+        // Lines that leave the same gaps may only lack their last fields.
+        if widest >= count || !are_filled {
+            return Ok(self);
+        }
+        let names = count - gaps.len();
+        if names == widest {
+            let kept = |i: usize| !gaps.contains(&i);
+            if self.units.len() > widest {
+                self.units = (0..).zip(self.units).filter(|(i, _)| kept(*i)).map(|(_, unit)| unit).collect();
+                self.unit_words = (0..).zip(self.unit_words).filter(|(i, _)| kept(*i)).map(|(_, word)| word).collect();
+            }
+            self.header.retain(is_named);
+        } else if !wanted.is_empty() && wanted.iter().all(|name| name.parse::<usize>().is_ok()) {
+            self.header.clear();
+        } else {
+            return Err(self.header_refused(format!(
+                "there are {names} names and {} empty ones for {widest} columns, and which column has which name is not known: choose the columns by number (`--columns 2,3`, in a document `columns`)",
+                gaps.len()
+            )));
+        }
+        self.width = widest;
+        Ok(self)
     }
 
     /// Names of several words, in a table whose columns are separated by blanks, are parted by two blanks: else their columns are not known.
@@ -172,7 +220,7 @@ impl<'a> Table<'a> {
             block += usize::from(gap);
             (any, gap) = (true, false);
             let row = Row { fields: &fields, block, end: start + content(line).trim_end().len() };
-            row.refuse_longer(self.source, self.width)?;
+            row.refuse_longer(self.source, self.width, self.delimiter)?;
             visit(&row)?;
         }
         Ok(())

@@ -89,7 +89,7 @@ fn every_refusal_has_its_place() {
         ("x_m,y_mm\n1,2\n", "p.csv:1:1: the columns x_m, y_mm have different units: write all coordinates in one"),
         ("x_m,y_um\n1,2\n", "p.csv:1:1: the columns x_m, y_um have different units"),
         ("1,2\n3,\n", "p.csv:2:3: a number is missing"),
-        ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 fields"),
+        ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 field; remove"),
         ("1,2\n\n3\n", "p.csv:3:2: the coordinate of column 2 is missing"),
         ("1,2\n3,4,five\n", "p.csv:2:5: the line has 3 fields for 2 columns"),
         ("1.5;2\n1,5;2,5\n", "p.csv:2:1: `1,5` contradicts the numbers before it: the file has decimal commas and"),
@@ -98,12 +98,12 @@ fn every_refusal_has_its_place() {
         ("1,5;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without thousands"),
         ("x,y\n\"1,234\",\"5,678\"\n", "p.csv:2:2: `1,234` has either a decimal comma or a thousands separator"),
         ("Nr;x;y\n1;1;2\n2;3;5\nTotal;4;7\n", "p.csv:4:1: `Total` is not the name of a point: remove this line"),
-        ("x;y\n1;2\nEnd of file\n", "p.csv:3:1: `End of file` is not a number"),
+        ("x;y\n1;2\nEnd of file\n", "p.csv:3:1: `End of file` is not a number; remove the line if it is no point"),
         ("1,2\n\"3,4\n", "p.csv:2:1: the quote has no end on this line"),
         ("\"x,y\n1,2\n", "p.csv:1:1: the quote has no end on this line"),
         ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns; if its commas are decimal, separate"),
         ("5\n6\n", "p.csv:1:1: each line needs two or three coordinates"),
-        ("x,y\n1,2\nx,y\n", "p.csv:3:1: `x` is not a number"),
+        ("x,y\n1,2\nx,y\n", "p.csv:3:1: the names of the columns are repeated here: remove this line"),
     ] {
         let message = read(text).unwrap_err();
         assert!(message.starts_with(start), "{text:?}: {message}");

@@ -1,7 +1,7 @@
 //! Columns that are not read and may be meant to be: heights beside two coordinates, layers, radii, numbers that nobody knows.
 
 use super::columns::Chosen;
-use super::find::on_the_globe;
+use super::globe::on_the_globe;
 use super::names::{Role, words_of};
 use super::point_table::PointColumns;
 use super::sampled::Sampled;
@@ -67,7 +67,7 @@ impl Unread {
         let read = |i: usize| {
             chosen.coordinates.contains(&i) || [chosen.contour, chosen.corner].contains(&Some(i)) || is_label(i)
         };
-        let globe = on_the_globe(table);
+        let globe = on_the_globe(table, &sampled);
         let on_globe = |i: usize| globe.is_some_and(|globe| globe.contains(&i));
         let mut unread = Self::default();
         for (i, field) in table.header.iter().enumerate().filter(|(i, _)| !read(*i)) {

@@ -8,8 +8,13 @@ table! {
     /// Warnings about the points from which a curve was made.
     ///
     /// ```
+<<<<<<< HEAD
     /// use cyclide::{Warning, warning::PointWarning};
     /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1 }.into();
+=======
+    /// use cyclide::{PointWarning, Warning};
+    /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1, distance: 0.0 }.into();
+>>>>>>> hb
     /// assert_eq!(warning.reason(), "closing-point-merged");
     /// ```
     pub enum PointWarning {
@@ -83,9 +88,13 @@ table! {
         ClosingPointMerged {
             /// Index of the first one dropped.
             index: usize,
+            /// The largest distance of one dropped from the first point.
+            distance: f64,
         }
         reason "closing-point-merged";
         at *index;
+        when *distance > 0.0, says "point {index} repeats the first point of the closed curve (distance {}): merged \
+            with it", ShortNumber(*distance);
         says "point {index} repeats the first point of the closed curve: merged with it";
     }
 }

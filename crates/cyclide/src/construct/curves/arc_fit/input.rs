@@ -18,6 +18,10 @@ const MERGE_WITHIN: f64 = 0.2;
 /// Without a tolerance short edges are what was drawn, but for those below this part of the usual one, and for a closing edge that is
 /// the only short one.
 const MERGE_ROUNDED: f64 = 1e-5;
+/// The last points of a closed polyline may be its first one again, drawn by hand: closer than this part of the usual edge, and of the
+/// tolerance.
+const SEAM_EDGE: f64 = 0.1;
+const SEAM_WITHIN: f64 = 0.9;
 /// Off-plane distances up to this times the diameter are rounding.
 const PLANE_LIMIT: f64 = 1e-9;
 /// Off-plane distances up to this times the tolerance do not matter.
@@ -39,13 +43,22 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
     }
 }
 
+/// Which of the last points of a closed polyline count as its first one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::construct) enum Seam {
+    /// Those that repeat it, as other neighbors do.
+    Repeated,
+    /// Those that are within the tolerance of it, and closer than neighbors are.
+    Near,
+}
+
 /// Points that all differ from their neighbors, with the index each had in the user's list.
 pub(in crate::construct) struct Distinct {
     pub points: Vec<Point3>,
     pub source: Vec<usize>,
     /// Points of the user's list from this index on were merged with the one at this position.
     tail: (usize, usize),
-    pub warning: Option<Warning>,
+    pub warnings: Vec<Warning>,
     /// How far a point that was merged is from the one that stands for it.
     pub moved: f64,
 }
@@ -57,6 +70,14 @@ impl Distinct {
     /// # Errors
     /// `too-few-points`, `not-finite`, `coincident-points` (all equal).
     pub fn new(points: &[Point3], closed: bool, tolerance: f64) -> Result<Self> {
+        Self::with_seam(points, closed, tolerance, Seam::Repeated)
+    }
+
+    /// The same where the last points may count as the first.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_seam(points: &[Point3], closed: bool, tolerance: f64, seam: Seam) -> Result<Self> {
         let needed = if closed { 3 } else { 2 };
         check(points.len(), needed, |i| points[i].is_finite())?;
         let diameter = diameter(points);
@@ -68,7 +89,11 @@ impl Distinct {
         let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
         let near = (MERGE_EDGE * usual).min(MERGE_WITHIN * tolerance);
         let is_drawn = tolerance.is_infinite() && edges.iter().any(|edge| *edge > limit && *edge <= near);
-        let at_seam = limit.max(if is_drawn { MERGE_ROUNDED * usual } else { near });
+        let at_seam = limit.max(match seam {
+            Seam::Near => (SEAM_EDGE * usual).min(SEAM_WITHIN * tolerance),
+            Seam::Repeated if is_drawn => MERGE_ROUNDED * usual,
+            Seam::Repeated => near,
+        });
         let limit = limit.max(if tolerance.is_infinite() { MERGE_ROUNDED * usual } else { near });
         let mut source = vec![0];
         for (i, p) in points.iter().enumerate().skip(1) {
@@ -77,8 +102,9 @@ impl Distinct {
             }
         }
         let last = points.len() - 1;
-        let mut first_dropped = (1..=last).zip(&source[1..]).find(|(i, s)| i != *s).map(|(i, _)| i);
         let kept = source.len();
+        let dropped = |source: &[usize]| (0..=last).find(|i| source.get(*i) != Some(i)).unwrap_or(last);
+        let mut first = dropped(&source);
         let mut tail = (points.len(), 0);
         if closed {
             while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= at_seam {
@@ -87,6 +113,7 @@ impl Distinct {
         } else if source.len() > 1 && source[kept - 1] != last {
             tail = (source[kept - 1], kept - 1);
             source[kept - 1] = last;
+            first = dropped(&source);
         }
         if source.len() == 1 {
             let distance = points[0].distance(points[1]);
@@ -95,16 +122,17 @@ impl Distinct {
         if source.len() < needed {
             return Err(PointError::TooFewPoints { given: source.len(), needed }.into());
         }
-        let count = points.len() - source.len();
-        if count > 0 && first_dropped.is_none() {
-            first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
-        }
-        let warning = first_dropped
-            .filter(|_| count > 0)
-            .map(|first| Warning::Point(PointWarning::PointsMerged { first, count, limit }));
+        let closing = closed && tail.0 < points.len();
+        let closing = closing.then(|| {
+            let distance = points[tail.0..].iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+            Warning::Point(PointWarning::ClosingPointMerged { index: tail.0, distance })
+        });
+        let count = points.len() - kept;
+        let merged = (count > 0).then_some(Warning::Point(PointWarning::PointsMerged { first, count, limit }));
+        let warnings = merged.into_iter().chain(closing).collect();
         let kept = source.iter().map(|i| points[*i]).collect();
-        let mut distinct = Self { points: kept, source, tail, warning, moved: 0.0 };
-        if count > 0 {
+        let mut distinct = Self { points: kept, source, tail, warnings, moved: 0.0 };
+        if !distinct.warnings.is_empty() {
             let moved = |(i, p): (usize, &Point3)| p.distance(distinct.points[distinct.position(i)]);
             distinct.moved = points.iter().enumerate().map(moved).fold(0.0, f64::max);
         }
@@ -112,15 +140,15 @@ impl Distinct {
     }
 
     /// Points that were chosen or made from those of a list, each with the index it stands for, rising.
-    pub fn of(points: Vec<Point3>, source: Vec<usize>, warning: Option<Warning>) -> Self {
-        Self { points, source, tail: (usize::MAX, 0), warning, moved: 0.0 }
+    pub fn of(points: Vec<Point3>, source: Vec<usize>, warnings: Vec<Warning>) -> Self {
+        Self { points, source, tail: (usize::MAX, 0), warnings, moved: 0.0 }
     }
 
     /// The same points in another order.
     pub fn in_order(&self, order: &[usize]) -> Self {
         let points = order.iter().map(|i| self.points[*i]).collect();
         let source = order.iter().map(|i| self.source[*i]).collect();
-        Self { points, source, tail: (usize::MAX, 0), warning: self.warning.clone(), moved: self.moved }
+        Self { points, source, tail: (usize::MAX, 0), warnings: self.warnings.clone(), moved: self.moved }
     }
 
     /// Position in the merged list, in the order it came in, of a point of the user's list.
@@ -195,6 +223,26 @@ mod tests {
         assert_eq!(kept(&strip), 4);
         let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [0.005, 0.0]];
         assert_eq!(kept(&square.map(|[x, y]| Point3::new(x, y, 0.0))), 4);
+    }
+
+    #[test]
+    fn what_closes_is_said_to_repeat_the_first_point() {
+        let at = |xs: &[f64]| -> Vec<Point3> { xs.iter().map(|x| Point3::new(*x, x * x, 0.0)).collect() };
+        let reasons = |points: &[f64], seam| {
+            let found = Distinct::with_seam(&at(points), true, 0.1, seam).unwrap();
+            (found.points.len(), found.warnings.iter().map(Warning::reason).collect::<Vec<_>>())
+        };
+        assert_eq!(reasons(&[0.0, 1.0, 2.0, 0.0], Seam::Repeated), (3, vec!["closing-point-merged"]));
+        let both = vec!["points-merged", "closing-point-merged"];
+        assert_eq!(reasons(&[0.0, 1.0, 1.0, 2.0, 0.0], Seam::Repeated), (3, both));
+        // Within the tolerance, and nearer than neighbors are.
+        let near = [0.0, 1.0, 2.0, 0.05];
+        assert_eq!(reasons(&near, Seam::Repeated), (4, vec![]));
+        assert_eq!(reasons(&near, Seam::Near), (3, vec!["closing-point-merged"]));
+        let found = Distinct::with_seam(&at(&near), true, 0.1, Seam::Near).unwrap();
+        assert!((found.moved - 0.05_f64.hypot(0.0025)).abs() < 1e-15 && found.position(3) == 0);
+        assert_eq!(reasons(&[0.0, 0.06, 0.12, 0.18, 0.24, 0.05], Seam::Near).0, 6);
+        assert_eq!(reasons(&[0.0, 1.0, 2.0, 0.11], Seam::Near).0, 4);
     }
 
     #[test]

@@ -43,7 +43,7 @@ use crate::error::{Error, ErrorItem, FitError, PointError, Result};
 use crate::warning::{FitWarning, Warning};
 use beam::ChainJoint;
 use certificate::certify;
-use input::Distinct;
+use input::{Distinct, Seam};
 use piece::{Piece, Place, Span};
 use trace::{Chain, Trace};
 use way_round::WayRound;
@@ -148,8 +148,26 @@ impl ArcFit {
         Some(Error::Fit(FitError::ArcLimitNotKept { vertex, name, value, limit, also }))
     }
 
+    /// The fit to all points; to those of a closed outline without last points that nearly repeat the first, unless that takes more
+    /// pieces and the other one keeps to the edges.
     fn in_any_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
-        let fit = Self::within_tube(points, options);
+        let fit = Self::with_closing(points, options, Seam::Repeated);
+        let count = |seam| {
+            let list = Distinct::with_seam(points, options.closed, options.tolerance, seam);
+            list.map_or(0, |list| list.points.len())
+        };
+        if !options.closed || count(Seam::Near) == count(Seam::Repeated) {
+            return fit;
+        }
+        let Ok(near) = Self::with_closing(points, options, Seam::Near) else { return fit };
+        match fit {
+            Ok(fit) if fit.path.arcs().len() < near.path.arcs().len() && (near.is_left() || !fit.is_left()) => Ok(fit),
+            _ => Ok(near),
+        }
+    }
+
+    fn with_closing(points: &[Point3], options: &ArcFitOptions, seam: Seam) -> Result<Self> {
+        let fit = Self::within_tube(points, options, seam);
         // A tube as wide as the figure gives the search no hold; a fit within less is within the tolerance too.
         let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
         let tolerance = WIDE_TUBE * size;
@@ -157,19 +175,19 @@ impl ArcFit {
             Err(died @ Error::Fit(FitError::NoG1SplineInTube { .. }))
                 if tolerance > 0.0 && options.tolerance > tolerance =>
             {
-                Self::within_tube(points, &ArcFitOptions { tolerance, ..options.clone() }).map_err(|_| died)
+                Self::within_tube(points, &ArcFitOptions { tolerance, ..options.clone() }, seam).map_err(|_| died)
             }
             fit => fit,
         }
     }
 
     /// The fit with the effort asked for; with more where the search dies or turns more than its data.
-    fn within_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+    fn within_tube(points: &[Point3], options: &ArcFitOptions, seam: Seam) -> Result<Self> {
         let mut best: Option<Self> = None;
         let mut died = None;
         for effort in options.effort.and_above() {
-            match Self::with_effort(points, options, *effort) {
-                Ok(fit) if fit.turns_as_data() => return Ok(fit.or_shorter(points, options, *effort)),
+            match Self::with_effort(points, options, *effort, seam) {
+                Ok(fit) if fit.turns_as_data() => return Ok(fit.or_shorter(points, options, *effort, seam)),
                 Ok(fit) => {
                     if best.as_ref().is_none_or(|b| fit.certificate.excess_turning() < b.certificate.excess_turning()) {
                         best = Some(fit);
@@ -196,15 +214,15 @@ impl ArcFit {
     }
 
     /// It, or one of fewer arcs by one of the efforts beside that.
-    fn or_shorter(self, points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Self {
-        let others = effort.beside().iter().filter_map(|effort| Self::with_effort(points, options, *effort).ok());
+    fn or_shorter(self, points: &[Point3], options: &ArcFitOptions, effort: Effort, seam: Seam) -> Self {
+        let others = effort.beside().iter().filter_map(|effort| Self::with_effort(points, options, *effort, seam).ok());
         others
             .filter(Self::turns_as_data)
             .fold(self, |best, other| if other.path.arcs().len() < best.path.arcs().len() { other } else { best })
     }
 
-    fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
-        let list = Distinct::new(points, options.closed, options.tolerance)?;
+    fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort, seam: Seam) -> Result<Self> {
+        let list = Distinct::with_seam(points, options.closed, options.tolerance, seam)?;
         let way = WayRound::of(&list.points, options.closed);
         match Self::one_way(&list, &way, options, effort) {
             // What ends in a dead end from one side may not from the other.
@@ -328,7 +346,7 @@ impl ArcFit {
         let judged = turning::Data::new(data, outline, options);
         certificate.turning = turning::of_pieces(&pieces, options.closed);
         certificate.turning_limit = judged.limit(&pieces, &trace);
-        let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
+        let mut warnings: Vec<Warning> = distinct.warnings.clone();
         warnings.extend(kept_corners(corners, &distinct.source));
         warnings.extend(doubts::coarse_samples(data, options));
         let distance = certificate.polyline_deviation;

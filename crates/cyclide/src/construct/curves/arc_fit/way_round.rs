@@ -79,7 +79,7 @@ mod tests {
             })
             .collect();
         let taken = |points: &[Point3]| {
-            let list = Distinct::of(points.to_vec(), (0..points.len()).collect(), None);
+            let list = Distinct::of(points.to_vec(), (0..points.len()).collect(), Vec::new());
             let (taken, corners) = WayRound::of(points, true).taken(&list, &[0, 5]);
             // What was the first of the list is among the corners.
             assert!(corners.iter().any(|c| taken.points[*c] == points[0] && taken.source[*c] == 0));
@@ -93,7 +93,7 @@ mod tests {
             turned.reverse();
             assert_eq!(taken(&turned), reference, "{start} back");
         }
-        let list = Distinct::of(points.clone(), (0..points.len()).collect(), None);
+        let list = Distinct::of(points.clone(), (0..points.len()).collect(), Vec::new());
         let mut other = WayRound::of(&points, true).turned().taken(&list, &[]).0.points;
         other[1..].reverse();
         assert_eq!(other, reference);

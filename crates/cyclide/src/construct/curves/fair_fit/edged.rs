@@ -202,7 +202,7 @@ impl Edged {
             let found = read(distinct, options, &edged)?;
             let mut places = distinct.points.clone();
             found.kept.iter().zip(&found.places).for_each(|(i, place)| places[*i] = *place);
-            let places = Distinct::of(places, distinct.source.clone(), None);
+            let places = Distinct::of(places, distinct.source.clone(), Vec::new());
             let mut seen = Self::within(&places, options, OF_NOISE * found.deviation);
             // Of a figure with one side, edges that are as long are others.
             if seen.straight.contains(&true) {

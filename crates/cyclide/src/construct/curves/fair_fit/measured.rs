@@ -74,7 +74,7 @@ pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Pr
     kept.extend_from_slice(&merged.points[next..]);
     source.extend_from_slice(&merged.source[next..]);
     let moved = merged.moved;
-    let mut distinct = Distinct::of(kept, source, merged.warning);
+    let mut distinct = Distinct::of(kept, source, merged.warnings);
     distinct.moved = moved;
     Ok(Prepared { distinct, warnings })
 }
@@ -96,7 +96,7 @@ pub(super) fn without_outliers(distinct: &Distinct, found: &Denoised) -> Distinc
     let kept: Vec<usize> = (0..distinct.points.len()).filter(|i| !is_out(*i)).collect();
     let points = kept.iter().map(|i| distinct.points[*i]).collect();
     let source = kept.iter().map(|i| distinct.source[*i]).collect();
-    let mut left = Distinct::of(points, source, distinct.warning.clone());
+    let mut left = Distinct::of(points, source, distinct.warnings.clone());
     left.moved = distinct.moved;
     left
 }
@@ -137,7 +137,7 @@ pub(super) fn with_loose_heights(
             points[*i].z = z.z;
         }
     }
-    let mut loose = Distinct::of(points, distinct.source.clone(), distinct.warning.clone());
+    let mut loose = Distinct::of(points, distinct.source.clone(), distinct.warnings.clone());
     loose.moved = distinct.moved;
     Ok((loose, moved))
 }
@@ -215,7 +215,7 @@ impl FairFit {
             Warning::Noise(NoiseWarning::CornersRounded { point: source[point], distance, count, noise })
         });
         let measured = Measured { points: &measured, straight: &straight };
-        let places = Distinct::of(found.places, source, distinct.warning.clone());
+        let places = Distinct::of(found.places, source, distinct.warnings.clone());
         let mut task = FairFitOptions {
             tolerance: (NEARNESS * found.uncertainty).max(NEAREST * size),
             corners: edged.corners.iter().map(|i| distinct.source[*i]).collect(),

@@ -211,7 +211,7 @@ impl<'a> Meetings<'a> {
                 edged.straight.push(straight[i]);
             }
         }
-        let mut distinct = Distinct::of(points, source, self.distinct.warning.clone());
+        let mut distinct = Distinct::of(points, source, self.distinct.warnings.clone());
         distinct.moved = self.distinct.moved;
         let found = read(&distinct, self.options, &edged)?;
         Some(Sharp { inserted: Some(distinct), edged, found })

@@ -163,7 +163,7 @@ impl<'a> Parts<'a> {
             }
             .into());
         }
-        let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
+        let mut warnings: Vec<Warning> = distinct.warnings.clone();
         warnings.extend(kept_corners(corners, source));
         let spline = CircleSpline::from_segments(self.spline, options.closed, self.kinks, Vec::new());
         let doubts = Doubts {
