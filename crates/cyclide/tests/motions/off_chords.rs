@@ -1,6 +1,9 @@
 //! How far motions of lowest degree leave the straight lines between their poses: their peaks may be narrow.
 
-use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{
+    Quat, Vec3,
+    motion::{Motion, Pose, RationalMotion, TimedPose},
+};
 
 /// Numbers from -1 to 1, always the same.
 struct Random(u64);

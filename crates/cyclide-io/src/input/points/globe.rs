@@ -212,10 +212,11 @@ mod tests {
 
     #[test]
     fn lengths_with_such_names_are_read_or_chosen() {
+        let first = |text: &str| format!("{:?}", read(text, None).unwrap()[0]);
         // Three figures behind the point, or values that no angle has.
-        assert_eq!(read("B;L\n10.125;20.250\n11.125;21.250\n", None).unwrap()[0], [10.125, 20.25, 0.0]);
-        assert_eq!(read("b;l\n410.12525;20.25025\n11.12525;21.25025\n", None).unwrap()[0], [410.12525, 20.25025, 0.0]);
-        assert_eq!(read("B [m];L [m]\n10.12525;20.25025\n11.12525;21.25025\n", None).unwrap()[0][0], 10.12525);
+        assert_eq!(first("B;L\n10.125;20.250\n11.125;21.250\n"), "[10.125, 20.25, 0.0]");
+        assert_eq!(first("b;l\n410.12525;20.25025\n11.12525;21.25025\n"), "[410.12525, 20.25025, 0.0]");
+        assert_eq!(first("B [m];L [m]\n10.12525;20.25025\n11.12525;21.25025\n"), "[10.12525, 20.25025, 0.0]");
         // A way of a vehicle from its start on, in meters.
         let way = "east,north\n0.0000000,0.0000000\n0.4523412,0.1232211\n0.9512344,0.3423422\n";
         assert_eq!(read(way, None).unwrap().len(), 3);

@@ -324,7 +324,7 @@
 //! Two pipes with a gap of 2.31 between them pass each other at 29 degrees: small balls fold the blend on one side of the bridge, large
 //! ones on the other.
 //! ```
-//! use cyclide::{CrossingPipe, PipeCrossing};
+//! use cyclide::construct::{CrossingPipe, PipeCrossing};
 //! let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-600.0, 600.0] };
 //! let crossing = PipeCrossing::new([pipe(10.9), pipe(7.6)], 20.81, 0.1)?;
 //! let leaning = crossing.clone().with_angle(29.3_f64.to_radians())?;

@@ -8,13 +8,8 @@ table! {
     /// Warnings about the points from which a curve was made.
     ///
     /// ```
-<<<<<<< HEAD
     /// use cyclide::{Warning, warning::PointWarning};
-    /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1 }.into();
-=======
-    /// use cyclide::{PointWarning, Warning};
     /// let warning: Warning = PointWarning::ClosingPointMerged { index: 1, distance: 0.0 }.into();
->>>>>>> hb
     /// assert_eq!(warning.reason(), "closing-point-merged");
     /// ```
     pub enum PointWarning {

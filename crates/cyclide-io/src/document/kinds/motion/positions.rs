@@ -1,6 +1,9 @@
 //! What is said of the curve through the positions of poses: it has no corners to be marked, no corner angle, and no tolerance of its own.
 
-use cyclide::{CurveWarning, Warning, WaverRemedy};
+use cyclide::{
+    Warning,
+    warning::{CurveWarning, WaverRemedy},
+};
 
 const CORNERS: &str = "if the body is to turn sharply there, `\"positions\": \"polyline\"` has a corner at each pose, and the kind `linear` a `blend_radius` for them";
 
