@@ -164,24 +164,7 @@ impl FairFit {
         let size = diameter(&distinct.points);
         let sharp = match Edged::in_noise(&distinct, options, size) {
             Ok(sharp) => sharp,
-            // Runs between corners and sides that have too few points to tell noise: an outline, which is kept.
-            Err(edged) if edged.is_any() => {
-                let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
-                // What neighbors were merged over counts.
-                let tolerance = (NEAREST * size + distinct.moved).min(options.tolerance);
-                let outline = FairFitOptions {
-                    tolerance,
-                    corners,
-                    corner_angle: None,
-                    centre: 0.0,
-                    noise: None,
-                    ..options.clone()
-                };
-                let mut fit = Self::near(&distinct, &outline, None)?;
-                warnings.append(&mut fit.warnings);
-                fit.warnings = warnings;
-                return Ok(fit);
-            }
+            Err(edged) if edged.is_any() => return Self::as_outline(&distinct, options, &edged, warnings),
             Err(_) => {
                 return Err(PointError::TooFewPoints { given: distinct.points.len(), needed: noise::FEWEST }.into());
             }
@@ -191,14 +174,11 @@ impl FairFit {
         let distinct = inserted.unwrap_or(distinct);
         let dropped = options.outliers == Outliers::Drop;
         warnings.extend(outliers_named(&found, &distinct.source, dropped));
-        if let Some((point, height)) = found.steps.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)) {
-            let (point, count) = (distinct.source[point], found.steps.len());
-            warnings.push(Warning::Noise(NoiseWarning::HeightStep { point, height, count }));
-        }
+        warnings.extend(found.steps_named(&distinct.source));
         if let (Some(found), Some(Noise::Known(given))) = (found.contradicted, options.noise) {
             warnings.push(Warning::Noise(NoiseWarning::Contradicted { given, found }));
         }
-        let measured: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
+        let points: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
         let source: Vec<usize> = found.kept.iter().map(|i| distinct.source[*i]).collect();
         // An edge over points that are left out is one if it has one in it.
         let n = edged.straight.len();
@@ -210,65 +190,26 @@ impl FairFit {
         if found.deviation > NEAREST * size {
             warnings.extend(Self::long_edges(&distinct, options, &straight, &found.kept));
         }
-        let rounded = noise::rounded(&measured, &found.places, options.closed, found.directions);
-        let rounded = rounded.map(|Rounded { point, distance, count, noise }| {
-            Warning::Noise(NoiseWarning::CornersRounded { point: source[point], distance, count, noise })
-        });
-        let measured = Measured { points: &measured, straight: &straight };
-        let places = Distinct::of(found.places, source, distinct.warnings.clone());
-        let mut task = FairFitOptions {
+        let task = FairFitOptions {
             tolerance: (NEARNESS * found.uncertainty).max(NEAREST * size),
             corners: edged.corners.iter().map(|i| distinct.source[*i]).collect(),
             corner_angle: None,
             centre: 0.0,
             ..options.clone()
         };
-        let widest = (OF_DEVIATION * found.deviation).max(OF_FIRST * task.tolerance);
-        let mut tries = 0;
-        let mut fit = loop {
-            match Self::near(&places, &task, Some(measured)) {
-                // A curve with more room may find its way; one that outliers pull away is said to.
-                Ok(Self { swing: Some(Swing { point, distance, is_lost: true, .. }), .. })
-                    if dropped || found.outliers.is_empty() =>
-                {
-                    let tolerance = task.tolerance;
-                    let next = tolerance * RELAXED;
-                    if tries == RELAXATIONS || next > widest {
-                        let point = places.source[point];
-                        return Err(FitError::CurveLost { point, distance, tolerance }.into());
-                    }
-                    tries += 1;
-                    task.tolerance = next;
-                }
-                Err(Error::Fit(FitError::ToleranceNotReached { points, deviation, .. })) => {
-                    let next = task.tolerance * RELAXED;
-                    if tries == RELAXATIONS || next > widest {
-                        return Err(FitError::NoiseNotSmoothed { points, deviation, noise: found.deviation }.into());
-                    }
-                    tries += 1;
-                    task.tolerance = next;
-                }
-                other => break other?,
-            }
-        };
+        let places = Distinct::of(found.places.clone(), source, distinct.warnings.clone());
+        let mut fit = Self::near_places(&places, task, Measured { points: &points, straight: &straight }, &found)?;
         if fit.certificate.deviation > options.tolerance {
-            let points = vec![fit.certificate.worst];
             let (deviation, tolerance) = (fit.certificate.deviation, options.tolerance);
-            return Err(FitError::ToleranceNotReached { points, deviation, tolerance }.into());
+            return Err(
+                FitError::ToleranceNotReached { points: vec![fit.certificate.worst], deviation, tolerance }.into()
+            );
         }
-        let (distance, point) = fit.beside;
-        let is_outlier = |out: &(usize, f64)| (point..=point + 1).contains(&distinct.source[out.0]);
-        let noise = found.heights.unwrap_or(0.0).max(found.deviation);
-        let leaves = distance > OF_TWO * noise.max(NEAREST * size) && !found.outliers.iter().any(is_outlier);
-        let left = leaves.then_some(NoiseWarning::PointsLeft { point, distance, noise });
-        warnings.extend(rounded.or(left.map(Warning::Noise)));
+        warnings.extend(fit.corners_left(&found, &distinct, size, options.closed).map(Warning::Noise));
         let apart = noise::usual_length(&distinct.points);
         if places.points.len() < noise::FEW_POINTS && found.deviation > OF_STEP * apart {
-            warnings.push(Warning::Noise(NoiseWarning::FewPoints {
-                points: places.points.len(),
-                noise: found.deviation,
-                apart,
-            }));
+            let (points, noise) = (places.points.len(), found.deviation);
+            warnings.push(Warning::Noise(NoiseWarning::FewPoints { points, noise, apart }));
         }
         fit.certificate.noise = Some(found.deviation);
         fit.certificate.noise_z = found.heights;
@@ -278,5 +219,70 @@ impl FairFit {
         warnings.append(&mut fit.warnings);
         fit.warnings = warnings;
         Ok(fit)
+    }
+
+    /// Of points whose runs between corners and sides are too few to tell noise: an outline, which is kept.
+    fn as_outline(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        edged: &Edged,
+        mut warnings: Vec<Warning>,
+    ) -> Result<Self> {
+        // What neighbors were merged over counts.
+        let tolerance = (NEAREST * diameter(&distinct.points) + distinct.moved).min(options.tolerance);
+        let corners = edged.corners.iter().map(|i| distinct.source[*i]).collect();
+        let outline =
+            FairFitOptions { tolerance, corners, corner_angle: None, centre: 0.0, noise: None, ..options.clone() };
+        let mut fit = Self::near(distinct, &outline, None)?;
+        warnings.append(&mut fit.warnings);
+        fit.warnings = warnings;
+        Ok(fit)
+    }
+
+    /// The fit near the points without their noise, with as much room as it needs.
+    fn near_places(
+        places: &Distinct,
+        mut task: FairFitOptions,
+        measured: Measured<'_>,
+        found: &Denoised,
+    ) -> Result<Self> {
+        // A curve that is lost may find its way with more; one that outliers pull away is said to.
+        let is_free = task.outliers == Outliers::Drop || found.outliers.is_empty();
+        let widest = (OF_DEVIATION * found.deviation).max(OF_FIRST * task.tolerance);
+        let mut tries = 0;
+        loop {
+            let tolerance = task.tolerance;
+            let failed = match Self::near(places, &task, Some(measured)) {
+                Ok(Self { swing: Some(Swing { point, distance, is_lost: true, .. }), .. }) if is_free => {
+                    FitError::CurveLost { point: places.source[point], distance, tolerance }
+                }
+                Err(Error::Fit(FitError::ToleranceNotReached { points, deviation, .. })) => {
+                    FitError::NoiseNotSmoothed { points, deviation, noise: found.deviation }
+                }
+                other => return other,
+            };
+            task.tolerance = tolerance * RELAXED;
+            if tries == RELAXATIONS || task.tolerance > widest {
+                return Err(failed.into());
+            }
+            tries += 1;
+        }
+    }
+
+    /// What is said of corners that the curve may have rounded off: points that are off it where it bends sharply, or two in a row that no noise
+    /// has so far off.
+    fn corners_left(&self, found: &Denoised, distinct: &Distinct, size: f64, closed: bool) -> Option<NoiseWarning> {
+        let points: Vec<Point3> = found.kept.iter().map(|i| distinct.points[*i]).collect();
+        if let Some(Rounded { point, distance, count, noise }) =
+            noise::rounded(&points, &found.places, closed, found.directions)
+        {
+            let point = distinct.source[found.kept[point]];
+            return Some(NoiseWarning::CornersRounded { point, distance, count, noise });
+        }
+        let (distance, point) = self.beside;
+        let is_outlier = |out: &(usize, f64)| (point..=point + 1).contains(&distinct.source[out.0]);
+        let noise = found.heights.unwrap_or(0.0).max(found.deviation);
+        let leaves = distance > OF_TWO * noise.max(NEAREST * size) && !found.outliers.iter().any(is_outlier);
+        leaves.then_some(NoiseWarning::PointsLeft { point, distance, noise })
     }
 }

@@ -21,6 +21,7 @@ pub(super) use stops::{Stop, stops};
 use super::working_frame::WorkingFrame;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
+use crate::warning::{NoiseWarning, Warning};
 pub(super) use beside::from_segment;
 use directions::directions;
 pub(super) use neighbors::most_noise;
@@ -69,6 +70,14 @@ pub(super) struct Run {
     pub fixed: [bool; 2],
 }
 
+impl Run {
+    /// The point at a position is an end that stays.
+    fn is_held(&self, position: usize) -> bool {
+        let last = self.numbers.len() - 1;
+        !self.closed && ((position == 0 && self.fixed[0]) || (position == last && self.fixed[1]))
+    }
+}
+
 /// How data are read.
 #[derive(Clone, Copy)]
 pub(super) struct Reading {
@@ -105,9 +114,15 @@ impl Denoised {
     pub fn freedom(&self) -> f64 {
         (self.uncertainty / self.deviation).powi(2)
     }
+
+    /// The warning about steps of heights, with the point before the highest.
+    pub fn steps_named(&self, source: &[usize]) -> Option<Warning> {
+        let (point, height) = self.steps.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(NoiseWarning::HeightStep { point: source[point], height, count: self.steps.len() }.into())
+    }
 }
 
-/// Sums over the runs.
+/// What the runs say together, in units of the frame.
 #[derive(Default)]
 struct Sums {
     squares: f64,
@@ -116,6 +131,10 @@ struct Sums {
     count: f64,
     heights: f64,
     heights_free: f64,
+    /// Some heights had noise of their own.
+    has_heights: bool,
+    outliers: Vec<(usize, f64)>,
+    steps: Vec<(usize, f64)>,
 }
 
 impl Sums {
@@ -131,6 +150,58 @@ impl Sums {
         let n = of.points.len() as f64;
         self.heights += of.deviation.powi(2) * (n - of.freedom);
         self.heights_free += n - of.freedom;
+        self.has_heights = true;
+    }
+
+    /// Smooths heights that have noise of their own, between steps, over the places of a run in plan: `numbers` are those of its points that are
+    /// left, `measured` all of them. What is left of both, in the same order.
+    fn smooth_heights(
+        &mut self,
+        run: &Run,
+        measured: &[Point3],
+        numbers: &[usize],
+        places: &[Point3],
+        drop: bool,
+    ) -> Option<(Vec<usize>, Vec<Point3>)> {
+        let lengths = lengths(places, run.closed);
+        let z: Vec<f64> = numbers.iter().map(|i| measured[*i].z).collect();
+        let found = steps::steps(&z, &lengths, run.closed);
+        self.steps.extend(found.iter().map(|(k, by)| (run.numbers[numbers[*k]], *by)));
+        let mut placed: Vec<(usize, f64)> = Vec::new();
+        for level in steps::between(&found, z.len(), run.closed) {
+            let own: Vec<usize> = level.map(|k| k % z.len()).collect();
+            let closed = run.closed && found.is_empty();
+            let chords: Vec<f64> = own[..own.len() - usize::from(!closed)].iter().map(|k| lengths[*k]).collect();
+            let heights: Vec<Point3> = own.iter().map(|k| Point3::new(0.0, 0.0, z[*k])).collect();
+            let heights = Series {
+                points: &heights,
+                closed,
+                fixed: [run.fixed[0] && own[0] == 0, run.fixed[1] && own[own.len() - 1] == z.len() - 1],
+                directions: 1,
+                chords: Some(&chords),
+                noise: None,
+                weights: None,
+            };
+            let protected = |i: usize| run.is_held(numbers[own[i]]);
+            // Rounded heights are no better known than that.
+            let floor = steps::rounding(&z);
+            let found = cleaned(&heights, &protected).and_then(|found| {
+                let is_below = found.smoothed.deviation < floor;
+                if is_below { cleaned(&Series { noise: Some(floor), ..heights }, &protected) } else { Some(found) }
+            });
+            let Some(found) = found else {
+                // Too few to tell.
+                placed.extend(own.iter().map(|k| (*k, z[*k])));
+                continue;
+            };
+            self.outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[own[*i]]], *far)));
+            self.add_heights(&found.smoothed);
+            let (kept, smooth) = kept_or_held(&heights, found, drop)?;
+            placed.extend(kept.iter().zip(&smooth).map(|(i, height)| (own[*i], height.z)));
+        }
+        placed.sort_by_key(|p| p.0);
+        let smoothed = placed.iter().map(|(k, z)| places[*k] + Vec3::new(0.0, 0.0, *z)).collect();
+        Some((placed.iter().map(|(k, _)| numbers[*k]).collect(), smoothed))
     }
 }
 
@@ -149,9 +220,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
     let unit = frame.length(1.0);
     let across = if frame.planar() || reading.heights { 1 } else { directions(data, runs) };
     let mut sums = Sums::default();
-    let (mut outliers, mut steps) = (Vec::new(), Vec::new());
     let mut kept: Vec<(usize, Point3)> = Vec::new();
-    let mut heights_of_runs = false;
     for run in runs {
         let points: Vec<Point3> = run.numbers.iter().map(|i| frame.to_local(data[*i])).collect();
         let flat = |p: &Point3| Point3::new(p.x, p.y, if reading.heights { 0.0 } else { p.z });
@@ -165,8 +234,7 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
             noise: reading.noise.map(|noise| frame.length(noise)),
             weights: None,
         };
-        let last = points.len() - 1;
-        let protected = |i: usize| !run.closed && ((i == 0 && run.fixed[0]) || (i == last && run.fixed[1]));
+        let protected = |i: usize| run.is_held(i);
         let Some(mut found) = cleaned(&series, &protected) else {
             kept.extend(run.numbers.iter().map(|i| (*i, data[*i])));
             continue;
@@ -182,50 +250,11 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
             series.noise = Some(most.max(NO_NOISE * edge));
             found = cleaned(&series, &protected).unwrap_or(found);
         }
-        outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], far / unit)));
+        sums.outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], *far)));
         sums.add(&found.smoothed);
         let (mut numbers, mut places) = kept_or_held(&series, found, reading.drop)?;
         if reading.heights {
-            let lengths = lengths(&places, run.closed);
-            let z: Vec<f64> = numbers.iter().map(|i| points[*i].z).collect();
-            let found = steps::steps(&z, &lengths, run.closed);
-            steps.extend(found.iter().map(|(k, by)| (run.numbers[numbers[*k]], by / unit)));
-            let mut placed: Vec<(usize, f64)> = Vec::new();
-            for level in steps::between(&found, z.len(), run.closed) {
-                let own: Vec<usize> = level.map(|k| k % z.len()).collect();
-                let closed = run.closed && found.is_empty();
-                let chords: Vec<f64> = own[..own.len() - usize::from(!closed)].iter().map(|k| lengths[*k]).collect();
-                let heights: Vec<Point3> = own.iter().map(|k| Point3::new(0.0, 0.0, z[*k])).collect();
-                let heights = Series {
-                    points: &heights,
-                    closed,
-                    fixed: [run.fixed[0] && own[0] == 0, run.fixed[1] && own[own.len() - 1] == z.len() - 1],
-                    directions: 1,
-                    chords: Some(&chords),
-                    noise: None,
-                    weights: None,
-                };
-                let protected = |i: usize| protected(numbers[own[i]]);
-                // Rounded heights are no better known than that.
-                let floor = steps::rounding(&z);
-                let found = cleaned(&heights, &protected).and_then(|found| {
-                    let is_below = found.smoothed.deviation < floor;
-                    if is_below { cleaned(&Series { noise: Some(floor), ..heights }, &protected) } else { Some(found) }
-                });
-                let Some(found) = found else {
-                    // Too few to tell.
-                    placed.extend(own.iter().map(|k| (*k, z[*k])));
-                    continue;
-                };
-                outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[numbers[own[*i]]], far / unit)));
-                sums.add_heights(&found.smoothed);
-                heights_of_runs = true;
-                let (kept, smooth) = kept_or_held(&heights, found, reading.drop)?;
-                placed.extend(kept.iter().zip(&smooth).map(|(i, height)| (own[*i], height.z)));
-            }
-            placed.sort_by_key(|p| p.0);
-            places = placed.iter().map(|(k, z)| places[*k] + Vec3::new(0.0, 0.0, *z)).collect();
-            numbers = placed.iter().map(|(k, _)| numbers[*k]).collect();
+            (numbers, places) = sums.smooth_heights(run, &points, &numbers, &places, reading.drop)?;
         }
         let ends = [numbers.first().copied(), numbers.last().copied()];
         for (i, place) in numbers.into_iter().zip(places) {
@@ -240,6 +269,8 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
     kept.sort_by_key(|k| k.0);
     kept.dedup_by_key(|k| k.0);
     // One may be one across and in its height.
+    let to_world = |list: Vec<(usize, f64)>| list.into_iter().map(|(i, far)| (i, far / unit));
+    let mut outliers: Vec<(usize, f64)> = to_world(sums.outliers).collect();
     outliers.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
     outliers.dedup_by_key(|o| o.0);
     let (kept, places) = kept.into_iter().unzip();
@@ -247,10 +278,10 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         kept,
         places,
         deviation: (sums.squares / sums.free).sqrt() / unit,
-        heights: heights_of_runs.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
+        heights: sums.has_heights.then(|| (sums.heights / sums.heights_free).sqrt() / unit),
         uncertainty: (sums.uncertain / sums.count).sqrt() / unit,
         outliers,
-        steps,
+        steps: to_world(sums.steps).collect(),
         directions: across,
         contradicted: None,
     })
