@@ -201,6 +201,28 @@ fn corners_between_points_are_found() {
     }
 }
 
+#[test]
+fn corners_of_turned_outlines_that_are_rounded_stay() {
+    // Sides of a stair of two to ten samples, turned, to hundredths.
+    let stair = [[0, 0], [60, 0], [60, 26], [40, 26], [40, 30], [22, 30], [22, 44], [0, 44]];
+    for turn in [0.3_f64, 1.1, 1.47] {
+        let (sin, cos) = turn.sin_cos();
+        let hundredths = |x: f64| (100.0 * x).round() / 100.0;
+        let mut points = Vec::new();
+        for (k, from) in stair.iter().enumerate() {
+            let (from, to) = (from.map(f64::from), stair[(k + 1) % stair.len()].map(f64::from));
+            for i in 0..10 * ((to[0] - from[0]).abs() + (to[1] - from[1]).abs()) as u32 / 20 {
+                let part = 2.0 * f64::from(i) / ((to[0] - from[0]).abs() + (to[1] - from[1]).abs());
+                let [x, y] = [0, 1].map(|c| from[c] + (to[c] - from[c]) * part);
+                points.push(Point3::new(hundredths(cos * x - sin * y), hundredths(sin * x + cos * y), 0.0));
+            }
+        }
+        let fit = fitted(&points, &FairFitOptions { closed: true, ..FairFitOptions::by_noise(Noise::Estimated) });
+        assert_eq!(fit.spline().kinks().len(), stair.len(), "turned by {turn}: {:?}", fit.warnings());
+        assert!(fit.certificate().deviation < 0.02, "turned by {turn}: {}", fit.certificate().deviation);
+    }
+}
+
 /// Teeth of a saw, 6 high and long, measured every 3 with a noise of 0.18, on a plate.
 fn saw(seed: u64) -> Vec<Point3> {
     let teeth = (0..15).flat_map(|k| [0.0, 6.0].map(|y| [6.0 * f64::from(k), y]));

@@ -11,6 +11,8 @@ use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+/// Points that scatter by up to this many times what they are known within have no noise besides.
+const AS_KNOWN: f64 = 1.5;
 /// Corners and sides are read with the noise of what is left, so often.
 const READINGS: usize = 4;
 /// Among exact points one corner or side in this many may be lost to the noise.
@@ -50,13 +52,18 @@ pub(super) struct Edged {
 impl Edged {
     /// What lasts over a tolerance.
     pub fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Self {
+        // Exact points have no runs of wrong ones.
+        let is_exact = tolerance <= NEAREST * diameter(&in_plan(&distinct.points, options));
+        Self::lasting(distinct, options, tolerance, !is_exact)
+    }
+
+    /// The same, with runs of points that may be wrong.
+    fn lasting(distinct: &Distinct, options: &FairFitOptions, tolerance: f64, has_wrong: bool) -> Self {
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
         forced.sort_unstable();
         let points = &*in_plan(&distinct.points, options);
         let outline = corners::outline(points, &forced, options, tolerance);
-        // Exact points have no runs of wrong ones.
-        let is_exact = tolerance <= NEAREST * diameter(points);
-        let bursts = if is_exact { Vec::new() } else { noise::bursts(points, options.closed) };
+        let bursts = if has_wrong { noise::bursts(points, options.closed) } else { Vec::new() };
         let bursts = corners::without_figures(points, options.closed, bursts, &outline.corners);
         let straight = corners::without_spikes(points, options.closed, &outline.straight, &bursts);
         let spikes = corners::spikes(points, options.closed, &bursts);
@@ -138,13 +145,30 @@ impl Edged {
         }
     }
 
-    /// All corners and sides of exact points, if they are some with the noise of the runs between them too: else they are taken for
-    /// noise, and there is none of this.
+    /// All corners and sides of exact points, or of those that are only rounded to some decimals, if they are some with the noise of the runs
+    /// between them too: else they are taken for noise, and there is none of this.
     pub fn of_exact(distinct: &Distinct, options: &FairFitOptions, size: f64) -> Option<(Self, Option<Denoised>)> {
+        if let Some(Noise::Known(noise)) = options.noise {
+            return Self::known_within(distinct, options, OF_NOISE * noise);
+        }
+        Self::known_within(distinct, options, NEAREST * size).or_else(|| {
+            let rounded = noise::rounding(&distinct.points)?;
+            Self::known_within(distinct, options, OF_NOISE * rounded)
+        })
+    }
+
+    /// The same of points that are known within a distance.
+    fn known_within(
+        distinct: &Distinct,
+        options: &FairFitOptions,
+        exact_within: f64,
+    ) -> Option<(Self, Option<Denoised>)> {
         let automatic = FairFitOptions { corner_angle: None, ..options.clone() };
-        let within = |tolerance: f64| Self::within(distinct, &automatic, tolerance);
-        let known = if let Some(Noise::Known(noise)) = options.noise { Some(OF_NOISE * noise) } else { None };
-        let (sharp, forced) = (within(known.unwrap_or(NEAREST * size)), within(f64::INFINITY));
+        let is_given = matches!(options.noise, Some(Noise::Known(_)));
+        // Exact points have no runs of wrong ones.
+        let has_wrong = |tolerance: f64| is_given || tolerance > AS_KNOWN * exact_within;
+        let within = |tolerance: f64| Self::lasting(distinct, &automatic, tolerance, has_wrong(tolerance));
+        let (sharp, forced) = (within(exact_within), within(f64::INFINITY));
         let gaps = Self::gaps(distinct, options);
         let is_corner = |i: usize| sharp.corners.binary_search(&(i % gaps.len())).is_ok();
         let is_side = |i: usize| sharp.straight[i] || (is_corner(i) && is_corner(i + 1));
@@ -156,7 +180,7 @@ impl Edged {
         let mut edged = Self { corners: sharp.corners.clone(), straight: sharp.straight.clone() };
         for _ in 0..READINGS {
             let Some(found) = read(distinct, options, &edged) else { return Some((edged, None)) };
-            let seen = within(known.unwrap_or(OF_NOISE * found.deviation));
+            let seen = within(if is_given { exact_within } else { exact_within.max(OF_NOISE * found.deviation) });
             if seen == edged {
                 return Some((edged, Some(found)));
             }

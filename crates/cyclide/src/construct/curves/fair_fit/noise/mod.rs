@@ -4,6 +4,7 @@
 mod beside;
 mod bursts;
 mod chords;
+mod decimals;
 mod directions;
 mod neighbors;
 mod outliers;
@@ -15,6 +16,7 @@ mod steps;
 mod stops;
 
 pub(super) use bursts::bursts;
+pub(super) use decimals::rounding;
 pub(super) use rounded::{Rounded, rounded};
 pub(super) use stops::{Stop, stops};
 
