@@ -49,6 +49,11 @@ def accepted(expression, allow):
     return bool(eval("".join(code.get(w, str(w in allow)) for w in words)))  # only True, False, and, or, brackets
 
 
+def version(text):
+    """A version as numbers."""
+    return ([int(part) for part in re.findall(r"\d+", text)] + [0, 0])[:3]
+
+
 # Crates that a package can be built without.
 OPTIONAL = [("cyclide", "faer"), ("cyclide-io", "tiny-skia"), ("cyclide-io", "tempfile")]
 
@@ -66,6 +71,7 @@ def main():
     rules = tomllib.loads((ROOT / "deny.toml").read_text())
     allow, registries = set(rules["licenses"]["allow"]), set(rules["sources"]["allow-registry"])
     banned = {d["crate"] for d in rules["bans"]["deny"]}
+    oldest = version(tomllib.loads((ROOT / "Cargo.toml").read_text())["workspace"]["package"]["rust-version"])
     listing = subprocess.run(
         ["cargo", "metadata", "--format-version", "1", "--locked"], cwd=ROOT, check=True, stdout=subprocess.PIPE
     )
@@ -77,11 +83,14 @@ def main():
             faults.append(f"{name}: licence {package['license']}")
         if package["source"] and package["source"].removeprefix("registry+") not in registries:
             faults.append(f"{name}: source {package['source']}")
+        needs = package["rust_version"] or "0"
+        if version(needs) > oldest:
+            faults.append(f"{name}: needs Rust {needs}, and the workspace promises {'.'.join(map(str, oldest))}")
         if package["name"] in banned:
             faults.append(f"{name}: banned")
     faults += [f"{package} needs {crate} without its features" for package, crate in OPTIONAL if is_needed(package, crate)]
     faults += unused(rules, packages) + advisories(rules)
-    print("\n".join(faults) or f"{len(packages)} crates: licences and sources as deny.toml allows")
+    print("\n".join(faults) or f"{len(packages)} crates: licences, sources and Rust versions as deny.toml and Cargo.toml allow")
     return 1 if faults else 0
 
 

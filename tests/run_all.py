@@ -41,9 +41,10 @@ def from_cargo_test(lines, _ok):
 
 
 def from_last_line(lines, _ok):
-    """A closing line `N passed, M failed`."""
+    """A closing line `N passed, M failed`; before it every skip is named by a line of its own."""
     counts = [m for line in lines if (m := re.fullmatch(r"(\d+) passed, (\d+) failed", line.strip()))]
-    return Outcome(int(counts[-1][1]), int(counts[-1][2])) if counts else Outcome()
+    skipped = [line.removeprefix("skipped: ") for line in lines if line.startswith("skipped: ")]
+    return Outcome(int(counts[-1][1]), int(counts[-1][2]), skipped) if counts else Outcome()
 
 
 def from_pytest(lines, _ok):
@@ -72,6 +73,7 @@ STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("text and bytes only", ["cargo", "clippy", "--package", "cyclide-io", "--no-default-features", "--all-targets", "--locked", "--", "-D", "warnings"], one),
+    ("other builds", [PYTHON, "tests/builds.py"], from_last_line),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
     ("public API", [PYTHON, "tests/public_api.py"], one),
     ("spelling", [Path(PYTHON).parent / "typos", "--format", "brief"], one),
