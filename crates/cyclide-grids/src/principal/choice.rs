@@ -69,7 +69,9 @@ pub fn covering_principal_grids(
     }
     let coverage = best.report.coverage;
     if coverage < MOST {
-        let (rectangles, umbilics) = (best.report.border == GridBorder::Inside, best.report.umbilics.len());
+        // Steps that were tried cover no more.
+        let rectangles = best.report.border == GridBorder::Inside && !may_step;
+        let umbilics = best.report.umbilics.len();
         best.warnings.push(Warning::PrincipalGrid(PrincipalGridWarning::PartlyCovered {
             coverage,
             limit: MOST,

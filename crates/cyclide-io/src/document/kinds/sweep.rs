@@ -30,7 +30,7 @@ const WHOLE: f64 = 1e-6;
 /// inside others are holes, and open contours make surfaces. The sweep is exact along arcs and segments where the
 /// section does not rotate about the path.
 ///
-/// Corners between segments are miterd. A corner beside an arc is rejected (`corner-not-mitred`), and so are segments
+/// Corners between segments are mitered. A corner beside an arc is rejected (`corner-not-mitred`), and so are segments
 /// too short for their miters (`mitre-does-not-fit`) and bends narrower than the section (`tube-folds`).
 ///
 /// If rectangles around the section overlap in distant parts of the path, the warning `sweep-meets-itself` is issued.

@@ -43,7 +43,7 @@ table! {
         says "the pipe's radius {radius} must be below the radius of piece {piece} of its curve, {limit}, or the \
             inner side folds; use a thinner pipe or wider bends";
 
-        /// A corner of a pipe cannot be miterd: it is next to an arc, or turns back.
+        /// A corner of a pipe cannot be mitered: it is next to an arc, or turns back.
         CornerNotMitred {
             /// Which piece begins there, from 0.
             joint: usize,
@@ -51,7 +51,7 @@ table! {
             turn: f64,
             /// Joints up to here are smooth.
             smooth: f64,
-            /// Corners of segments up to here are miterd.
+            /// Corners of segments up to here are mitered.
             limit: f64,
         }
         reason "corner-not-mitred";

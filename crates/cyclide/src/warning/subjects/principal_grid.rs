@@ -41,7 +41,7 @@ table! {
             coverage: f64,
             /// The part below which it is reported.
             limit: f64,
-            /// True if each grid is a rectangle, false if it consists of all complete cells.
+            /// True if each grid is a rectangle, as was asked for; false if it consists of all complete cells, or these cover no more.
             rectangles: bool,
             /// How many umbilics the surface has.
             umbilics: usize,
@@ -51,8 +51,8 @@ table! {
             and shorter edges to cover more", percent(*coverage), ShortNumber(100.0 * *limit);
         when *umbilics == 0, says "{} % of the surface is covered, less than {} %: use shorter edges to cover more, \
             or the border `cover` to cover all of it", percent(*coverage), ShortNumber(100.0 * *limit);
-        says "{} % of the surface is covered, less than {} %: other edge lengths may cover more; umbilics `smooth` \
-            cover more but leave the surface around them; or model the parts around the umbilics as separate patches",
+        says "{} % of the surface is covered, less than {} %: shorter edges may cover more, and umbilics `smooth`, which \
+            leave the surface around them; or model the parts around the umbilics as separate patches",
             percent(*coverage), ShortNumber(100.0 * *limit);
 
         /// One mesh of quads round umbilics includes only some of them.

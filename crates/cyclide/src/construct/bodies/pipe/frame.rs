@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// A closed spine that comes back turned about itself by less is not twisted.
 const NOT_TWISTED: f64 = 1e-10;
-/// Largest turn of a corner that is miterd: the miter is ten times as long as the radius.
+/// Largest turn of a corner that is mitered: the miter is ten times as long as the radius.
 const LARGEST_TURN: f64 = 2.942;
 /// The radius of a pipe is below that of its arcs by at least this part.
 const NARROWER: f64 = 1e-9;

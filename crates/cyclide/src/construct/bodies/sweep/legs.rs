@@ -9,7 +9,7 @@ use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{CurveError, Error, NumberError, PipeError, PointError, Result, TubeError};
 use std::f64::consts::{PI, TAU};
 
-/// Largest turn of a corner that is miterd: as of pipes, the miter is ten times as long as the section is wide.
+/// Largest turn of a corner that is mitered: as of pipes, the miter is ten times as long as the section is wide.
 const LARGEST_TURN: f64 = 2.942;
 /// The width that a section has left at the inner side of a bend, and a segment between its miters, as part of their own.
 const LEAST_LEFT: f64 = 1e-7;

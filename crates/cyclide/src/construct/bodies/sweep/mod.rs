@@ -1,4 +1,4 @@
-//! Sweeps: a plane section led across a path of arcs and segments, by frames that do not turn about it, by an up vector, or with a twist; miterd at corners between
+//! Sweeps: a plane section led across a path of arcs and segments, by frames that do not turn about it, by an up vector, or with a twist; mitered at corners between
 //! segments, and closed by plane faces where the path ends (`docs/math/sweeps.md`).
 //!
 //! Over an arc the frame turns with the arc, which is parallel transport: a section of degree m makes faces of degree (m, 2), over a segment (m, 1). A turn about the
