@@ -1,5 +1,6 @@
 """Builds that no other check has, by `cargo check`: each feature of a crate alone, the fuzz targets, and the build for
 browsers where its standard library is installed. Ends with the line `N passed, M failed`; what cannot be built here is named as skipped.
+With `--kernel` the features of the kernel alone (a minute on two cores). No part of `./test.sh`, which has no time left for it.
 
 The oldest Rust that serves is checked without it: clippy knows since when each function of the standard library exists
 (`incompatible_msrv` follows `rust-version`), and `tests/dependencies.py` asks the dependencies.
@@ -40,17 +41,18 @@ def checks(*arguments, **environment):
 def main():
     members, target = packages()
     builds = []
-    for crate in CRATES:
+    for crate in CRATES[:1] if "--kernel" in sys.argv else CRATES:
         alone = ["--package", crate, "--no-default-features"]
         if crate != "cyclide-io":
             builds.append((f"{crate} without features", alone))
         for feature in sorted(set(members[crate]["features"]) - {"default"}):
             builds.append((f"{crate} with {feature} alone", [*alone, "--features", feature]))
-    builds.append(("fuzz targets", ["--manifest-path", "fuzz/Cargo.toml", "--target-dir", target, "--bins"]))
-    if has_wasm():
-        builds.append((f"cyclide-io for {WASM}", ["--package", "cyclide-io", "--no-default-features", "--target", WASM]))
-    else:
-        print(f"skipped: the build for browsers (rustup target add {WASM})")
+    if "--kernel" not in sys.argv:
+        builds.append(("fuzz targets", ["--manifest-path", "fuzz/Cargo.toml", "--target-dir", target, "--bins"]))
+        if has_wasm():
+            builds.append((f"cyclide-io for {WASM}", ["--package", "cyclide-io", "--no-default-features", "--target", WASM]))
+        else:
+            print(f"skipped: the build for browsers (rustup target add {WASM})")
     failed = 0
     for name, arguments in builds:
         # The library of the fuzzer is C++, and nothing is linked here.

@@ -73,7 +73,6 @@ STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("text and bytes only", ["cargo", "clippy", "--package", "cyclide-io", "--no-default-features", "--all-targets", "--locked", "--", "-D", "warnings"], one),
-    ("other builds", [PYTHON, "tests/builds.py"], from_last_line),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
     ("public API", [PYTHON, "tests/public_api.py"], one),
     ("spelling", [Path(PYTHON).parent / "typos", "--format", "brief"], one),
