@@ -13,7 +13,7 @@ pub(super) const BULGES_AS_Z: &str = "bulges-as-z";
 const LARGEST: f64 = 1.0;
 /// Points that may have bulges at least.
 const FEWEST: usize = 4;
-/// Bulges of arcs that turn at least by this are told from edges that go straight on.
+/// A bulge of at least this turns its arc enough to see that no straight edge goes on there.
 const TURNS: f64 = 0.05;
 /// Directions that differ by less, in radians, are the same: coordinates are rounded.
 const SAME_DIRECTION: f64 = 0.02;

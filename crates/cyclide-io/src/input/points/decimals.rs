@@ -134,7 +134,7 @@ impl Pairs {
         }
     }
 
-    /// True if the fields are numbers with decimal commas: what stands behind these begins with a zero in places.
+    /// True if the fields are numbers with decimal commas: some of their fractions begin with a zero.
     pub(super) fn are_certain(&self) -> bool {
         let begins = |column: &usize| self.begin_with_zero.get(*column).is_some_and(|begins| *begins);
         self.ways.iter().any(|fractions| fractions.iter().any(begins))

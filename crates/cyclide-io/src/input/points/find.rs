@@ -357,7 +357,7 @@ fn found_without_names(
 }
 
 /// Two or three columns of those that may be meant, as `--columns` takes them: of more than three the first two, with the height. Without names
-/// that is the third, which codes stand behind.
+/// that is the third, since codes come after it.
 fn example(table: &Table<'_>, columns: &[usize]) -> String {
     let (plan, rest) = columns.split_at(columns.len().min(2));
     let is_height = |i: &&usize| {
