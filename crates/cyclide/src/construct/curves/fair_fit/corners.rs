@@ -53,10 +53,17 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     let evident =
         |(i, turn): (usize, f64)| length((i + n - 1) % n).min(length(i)) * (0.5 * turn).sin() > 2.0 * tolerance;
     if options.corner_angle.is_none() && is_dense {
+        // Straight runs of exact points are what is meant, however far the curve may be from them.
+        let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
         // Where the points beside one are next to each other, it is an outlier.
         let beside = |i: usize| points[(i + n - 1) % n].distance(points[(i + 1) % n]);
         let is_corner = |corner: (usize, f64)| evident(corner) && beside(corner.0) > APART * usual;
         outline.corners.retain(|corner| is_forced(corner.0) || is_corner(*corner));
+        if options.noise.is_none() {
+            outline.corners.extend(outline.firm.iter().map(|i| (*i, turn(*i))));
+        }
+        outline.corners.sort_unstable_by_key(|corner| corner.0);
+        outline.corners.dedup_by_key(|corner| corner.0);
         // In an outline a long edge among short ones is a side too where samples would turn over it by less than the
         // tolerance sees: nothing else holds the curve there.
         let is_side = |i: usize, outline: &Outline| {

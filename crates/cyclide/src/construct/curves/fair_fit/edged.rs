@@ -8,6 +8,7 @@ use super::options::{Heights, Noise};
 use super::{FairFitOptions, corners};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::input::{Distinct, diameter};
+use crate::construct::curves::outline::decimal_step;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -38,6 +39,11 @@ pub(super) fn in_plan<'a>(points: &'a [Point3], options: &FairFitOptions) -> Cow
     let closing = options.closed.then(|| (plan.len() - 1, 0));
     let mut edges = (1..plan.len()).map(|i| (i - 1, i)).chain(closing);
     if edges.any(|(i, j)| plan[i].distance(plan[j]) <= least) { all } else { Cow::Owned(plan) }
+}
+
+/// The deviation that the decimals of the coordinates leave, that of a number anywhere between two steps; 0 without any.
+pub(super) fn rounding(distinct: &Distinct) -> f64 {
+    decimal_step(&distinct.points).map_or(0.0, |step| step / 12.0_f64.sqrt())
 }
 
 /// What of the points is no curve: corners, and the edges that are straight sides.
@@ -116,8 +122,10 @@ impl Edged {
     /// enough.
     pub fn in_noise(distinct: &Distinct, options: &FairFitOptions, size: f64) -> Result<Sharp, Self> {
         if let Some((edged, found)) = Self::of_exact(distinct, options, size) {
+            // Points that scatter no more than their decimals are the outline itself: nothing is cut between them.
+            let exact_within = (NEAREST * size).max(AS_KNOWN * rounding(distinct));
             return match found {
-                Some(found) if found.deviation > NEAREST * size => {
+                Some(found) if found.deviation > exact_within => {
                     Ok(with_meeting_sides(distinct, options, edged, found))
                 }
                 Some(found) => Ok(Sharp { inserted: None, edged, found }),
@@ -152,8 +160,8 @@ impl Edged {
             return Self::known_within(distinct, options, OF_NOISE * noise);
         }
         Self::known_within(distinct, options, NEAREST * size).or_else(|| {
-            let rounded = noise::rounding(&distinct.points)?;
-            Self::known_within(distinct, options, OF_NOISE * rounded)
+            let rounded = rounding(distinct);
+            (rounded > 0.0).then(|| Self::known_within(distinct, options, OF_NOISE * rounded))?
         })
     }
 

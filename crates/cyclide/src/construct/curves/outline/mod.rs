@@ -8,14 +8,18 @@
 //! left by much more than they are. Everything is measured in angles and in ratios of lengths; the tolerance only says
 //! what noise may have caused.
 
+mod decimals;
 mod predicted;
+mod straight_runs;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::arc_fit::input::diameter;
 use crate::warning::{FitWarning, Warning};
+pub(super) use decimals::decimal_step;
 use predicted::unpredicted;
 use std::collections::HashSet;
 use std::f64::consts::PI;
+use straight_runs::StraightRuns;
 
 /// No smooth curve is farther than this part of it from the edge between two of its samples: an arc of 65 degrees, more than which
 /// none has between two (`docs/math/arc-fitting.md#outlines`).
@@ -97,6 +101,8 @@ pub(in crate::construct) struct Outline {
     pub bound: Vec<bool>,
     /// Whether points that are not where their neighbors say were taken for noisy samples.
     pub has_noise: bool,
+    /// Points where a straight run of others ends at an angle that no samples have: corners whatever noise may do.
+    pub firm: Vec<usize>,
 }
 
 /// Without a tolerance noise may move points by this part of their size.
@@ -131,6 +137,7 @@ impl Outline {
         for i in 0..points.len() {
             let turn = reader.turn(i);
             let evident = turn > limit && (angle.is_some() || reader.is_evident_corner(i, noisy));
+            let evident = evident || (angle.is_none() && reader.is_firm(i) && reader.lasts(i));
             // Points that noise moves past each other turn back too.
             let reversal = angle.is_none() && turn > CUSP_ANGLE && reader.lasts(i);
             reader.corner[i] = reader.is_inside(i) && (forced.binary_search(&i).is_ok() || reversal || evident);
@@ -241,6 +248,7 @@ struct Reader<'a> {
     straight: Vec<bool>,
     /// Edges between points that are no samples, whatever stands beside them.
     held: Vec<bool>,
+    runs: StraightRuns,
 }
 
 impl<'a> Reader<'a> {
@@ -257,6 +265,7 @@ impl<'a> Reader<'a> {
             corner: vec![false; n],
             straight: vec![false; n],
             held: vec![false; n],
+            runs: StraightRuns::default(),
         };
         for i in (0..n).filter(|i| reader.is_inside(*i)).collect::<Vec<_>>() {
             let (u, v) = (points[i] - points[(i + n - 1) % n], points[(i + 1) % n] - points[i]);
@@ -264,6 +273,8 @@ impl<'a> Reader<'a> {
             let axis = u.cross(v).unit().or_else(|| u.unit().map(Vec3::any_perpendicular)).unwrap_or(Vec3::Z);
             reader.turns[i] = axis * u.angle(v);
         }
+        let sharpest = (0..n).max_by(|i, j| reader.turn(*i).total_cmp(&reader.turn(*j))).unwrap_or(0);
+        reader.runs = StraightRuns::of(points, if closed { Some(sharpest) } else { None });
         reader
     }
 
@@ -273,7 +284,8 @@ impl<'a> Reader<'a> {
         let low = |edge: usize| self.sagitta(edge) <= BOUND_SAGITTA * self.tolerance;
         let has_noise = self.scattered == Scattered::Noise && self.runs().iter().any(|run| !self.is_predicted(run));
         let bound = (0..n).map(|edge| has_sides && (self.straight[edge] || low(edge))).collect();
-        Outline { corners, straight: self.straight, bound, has_noise }
+        let firm = (0..n).filter(|i| self.is_firm(*i)).collect();
+        Outline { corners, straight: self.straight, bound, has_noise, firm }
     }
 
     /// Noise above the tolerance turns points to and fro by all sorts of angles.
@@ -305,6 +317,11 @@ impl<'a> Reader<'a> {
         self.turns[vertex].length()
     }
 
+    /// By more than the rounding of the coordinates.
+    fn does_turn(&self, vertex: usize) -> bool {
+        self.turn(vertex) > NO_TURN * CORNER_ANGLE && !self.runs.is_inside(vertex)
+    }
+
     fn before(&self, index: usize) -> usize {
         (index + self.n() - 1) % self.n()
     }
@@ -324,6 +341,19 @@ impl<'a> Reader<'a> {
         let neighbors = self.turn(self.before(vertex)).max(self.turn(self.after(vertex)));
         let stands_out = turn > PROMINENCE * neighbors;
         (stands_out || (turn > LARGEST_SAMPLE_TURN && !noisy)) && self.lasts(vertex)
+    }
+
+    /// Whether a straight run of points ends there at an angle that no samples have: over the edge beyond a curve turns by twice the
+    /// angle to the run, or by both angles if there is a run beyond too.
+    fn is_firm(&self, vertex: usize) -> bool {
+        let may_end = |i: usize| self.is_inside(i) && self.runs.may_end_at(i);
+        let bends_with = |other: usize| {
+            let is_bend = may_end(other) && self.turns[vertex].dot(self.turns[other]) > 0.0;
+            is_bend && self.turn(vertex) + self.turn(other) > LARGEST_SAMPLE_TURN
+        };
+        let part = if self.runs.ends_at(vertex) { 0.5 } else { 1.0 };
+        let is_sharp = self.turn(vertex) > part * LARGEST_SAMPLE_TURN;
+        may_end(vertex) && (is_sharp || bends_with(self.before(vertex)) || bends_with(self.after(vertex)))
     }
 
     /// Whether noise within the tolerance explains no such turn. It turns an edge of length `l` by up to `2 tolerance/l`,
@@ -429,7 +459,7 @@ impl<'a> Reader<'a> {
         let ends_at =
             |vertex: usize| !self.is_passed(vertex) || self.straight[vertex] || self.straight[self.before(vertex)];
         let Some(first) = (0..n).find(|i| ends_at(*i)) else { return Vec::new() };
-        let turns = |vertex: usize| self.is_passed(vertex) && self.turn(vertex) > NO_TURN * CORNER_ANGLE;
+        let turns = |vertex: usize| self.is_passed(vertex) && self.does_turn(vertex);
         let mut found = Vec::new();
         let mut chain: Vec<usize> = Vec::new();
         for edge in (0..n).map(|k| (first + k) % n) {
@@ -472,7 +502,7 @@ impl<'a> Reader<'a> {
         let mut found: Vec<usize> = (0..n).filter(|i| candidate(*i) && !supported(*i)).collect();
         let is_shape = self.scattered == Scattered::Vertices;
         for run in self.runs() {
-            let turning = run.iter().map(|i| self.turn(*i)).filter(|turn| *turn > NO_TURN * CORNER_ANGLE);
+            let turning = run.iter().filter(|i| self.does_turn(**i)).map(|i| self.turn(*i));
             let (count, sum) = turning.fold((0, 0.0), |(count, sum), turn| (count + 1, sum + turn));
             if sum > limit * f64::from(count) || (is_shape && !self.is_predicted(&run)) {
                 found.extend(run.iter().filter(|i| candidate(**i)));
@@ -508,8 +538,7 @@ impl<'a> Reader<'a> {
     /// turns to and fro has more samples to each bend.
     fn zigzags(&self) -> Vec<usize> {
         let n = self.n();
-        let turning: Vec<usize> =
-            (0..n).filter(|i| self.is_inside(*i) && self.turn(*i) > NO_TURN * CORNER_ANGLE).collect();
+        let turning: Vec<usize> = (0..n).filter(|i| self.is_inside(*i) && self.does_turn(*i)).collect();
         let same = |k: usize| {
             let (i, j) = (turning[k], turning[(k + 1) % turning.len()]);
             (self.closed || k + 1 < turning.len()) && self.turns[i].dot(self.turns[j]) > 0.0

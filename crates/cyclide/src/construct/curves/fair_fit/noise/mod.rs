@@ -4,7 +4,6 @@
 mod beside;
 mod bursts;
 mod chords;
-mod decimals;
 mod directions;
 mod neighbors;
 mod outliers;
@@ -16,7 +15,6 @@ mod steps;
 mod stops;
 
 pub(super) use bursts::bursts;
-pub(super) use decimals::rounding;
 pub(super) use rounded::{Rounded, rounded};
 pub(super) use stops::{Stop, stops};
 

@@ -1,7 +1,6 @@
 //! Points whose coordinates are rounded to some decimals: of an outline with them, every sample on a slanted side is a corner that
 //! lasts over the rounding alone (`docs/math/fair-fits.md#noise`).
 
-use super::mean_edge;
 use crate::base::vector::Point3;
 
 /// Most decimals that are looked for.
@@ -12,8 +11,8 @@ const ROUNDINGS: f64 = 4.0;
 /// Steps above this part of the mean edge are no rounding, but what was drawn.
 const OF_EDGE: f64 = 0.02;
 
-/// The deviation of coordinates that are all rounded to the same decimals, if these are far finer than the edges, in one direction.
-pub(in crate::construct::curves::fair_fit) fn rounding(points: &[Point3]) -> Option<f64> {
+/// The step of coordinates that are all rounded to the same decimals, if it is far finer than the edges.
+pub(in crate::construct) fn decimal_step(points: &[Point3]) -> Option<f64> {
     let is_multiple = |value: f64, step: f64| {
         let count = value / step;
         (count - count.round()).abs() <= MULTIPLE.max(ROUNDINGS * f64::EPSILON * count.abs())
@@ -21,7 +20,9 @@ pub(in crate::construct::curves::fair_fit) fn rounding(points: &[Point3]) -> Opt
     let step = (0..=MOST)
         .map(|k| 10.0_f64.powi(-k))
         .find(|step| points.iter().all(|p| p.to_array().into_iter().all(|value| is_multiple(value, *step))))?;
-    (step <= OF_EDGE * mean_edge(points)).then(|| step / 12.0_f64.sqrt())
+    let edges = points.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>();
+    let count = points.len().saturating_sub(1).max(1) as f64;
+    (step * count <= OF_EDGE * edges).then_some(step)
 }
 
 #[cfg(test)]
@@ -38,11 +39,11 @@ mod tests {
             (0..60).map(at).collect()
         };
         for digits in [1e2, 1e3, 1e6] {
-            let found = rounding(&points(digits)).unwrap();
-            assert!((found * digits * 12.0_f64.sqrt() - 1.0).abs() < 1e-9, "{digits}: {found}");
+            let found = decimal_step(&points(digits)).unwrap();
+            assert!((found * digits - 1.0).abs() < 1e-9, "{digits}: {found}");
         }
         // What is drawn on a grid is not rounded, and exact points are not either.
-        assert_eq!(rounding(&points(1.0)), None);
-        assert_eq!(rounding(&points(1e12)), None);
+        assert_eq!(decimal_step(&points(1.0)), None);
+        assert_eq!(decimal_step(&points(1e12)), None);
     }
 }
