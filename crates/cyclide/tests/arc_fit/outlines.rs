@@ -174,6 +174,55 @@ fn outlines_are_kept_both_ways() {
     }
 }
 
+/// A rectangle with chamfers.
+fn chamfered(random: &mut Random) -> Vec<[f64; 2]> {
+    let (w, h, c) = (between(random, 30.0, 80.0), between(random, 25.0, 50.0), between(random, 2.0, 10.0));
+    vec![[c, 0.0], [w - c, 0.0], [w, c], [w, h - c], [w - c, h], [c, h], [0.0, h - c], [0.0, c]]
+}
+
+/// Points on every side of a polygon, its corners among them, about a step apart.
+fn divided(polygon: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
+    let side = |k: usize| {
+        let (a, b) = (polygon[k], polygon[(k + 1) % polygon.len()]);
+        let count = ((b[0] - a[0]).hypot(b[1] - a[1]) / step).round().max(1.0) as usize;
+        (0..count).map(move |i| [0, 1].map(|d| a[d] + (b[d] - a[d]) * i as f64 / count as f64))
+    };
+    (0..polygon.len()).flat_map(side).collect()
+}
+
+#[test]
+fn turned_outlines_to_hundredths_are_kept_both_ways() {
+    let mut random = Random(63);
+    let mut kept = 0;
+    let hundredths = |p: Point3| Point3::new((100.0 * p.x).round() / 100.0, (100.0 * p.y).round() / 100.0, 0.0);
+    for member in 0..100 {
+        let figure = match member % 4 {
+            0 => chamfered(&mut random),
+            1 => comb(&mut random),
+            2 => {
+                let (spikes, inner) = (whole(&mut random, 4, 10), between(&mut random, 16.0, 24.0));
+                star(spikes, inner)
+            }
+            _ => vec![[0.0, 0.0], [60.0, 0.0], [60.0, 12.0], [12.0, 12.0], [12.0, 40.0], [0.0, 40.0]],
+        };
+        // Every other one is walked in even steps, which cut its corners; where these are obtuse, a curve explains that.
+        let step = between(&mut random, 1.0, 3.0);
+        let samples = if member % 8 <= 4 { divided(&figure, step) } else { resampled(&figure, step) };
+        let points: Vec<Point3> = placed(&samples, &mut random).into_iter().map(hundredths).collect();
+        let fit = fitted(&points, &closed(TOLERANCE));
+        let distance = both_ways(fit.path(), &points);
+        // Edges of samples may be left by an arc that is within the tolerance of its points.
+        if distance <= 2.0 * TOLERANCE {
+            kept += 1;
+            continue;
+        }
+        let is_said = fit.warnings().iter().any(|w| matches!(w.reason(), "read-as-curve" | "swings-out"));
+        assert!(is_said, "{member}, step {step}: {distance}; {:?}", fit.warnings());
+    }
+    // The others are narrow teeth with one or two points to a side.
+    assert!(kept >= 95, "{kept} of 100");
+}
+
 #[test]
 fn coarse_bends_are_the_arcs_of_their_points() {
     // Chords with sagittas of up to eight tolerances: the points are kept, and each bend is one arc.

@@ -223,6 +223,44 @@ fn corners_of_turned_outlines_that_are_rounded_stay() {
     }
 }
 
+#[test]
+fn chamfers_of_rounded_outlines_are_not_cut() {
+    // Chamfers of one to three samples on a turned rectangle, to hundredths: smoothed by the noise, and within 1.
+    for (seed, chamfer) in [2.0_f64, 2.5, 3.0, 4.0, 5.0, 8.0].into_iter().enumerate() {
+        let (c, step): (f64, f64) = (chamfer, 4.0);
+        let corners: [[f64; 2]; 8] = [
+            [c, 0.0],
+            [60.0 - c, 0.0],
+            [60.0, c],
+            [60.0, 40.0 - c],
+            [60.0 - c, 40.0],
+            [c, 40.0],
+            [0.0, 40.0 - c],
+            [0.0, c],
+        ];
+        let (sin, cos) = (0.3 + 0.2 * seed as f64).sin_cos();
+        let hundredths = |x: f64| (100.0 * x).round() / 100.0;
+        let mut points = Vec::new();
+        for (k, a) in corners.iter().enumerate() {
+            let b = corners[(k + 1) % 8];
+            let count = ((b[0] - a[0]).hypot(b[1] - a[1]) / step).round().max(1.0);
+            for i in 0..count as u32 {
+                let [x, y] = [0, 1].map(|d| a[d] + (b[d] - a[d]) * f64::from(i) / count);
+                points.push(Point3::new(hundredths(cos * x - sin * y), hundredths(sin * x + cos * y), 0.0));
+            }
+        }
+        let automatic = FairFitOptions::by_noise(Noise::Estimated);
+        for (options, most) in [(automatic, 0.02), (FairFitOptions::new(0.02), 0.03), (FairFitOptions::new(1.0), 1.02)]
+        {
+            let fit = fitted(&points, &FairFitOptions { closed: true, ..options });
+            let off = fit.certificate().polyline_deviation;
+            assert!(off < most, "chamfers of {chamfer}: {off}; {:?}", fit.warnings());
+            let kept = fit.spline().kinks().len();
+            assert!(kept == 8, "chamfers of {chamfer}: {kept} corners");
+        }
+    }
+}
+
 /// Teeth of a saw, 6 high and long, measured every 3 with a noise of 0.18, on a plate.
 fn saw(seed: u64) -> Vec<Point3> {
     let teeth = (0..15).flat_map(|k| [0.0, 6.0].map(|y| [6.0 * f64::from(k), y]));
