@@ -67,6 +67,21 @@ fn runs_of_outliers_are_named_and_hold_nothing() {
 }
 
 #[test]
+fn a_right_point_between_two_wrong_ones_stays() {
+    for seed in 0..16 {
+        let (count, step) = ([120, 300][seed as usize % 2], [1.0, 3.0][seed as usize / 8]);
+        let truth = walk(seed, count, step);
+        let mut points = noisy(&truth, 700 + seed, 0.3 * step, 2);
+        let from = count / 3;
+        let across = (truth[from + 1] - truth[from - 1]).cross(Vec3::Z).unit().unwrap();
+        for i in [from, from + 2] {
+            points[i] += across * ([4.0, 8.0, 20.0][seed as usize % 3] * step);
+        }
+        assert_eq!(named(&of(&points, &by_noise(true))), [from, from + 2], "{seed}");
+    }
+}
+
+#[test]
 fn runs_of_wrong_heights_are_named() {
     let (mut missed, mut innocent) = (Vec::new(), 0);
     for seed in 0..16 {

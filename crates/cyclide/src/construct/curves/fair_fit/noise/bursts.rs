@@ -1,5 +1,5 @@
-//! Runs of some wrong points among measured ones: the polyline goes on past them as if they were not there
-//! (`docs/math/fair-fits.md#outliers`).
+//! Runs of some wrong points among measured ones, a right one between them or not: the polyline goes on past them as if they were not
+//! there (`docs/math/fair-fits.md#outliers`).
 
 use super::beside::{Beside, around};
 use super::chords::{chords, median};
@@ -51,7 +51,7 @@ fn runs(points: &[Point3], closed: bool, jumping: bool) -> Vec<usize> {
     let usual = |list: &[f64], at: usize| {
         median(&mut (-AROUND..=AROUND).filter_map(|k| around(list, at as isize + k, closed)).collect::<Vec<_>>())
     };
-    let mut found: Vec<(f64, usize, usize)> = Vec::new();
+    let mut found: Vec<(f64, usize, Vec<usize>)> = Vec::new();
     for count in COUNTS {
         for from in 0..if closed { n } else { n - count } {
             let beside = Beside::run(points, from, count, closed);
@@ -62,27 +62,32 @@ fn runs(points: &[Point3], closed: bool, jumping: bool) -> Vec<usize> {
             if jumping && jumps <= JUMP * apart / (count + 1) as f64 {
                 continue;
             }
-            let off = run().map(|p| beside.off(p).1).fold(f64::INFINITY, f64::min);
+            let offs: Vec<f64> = run().map(|p| beside.off(p).1).collect();
+            let noise = usual(&singles, from);
+            // Between its ends some may be right.
+            let is_wrong = |k: usize| k == 0 || k + 1 == count || offs[k] > OFF * noise;
+            let wrong: Vec<usize> = (0..count).filter(|k| is_wrong(*k)).collect();
+            let off = wrong.iter().map(|k| offs[*k]).fold(f64::INFINITY, f64::min);
             let rise = |k: usize| (points[(k + 1) % n].z - points[k % n].z).abs();
             if !jumping && rise(from + n - 1).min(rise(from + count - 1)) < RISE * off {
                 continue;
             }
-            let noise = usual(&singles, from);
             let off_two = usual(&two, from);
             let is_noisy = off_two > EXACT[usize::from(!jumping)] * off && off_two > SCATTERED * usual(&next, from);
             let expected = (count + 1) as f64 * usual(&lengths, from);
             let goes_on = apart + MOVED * noise > APART[0] * expected && apart < APART[1] * expected;
             if is_noisy && goes_on && off > OFF * noise {
-                found.push((off / noise, from, count));
+                found.push((off / noise, from, wrong));
             }
         }
     }
     found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let mut taken = vec![false; n];
-    for (_, from, count) in found {
+    for (_, from, wrong) in found {
         // What is beside a run is none.
+        let count = wrong.last().map_or(0, |last| last + 1);
         if (from + n - 1..=from + n + count).all(|k| !taken[k % n]) {
-            (from..from + count).for_each(|k| taken[k % n] = true);
+            wrong.iter().for_each(|k| taken[(from + k) % n] = true);
         }
     }
     let all: Vec<usize> = (0..n).filter(|i| taken[*i]).collect();
