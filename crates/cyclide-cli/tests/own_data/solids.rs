@@ -216,6 +216,42 @@ fn twisted_ruled_surfaces_are_made() {
     }
 }
 
+/// A loft between outlines of which the second begins one or more corners later says so, and the shift that it names takes the twist away.
+#[test]
+fn lofts_that_begin_at_another_corner_say_so() {
+    let outline = |count: usize, first: usize, size: f64, z: f64| {
+        let at = |k: usize| {
+            let (sin, cos) = (std::f64::consts::TAU * (k + first) as f64 / count as f64).sin_cos();
+            format!("[{}, {}, {z}]", 1.5 * size * cos, size * sin)
+        };
+        let points: Vec<String> = (0..count).map(at).collect();
+        format!(r#"{{"type": "polyline", "closed": true, "points": [{}], "construction": true}}"#, points.join(", "))
+    };
+    for (count, first, size) in [(4, 1, 20.0), (4, 3, 12.0), (6, 2, 20.0), (6, 1, 30.0), (9, 2, 20.0), (3, 1, 9.0)] {
+        let document = |shift: &str| {
+            format!(
+                r#"{{"cyclide": 1, "objects": {{"low": {}, "top": {}, "loft": {{"type": "ruled", "rails": ["low", "top"]{shift}}}}}}}"#,
+                outline(count, 0, 20.0, 0.0),
+                outline(count, first, size, 30.0)
+            )
+        };
+        let folder =
+            Folder::with(&[("t.json", &document("")), ("s.json", &document(&format!(r#", "shift": {first}"#)))]);
+        let run = folder.run("report t.json");
+        let told = format!(r#"with `"shift": {}`"#, count - first);
+        assert!(
+            run.stderr.contains("[rails-twisted]") && run.stderr.contains(&told),
+            "{count} {first}: {}",
+            run.stderr
+        );
+        folder.write("m.json", &document(&format!(r#", "shift": {}"#, count - first)));
+        let mended = folder.run("report m.json");
+        assert!(mended.code == 0 && !mended.stderr.contains("rails-"), "{count} {first}: {}", mended.stderr);
+        // One that is typed is obeyed.
+        assert!(!folder.run("report s.json").stderr.contains("rails-twisted"), "{count} {first}");
+    }
+}
+
 /// A helix far from the origin says by how much its coordinates are rounded.
 #[test]
 fn helices_say_how_they_are_rounded() {

@@ -15,6 +15,7 @@ use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
+use crate::document::kinds::ruled::remedies::MOST_TRIED;
 use crate::document::kinds::ruled::sense::Rulings;
 use crate::document::objects::Builder;
 use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
@@ -23,6 +24,10 @@ use crate::error::Result;
 
 /// Starts of a closed rail that are tried to see whether it runs the other way.
 const MOST_SHIFTS: usize = 64;
+/// Two outlines whose likeness from another start is larger by this are twisted: alike ones by more than 26 degrees.
+const TWISTED: f64 = 0.1;
+/// Curves that turn by more than this at a joint have a corner there, radians.
+const CORNER: f64 = 0.3;
 
 /// Straight lines between two curves. They connect points at equal parameters, piece by piece.
 ///
@@ -116,9 +121,39 @@ impl Builder<'_> {
                            if no twist is intended, list its points in reverse order, or use a `transform` of it with the steps \
                            `[\"reverse\"]`";
             self.remark("rails-opposite", None, None, self.place_of(["rails".into()]), message.to_owned());
+        } else if closed && shift == 0 {
+            self.remark_start([first, second], &given);
         }
         Ok(())
     }
+
+    /// Remarks closed curves of which the second begins at another corner, so that the surface between them is twisted.
+    fn remark_start(&mut self, [first, second]: [&[EdgeCurve]; 2], given: &Rulings) {
+        let count = second.len();
+        // Where smooth curves begin is nobody's choice, and how far they are turned is.
+        if count > MOST_TRIED || given.opposite() || ![first, second].into_iter().all(has_corners) {
+            return;
+        }
+        let likeness = |by: usize| (by, Rulings::of([first, &rotated(second, by)], true).likeness());
+        let best = (1..count).map(likeness).max_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((by, _)) = best.filter(|(_, best)| *best > given.likeness() + TWISTED) else { return };
+        let [x, y, z] = second[by].start().to_array().map(ShortNumber);
+        let message = format!(
+            "the surface is twisted, since the second curve begins at another corner: if no twist is intended, let it begin {by} of its {count} pieces \
+             later, at ({x}, {y}, {z}), with `\"shift\": {by}`"
+        );
+        self.remark("rails-twisted", None, None, self.place_of(["rails".into()]), message);
+    }
+}
+
+/// Whether a closed curve turns at once somewhere.
+fn has_corners(pieces: &[EdgeCurve]) -> bool {
+    let ends = |before: usize| {
+        let after = (before + 1) % pieces.len();
+        let from = pieces[before].as_curve().piece_jet(0, 1.0).tangent();
+        from.zip(pieces[after].as_curve().piece_jet(0, 0.0).tangent())
+    };
+    (0..pieces.len()).any(|k| ends(k).is_some_and(|(from, to)| from.angle(to) > CORNER))
 }
 
 /// The pieces of a closed curve from another one on.

@@ -64,6 +64,19 @@ impl Rulings {
         self.length() > LONGER[usize::from(!self.closed)] * reversed.length()
     }
 
+    /// How alike the two rails are, seen from their middles: 1 if one is the other, larger or smaller, and the cosine of the angle by which it is
+    /// turned.
+    pub(in crate::document) fn likeness(&self) -> f64 {
+        let count = self.lines.len() as f64;
+        let middles = [0, 1].map(|end: usize| {
+            self.lines.iter().fold(Vec3::ZERO, |sum, line| sum + (line[end] - self.lines[0][end])) / count
+        });
+        let own = |line: &[Point3; 2], end: usize| line[end] - self.lines[0][end] - middles[end];
+        let sum = |a: usize, b: usize| self.lines.iter().map(|line| own(line, a).dot(own(line, b))).sum::<f64>();
+        let size = (sum(0, 0) * sum(1, 1)).sqrt();
+        if size > 0.0 { sum(0, 1) / size } else { 0.0 }
+    }
+
     /// Whether one of them goes through the surface between two others that are no neighbors of it.
     pub(in crate::document) fn cross(&self) -> bool {
         let count = self.lines.len();
