@@ -97,6 +97,13 @@ fn check(points: &[Point3], options: &ArcFitOptions, fit: &ArcFit) {
         "sampled {sampled:e}, certified {:e}",
         certificate.polyline_deviation
     );
+    // Joints are smooth or corners; one that is asked for may turn by anything.
+    let arcs = path.arcs();
+    for i in usize::from(!options.closed)..arcs.len() {
+        let (before, after) = (&arcs[(i + arcs.len() - 1) % arcs.len()], &arcs[i]);
+        let turn = before.end_tangent().zip(after.start_tangent()).map_or(0.0, |(from, to)| from.angle(to));
+        assert!(!options.corners.is_empty() || !(1e-9..1e-3).contains(&turn), "joint {i} turns by {turn:e}");
+    }
     if options.closed {
         assert_eq!(path.point(0.0), path.point(1.0));
     } else {

@@ -441,6 +441,24 @@ fn limits_of_machines_are_kept_or_refused_with_the_place() {
 }
 
 #[test]
+fn narrow_fillets_are_widened_to_what_a_machine_can_do() {
+    // Fillets of 1, to thousandths; a radius of 2 leaves their points by 0.41 where the sides stay, less where they give way.
+    let ends = [[59.0, 1.0], [59.0, 39.0], [1.0, 39.0], [1.0, 1.0]].into_iter().zip([-1.0, 0.0, 1.0, 2.0]);
+    let fillets = ends.flat_map(|(center, quarter)| chords(center, 1.0, quarter * FRAC_PI_2, FRAC_PI_2, 8));
+    let thousandths = |x: f64| (1000.0 * x).round() / 1000.0;
+    let points: Vec<Point3> = fillets.map(|[x, y]| Point3::new(thousandths(x), thousandths(y), 0.0)).collect();
+    for radius in [0.9, 1.2, 1.5, 2.0, 2.1] {
+        let fit = fitted(&points, &ArcFitOptions { min_radius: Some(radius), ..closed(0.5) });
+        let certificate = fit.certificate();
+        assert_eq!((certificate.lines, certificate.arcs), (4, 4), "radius {radius}");
+        assert!(fit.path().arcs().iter().all(|arc| arc.curvature() * radius <= 1.0 + 1e-9), "radius {radius}");
+        assert!(certificate.deviation < 0.42, "radius {radius}: {}", certificate.deviation);
+    }
+    let wider = ArcFit::new(&points, &ArcFitOptions { min_radius: Some(5.0), ..closed(0.5) });
+    assert!(wider.is_err_and(|e| e.reason() == "arc-limit-not-kept"));
+}
+
+#[test]
 fn a_closed_slot_has_the_radii_of_its_samples() {
     let mut random = Random(3);
     for _ in 0..10 {

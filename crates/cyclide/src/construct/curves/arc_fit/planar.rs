@@ -22,6 +22,9 @@ const DENSE_SAGITTA: f64 = 0.1;
 const ROUNDING_PLACE: f64 = 0.75;
 /// Ratio of the distances of further joints from that turn.
 const GRADING: f64 = 3.0;
+/// With a least radius places are closer to the ends of an edge by this factor, and by this ratio farther and farther from them.
+const CLOSER: f64 = 0.5;
+const WIDER: f64 = 1.4;
 /// At most this many of them: the ratio of a long edge to a tolerance near its rounding.
 const MAX_GRADES: usize = 24;
 /// Between samples the curve may leave the edge by this part of edge length times turn: twice the sagitta of a
@@ -157,6 +160,10 @@ fn densified(points: &[Point3], corners: &[usize], outline: &Outline, options: &
             let apart = options.tolerance / length;
             at.extend(graded(reach(turns[i])).filter(|t| *t > apart));
             at.extend(graded(reach(turns[end])).filter(|t| *t > apart).map(|t| 1.0 - t));
+            // A rounding that has to be wider than that of the points begins on their sides.
+            let wider = options.min_radius.map(|_| CLOSER * apart).into_iter().flat_map(|apart| spread(apart, WIDER));
+            let apart = if options.min_radius.is_some() { CLOSER * apart } else { apart };
+            at.extend(wider.flat_map(|t| [t, 1.0 - t]));
             at.sort_by(f64::total_cmp);
             at.dedup_by(|a, b| *a - *b < apart);
         }
@@ -207,5 +214,10 @@ fn lone_turns(points: &[Point3], turns: &[f64], options: &ArcFitOptions) -> Vec<
 /// Places ever farther from an end, up to the middle of the edge: each arc can then be a few times longer than the
 /// one before, as the angle its tangent must keep gets finer.
 fn graded(first: f64) -> impl Iterator<Item = f64> {
-    std::iter::successors(Some(first), |t| Some(t * GRADING)).take(MAX_GRADES).take_while(|t| *t < 0.5)
+    spread(first, GRADING)
+}
+
+/// The same by another ratio.
+fn spread(first: f64, ratio: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(first), move |t| Some(t * ratio)).take(MAX_GRADES).take_while(|t| *t < 0.5)
 }

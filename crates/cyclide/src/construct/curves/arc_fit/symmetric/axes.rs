@@ -5,6 +5,7 @@ use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Point3;
 use crate::construct::curves::arc_fit::curvature_interval::JointFrame;
 use crate::construct::curves::arc_fit::piece::Piece;
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Mirror images are this part of the tolerance off the points at most.
@@ -28,6 +29,16 @@ pub(super) struct Flat<'a> {
     pub symmetric: &'a Symmetric<'a>,
 }
 
+/// The normals of two axes, turned by as little as makes their mirror images a turn by one in so many of a full one: rounded points
+/// have them a little off, and as many images would not meet.
+fn at_a_part_of_a_turn(first: Vec2, second: Vec2, count: usize) -> [Vec2; 2] {
+    let angle = first.cross(second).atan2(first.dot(second));
+    let part = PI / count as f64;
+    let (sin, cos) = (0.5 * ((angle / part).round() * part - angle)).sin_cos();
+    let turned = |v: Vec2, sin: f64| Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+    [turned(first, -sin), turned(second, sin)]
+}
+
 impl Flat<'_> {
     /// Sectors to try, the better ones first: those of all axes that the points have, then those of one of them. Of each kind there
     /// are two, which begin at either of their axes.
@@ -49,6 +60,7 @@ impl Flat<'_> {
         let opposite = (first.0 + n, self.normal_at(first.0 + n, first.1));
         let pair = |(from, normal): (usize, Vec2), (to, other): (usize, Vec2)| {
             let reach = to - from;
+            let [normal, other] = at_a_part_of_a_turn(normal, other, n / reach);
             let image = normal - other * (2.0 * normal.dot(other));
             let beyond = self.normal_at(to + reach, image);
             vec![
