@@ -16,6 +16,8 @@ const TRIALS: usize = 10;
 const RUNGS: usize = 4;
 /// So many moulds are allowed first, free panels apart.
 const FIRST_ALLOWED: usize = 4;
+/// So many panels are looked at before all, a prime: steps of a net are of other lengths than its rows.
+const FEW: usize = 31;
 /// Differences of bulges, in tolerances, beyond which no placing helps, times eight.
 const FAR: f64 = 64.0;
 /// Of the bulges of cones, which are off at the ends of the rulings only, this part counts.
@@ -75,7 +77,8 @@ pub struct Mould {
 /// rolled from a sheet, and the cone has no deviation. The same holds for tori and spheres. A flat sheet is kept wherever it is within the tolerance.
 ///
 /// Fewer moulds at a larger
-/// tolerance are the rule by that, and not proved: cones and tori are led, and steps are four.
+/// tolerance are the rule by that, and not proved: cones and tori are led, and steps are four. Where all panels lie on one kind of
+/// surface and one mould of it makes them, it does.
 ///
 /// ```
 /// use cyclide::{Point3, Vec3, panel::Moulds, surface::CyclidePatch};
@@ -105,7 +108,8 @@ impl Moulds {
     /// `tolerance-not-positive`.
     pub fn new(panels: &[CyclidePatch], tolerance: f64) -> Result<Self> {
         check_tolerance(tolerance)?;
-        let best = Workshop::new(panels, tolerance).fewest_moulds();
+        let workshop = Workshop::new(panels, tolerance);
+        let best = workshop.one_mould().or_else(|| workshop.fewest_moulds());
         Ok(best.unwrap_or(Self { moulds: Vec::new(), free: Vec::new() }))
     }
 
@@ -256,25 +260,96 @@ impl<'a> Workshop<'a> {
     fn kinds(&self, strict: f64, enough: usize) -> Option<Vec<Option<Bend>>> {
         let mut is_used = [false; 3];
         let kind = |panel: usize| {
-            let fits = || KINDS.into_iter().filter_map(|bend| self.fit(panel, bend));
-            let within = fits().find(|fit| fit.max_distance <= strict);
-            let nearest = || fits().min_by(|a, b| a.max_distance.total_cmp(&b.max_distance));
-            let kind = within.or_else(nearest).map(|fit| fit.shape.bend);
+            let kind = self.kind(panel, strict);
             kind.into_iter().for_each(|bend| is_used[usize::from(making(bend))] = true);
             (is_used.iter().filter(|used| **used).count() < enough).then_some(kind)
         };
         (0..self.panels.len()).map(kind).collect()
     }
 
-    /// The kinds with that of the surface that a panel lies on, where it is made in the same way.
-    fn made_exact(&self, kinds: &[Option<Bend>]) -> Vec<Option<Bend>> {
-        let exact = |(panel, kind): (usize, &Option<Bend>)| match (*kind, self.exact[panel]) {
+    /// The simplest kind within `strict` of a panel, or where there is none, the nearest.
+    fn kind(&self, panel: usize, strict: f64) -> Option<Bend> {
+        let fits = || KINDS.into_iter().filter_map(|bend| self.fit(panel, bend));
+        let within = fits().find(|fit| fit.max_distance <= strict);
+        let nearest = || fits().min_by(|a, b| a.max_distance.total_cmp(&b.max_distance));
+        within.or_else(nearest).map(|fit| fit.shape.bend)
+    }
+
+    /// The kind of the surface that a panel lies on, where it is made in the same way as a given kind; else that.
+    fn exact_kind(&self, panel: usize, kind: Option<Bend>) -> Option<Bend> {
+        match (kind, self.exact[panel]) {
             (Some(kind), Some(exact)) if making(kind) == making(exact) && self.fit(panel, exact).is_some() => {
                 Some(exact)
             }
             (kind, _) => kind,
+        }
+    }
+
+    /// The kinds with that of the surface that a panel lies on, where it is made in the same way.
+    fn made_exact(&self, kinds: &[Option<Bend>]) -> Vec<Option<Bend>> {
+        kinds.iter().enumerate().map(|(panel, kind)| self.exact_kind(panel, *kind)).collect()
+    }
+
+    /// The one mould that makes all panels, if these lie on surfaces of one kind: of that kind, or of one that an earlier rung has.
+    ///
+    /// The smaller the panels of a net, the more kinds are within the tolerance of each, and to find the nearest of them takes longer than
+    /// the surface on which a panel lies. So few panels are asked first, which refute other kinds as a rule.
+    fn one_mould(&self) -> Option<Moulds> {
+        let own = (*self.exact.first()?)?;
+        if self.exact.iter().any(|exact| *exact != Some(own)) {
+            return None;
+        }
+        let all = 0..self.panels.len();
+        let of_kind = |kind: Bend| self.moulds(&vec![Some(kind); all.len()], 2);
+        for strict in ladder(self.panels, self.tolerance) {
+            for exact in [true, false] {
+                match self.only_kind(strict, exact, own) {
+                    // Later rungs have no simpler kinds.
+                    Some(kind) if kind == own => {
+                        let is_near = all.clone().all(|panel| self.fit(panel, own).is_some());
+                        return if is_near { of_kind(own) } else { None };
+                    }
+                    Some(kind) => {
+                        if let Some(found) = of_kind(kind) {
+                            return Some(found);
+                        }
+                    }
+                    None => {}
+                }
+            }
+        }
+        None
+    }
+
+    /// The kind of all panels at a rung, or `own` where it is that of a few of them; `None` if they have several kinds, or if some need
+    /// several moulds.
+    fn only_kind(&self, strict: f64, exact: bool, own: Bend) -> Option<Bend> {
+        let kind = |panel: usize| {
+            let simplest = self.kind(panel, strict);
+            if exact { self.exact_kind(panel, simplest) } else { simplest }
         };
-        kinds.iter().enumerate().map(exact).collect()
+        let only = kind(0)?;
+        let count = self.panels.len();
+        let few: Vec<usize> = (0..count).step_by(count.div_ceil(FEW)).collect();
+        if few.iter().any(|panel| kind(*panel) != Some(only)) {
+            return None;
+        }
+        if only == own {
+            return Some(own);
+        }
+        if matches!(only, Bend::Cylinder | Bend::Sphere) {
+            let jobs: Vec<Job<'_>> = few.into_iter().filter_map(|panel| self.job(panel, only)).collect();
+            if self.apart(&jobs, 2) > 1 {
+                return None;
+            }
+        }
+        (0..count).all(|panel| kind(panel) == Some(only)).then_some(only)
+    }
+
+    /// A panel on the mould of a kind that is its own.
+    fn job(&self, panel: usize, bend: Bend) -> Option<Job<'_>> {
+        let fit = self.fit(panel, bend)?;
+        Some(Job { panel, fit, own: MouldShape::of(fit, self.panels[panel].size()) })
     }
 
     /// The moulds for panels of given kinds; `None` unless they are fewer than so many, which is seen before all are made.
@@ -287,10 +362,7 @@ impl<'a> Workshop<'a> {
         let mut moulds = Vec::new();
         for bend in KINDS {
             let panels = (0..self.panels.len()).filter(|panel| kinds[*panel] == Some(bend));
-            let jobs = panels.filter_map(|panel| {
-                let fit = self.fit(panel, bend)?;
-                Some(Job { panel, fit, own: MouldShape::of(fit, self.panels[panel].size()) })
-            });
+            let jobs = panels.filter_map(|panel| self.job(panel, bend));
             match bend {
                 Bend::Plane | Bend::Cone | Bend::Torus => self.led(jobs.collect(), &mut moulds, limit),
                 Bend::Cylinder | Bend::Sphere => {
@@ -328,7 +400,8 @@ impl<'a> Workshop<'a> {
         if job.own == *shape {
             return Some(MouldMember { panel, near: points.near_surface(job.fit)? });
         }
-        let (placed, largest) = points.place(job.fit, shape, [0.0, self.tolerance]);
+        let enough = points.rounding_of_place();
+        let (placed, largest) = points.place(job.fit, shape, [enough, self.tolerance]);
         if largest > self.tolerance {
             return None;
         }

@@ -139,8 +139,13 @@ impl PanelPoints {
 
     /// The distance within which the panel lies on a surface: what rounding of its corners does.
     pub(super) fn rounding(&self) -> f64 {
+        EXACT * self.unit.size + self.rounding_of_place()
+    }
+
+    /// What of it is due to the place of the panel: the smaller panels are and the farther from the origin, the more of their size.
+    pub(super) fn rounding_of_place(&self) -> f64 {
         let far = self.unit.origin.to_array().into_iter().fold(0.0, |far: f64, x| far.max(x.abs()));
-        EXACT * self.unit.size + ROUNDINGS * f64::EPSILON * far
+        ROUNDINGS * f64::EPSILON * far
     }
 
     /// The simplest family that has a surface on which the panel lies: fits start with it.
