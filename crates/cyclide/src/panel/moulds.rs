@@ -592,6 +592,22 @@ mod tests {
         assert_eq!((moulds.count(), moulds.moulds[0].members.len()), (1, panels.len()));
     }
 
+    /// All panels lie on one torus: at any tolerance its mould, or a simpler one that makes all of them, is found by few panels.
+    #[test]
+    fn one_mould_is_found_without_other_kinds() {
+        let panels = ring(3.0, 1.0, [24, 24]);
+        for tolerance in [2.0, 0.03, 0.008, 1e-3, 1e-9] {
+            let workshop = Workshop::new(&panels, tolerance);
+            let found = workshop.one_mould();
+            let looked = |bend: Bend| workshop.fits.iter().filter(|fits| fits[bend as usize].get().is_some()).count();
+            let kinds = [Bend::Cylinder, Bend::Cone, Bend::Sphere].map(looked);
+            assert!(kinds.into_iter().all(|count| count <= FEW), "{tolerance}: {kinds:?}");
+            assert_eq!(found, Workshop::new(&panels, tolerance).fewest_moulds(), "{tolerance}");
+        }
+        let two = [panels, ring(9.0, 1.0, [24, 24])].concat();
+        assert_eq!(Workshop::new(&two, 1e-9).one_mould(), None);
+    }
+
     /// What is left early, and kinds that are not looked at, change nothing: the moulds are the fewest of all rungs, the first of these.
     #[test]
     fn the_fewest_moulds_of_all_rungs_are_taken() {
