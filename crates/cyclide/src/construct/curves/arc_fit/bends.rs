@@ -217,6 +217,16 @@ impl Bends {
         self.feet().iter().map(Foot::bound).fold(0.0, f64::max)
     }
 
+    /// The distances of the points that are fitted, in order, to the left of the curve.
+    pub fn distances(&self) -> Vec<f64> {
+        self.feet().iter().filter(|foot| foot.fitted).map(|foot| foot.distance).collect()
+    }
+
+    /// The sum of their squares.
+    pub fn squares(&self) -> f64 {
+        self.distances().iter().map(|distance| distance * distance).sum()
+    }
+
     /// Gives every point to the piece that its foot is on.
     pub fn reassign(&mut self) {
         let pieces: Vec<usize> = self.feet().iter().map(|f| f.piece).collect();

@@ -5,12 +5,14 @@
 //! a chain within the tolerance, and then all pieces are moved to the least squares of their points. Short chains are moved as
 //! a whole; long ones in windows that keep their ends, each in the order of the chain.
 
-use super::bends::{Bend, Bends, Counted, Ends, Hold, Matched, State, Sum};
-use super::certificate::certify;
-use super::options::{ArcFitOptions, FitTarget};
-use super::piece::{Piece, Place, Span, joined};
-use super::trace::Trace;
+mod lines;
+
 use crate::base::frame::Frame;
+use crate::construct::curves::arc_fit::bends::{Bend, Bends, Counted, Ends, Hold, Matched, State, Sum};
+use crate::construct::curves::arc_fit::certificate::certify;
+use crate::construct::curves::arc_fit::options::{ArcFitOptions, FitTarget};
+use crate::construct::curves::arc_fit::piece::{Piece, Place, Span, joined};
+use crate::construct::curves::arc_fit::trace::Trace;
 use crate::curve::Arc;
 
 /// Chains of at most this many pieces are moved as a whole.
@@ -137,6 +139,7 @@ impl Polish<'_> {
                 break;
             }
         }
+        self.straighten(&mut chain);
         self.pieces(&chain, Some(pieces)).map(|found| found.0)
     }
 
