@@ -238,9 +238,9 @@ fn lofts_that_begin_at_another_corner_say_so() {
         let folder =
             Folder::with(&[("t.json", &document("")), ("s.json", &document(&format!(r#", "shift": {first}"#)))]);
         let run = folder.run("report t.json");
-        let told = format!(r#"with `"shift": {}`"#, count - first);
+        let remedy = format!(r#"with `"shift": {}`"#, count - first);
         assert!(
-            run.stderr.contains("[rails-twisted]") && run.stderr.contains(&told),
+            run.stderr.contains("[rails-twisted]") && run.stderr.contains(&remedy),
             "{count} {first}: {}",
             run.stderr
         );

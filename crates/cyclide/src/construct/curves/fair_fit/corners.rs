@@ -52,13 +52,13 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     let length = |i: usize| points[i].distance(points[(i + 1) % n]);
     let evident =
         |(i, turn): (usize, f64)| length((i + n - 1) % n).min(length(i)) * (0.5 * turn).sin() > 2.0 * tolerance;
+    let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
     if options.corner_angle.is_none() && is_dense {
-        // Straight runs of exact points are what is meant, however far the curve may be from them.
-        let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
         // Where the points beside one are next to each other, it is an outlier.
         let beside = |i: usize| points[(i + n - 1) % n].distance(points[(i + 1) % n]);
         let is_corner = |corner: (usize, f64)| evident(corner) && beside(corner.0) > APART * usual;
         outline.corners.retain(|corner| is_forced(corner.0) || is_corner(*corner));
+        // Straight runs of exact points are what is meant, however far the curve may be from them.
         if options.noise.is_none() {
             outline.corners.extend(outline.firm.iter().map(|i| (*i, turn(*i))));
         }
@@ -76,7 +76,6 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
     if options.corner_angle.is_none() {
         // No smooth curve keeps to two straight sides that meet, unless they turn by little.
         let meets = |i: &usize| outline.straight[(i + n - 1) % n] && outline.straight[*i];
-        let turn = |i: usize| (points[i] - points[(i + n - 1) % n]).angle(points[(i + 1) % n] - points[i]);
         let all = if options.closed { 0..n } else { 1..n - 1 };
         let is_corner = |i: usize| outline.corners.binary_search_by_key(&i, |c| c.0).is_ok();
         let more: Vec<(usize, f64)> = all
@@ -88,15 +87,15 @@ pub(super) fn outline(points: &[Point3], forced: &[usize], options: &FairFitOpti
         outline.corners.extend(more);
         outline.corners.sort_unstable_by_key(|c| c.0);
     }
-    let turn = |i: usize, length: f64| {
+    let turn_over = |i: usize, length: f64| {
         let [before, after] = [false, true].map(|forward| leg(points, i, length, options.closed, forward));
         before.zip(after).map_or(0.0, |(before, after)| (points[i] - before).angle(after - points[i]))
     };
     let legs = LEGS * tolerance;
     // The turn of a bend grows with the legs, that of a corner does not.
     let lasting = |i: usize| {
-        let long = turn(i, legs);
-        long > options.corner_angle.unwrap_or(CORNER_ANGLE) && turn(i, 0.5 * legs) > SHARP * long
+        let long = turn_over(i, legs);
+        long > options.corner_angle.unwrap_or(CORNER_ANGLE) && turn_over(i, 0.5 * legs) > SHARP * long
     };
     outline.corners.retain(|corner| is_forced(corner.0) || evident(*corner) || lasting(corner.0));
     outline

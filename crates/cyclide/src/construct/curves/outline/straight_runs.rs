@@ -1,5 +1,5 @@
-//! Points in a row that lie on a straight line but for the rounding of their coordinates: what begins beside them has its
-//! direction (`docs/math/arc-fitting.md#outlines`).
+//! Points in a row that lie on a straight line within the rounding of their coordinates: a curve that begins at their end begins in
+//! the direction of that line (`docs/math/arc-fitting.md#outlines`).
 
 use super::decimals::decimal_step;
 use crate::base::vector::Point3;
