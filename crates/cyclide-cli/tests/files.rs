@@ -331,6 +331,13 @@ fn each_object_has_a_file_of_its_own() {
     let index = String::from_utf8(folder.read("o.vtm")).unwrap();
     assert!(index.contains(r#"<DataSet index="0" name="left side" file="o-left_side.vtu"/>"#), "{index}");
     assert!(!folder.path("o.vtu").exists() && !folder.path("o.dxf").exists());
+    // Files of objects that the model has no more stay, which is said; a file of another name is somebody else's.
+    folder.write("o-mine.step", "");
+    let run = folder.run("build one.json -o o.dxf -o o.vtu --per-object");
+    let said = "o-left_side.dxf and one other file belong to no object of this model and will stay";
+    assert!(run.code == 0 && run.stderr.contains(said), "{}", run.stderr);
+    let run = folder.run("build m.json -o o.dxf --per-object");
+    assert!(folder.path("o-left_side.dxf").exists() && !run.stderr.contains("stay"), "{}", run.stderr);
     // Plain cells are those of blocks: what is none has no such file, and is not in the index.
     let block = r#"{"type": "cyclide-volume", "corners": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "cells": 2}"#;
     folder.write("b.json", &format!(r#"{{"cyclide": 1, "objects": {{"block": {block}, "round": {}}}}}"#, circle(0)));

@@ -48,6 +48,19 @@ fn a_folder_of_lists_and_drawings() {
 }
 
 #[test]
+fn offsets_on_both_sides_are_listed_apart_with_a_note() {
+    let document = r#"{"cyclide": 1, "objects": {"skin": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]},
+        "out": {"type": "offset", "of": "skin", "distance": 0.1}, "in": {"type": "offset", "of": "skin", "distance": -0.1}}}"#;
+    let folder = Folder::with(&[("m.json", document)]);
+    let run = folder.run("schedule m.json -o w");
+    assert!(run.code == 0 && run.stderr.contains("`out`, `in` are offsets of `skin`"), "{}", run.stderr);
+    assert!(run.stdout.contains("panels      144"), "{}", run.stdout);
+    // What the note advises counts the panels once.
+    let run = folder.run("schedule m.json -o w --object skin --thickness 0.1");
+    assert!(run.code == 0 && !run.stderr.contains("offsets of") && !run.stdout.contains("144"), "{}", run.stderr);
+}
+
+#[test]
 fn what_is_refused_writes_nothing() {
     let circle = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
     let folder = Folder::with(&[("canopy.json", &canopy()), ("circle.json", circle), ("plain", "")]);

@@ -9,6 +9,8 @@ use crate::short_number::ShortNumber;
 ///
 /// - `reason`, its stable name, or `of` with the field that holds an error, whose reason is taken;
 /// - `at` with the index of the item at fault, where there is one;
+/// - `entry` with the field of the input whose list the index counts, or `field` with one that is at fault as a whole; neither where it
+///   counts points, or there is none;
 /// - any number of `when` with a condition and its sentence: the first that holds counts;
 /// - `says` with the sentence otherwise.
 ///
@@ -24,6 +26,8 @@ macro_rules! table {
                 $(reason $reason:literal;)?
                 $(of $cause:ident;)?
                 $(at $index:expr;)?
+                $(entry $entry:expr;)?
+                $(field $whole:expr;)?
                 $(when $case:expr, says $special:literal $(, $special_argument:expr)*;)*
                 says $sentence:literal $(, $argument:expr)*;
             )*
@@ -55,6 +59,14 @@ macro_rules! table {
                     $(Self::$variant $({ $($field,)* })? => $crate::table::table!(@index $($index)?),)*
                 }
             }
+
+            /// The field of the input that it is about, where it names one, and whether the index counts its entries.
+            #[allow(dead_code, unused_variables, reason = "warnings are about points; most fields say nothing of it")]
+            pub(crate) fn field(&self) -> (Option<&'static str>, bool) {
+                match self {
+                    $(Self::$variant $({ $($field,)* })? => $crate::table::table!(@field $($entry, true)? $($whole, false)?),)*
+                }
+            }
         }
 
         impl std::fmt::Display for $name {
@@ -76,6 +88,8 @@ macro_rules! table {
     };
     (@reason $reason:literal) => { $reason };
     (@reason $cause:ident) => { $cause.reason() };
+    (@field) => { (None, true) };
+    (@field $field:expr, $is_list:literal) => { (Option::<&'static str>::from($field), $is_list) };
     (@index) => { None };
     (@index $index:expr) => { Option::<usize>::from($index) };
 }
@@ -114,6 +128,13 @@ macro_rules! subjects {
             pub fn index(&self) -> Option<usize> {
                 match self {
                     $(Self::$variant(subject) => subject.index(),)*
+                }
+            }
+
+            #[allow(dead_code, reason = "warnings are about points")]
+            pub(crate) fn field(&self) -> (Option<&'static str>, bool) {
+                match self {
+                    $(Self::$variant(subject) => subject.field(),)*
                 }
             }
         }

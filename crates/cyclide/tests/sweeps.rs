@@ -182,6 +182,28 @@ fn what_cannot_be_swept_is_refused_and_what_meets_itself_is_known() {
     assert!(upright(&coil(5.0)).is_some() && upright(&coil(6.5)).is_none());
 }
 
+/// At a mitre neither leg reaches beyond its plane, however sharp the corner is; a leg that comes back is met all the same.
+#[test]
+fn sharp_mitres_do_not_meet_themselves() {
+    let square = polygon(&[[-5.0, -5.0], [5.0, -5.0], [5.0, 5.0], [-5.0, 5.0]], true);
+    let tall = polygon(&[[-2.0, -9.0], [2.0, -9.0], [3.0, 9.0]], true);
+    let meeting = |section: &Contour, path: &ArcPath| {
+        Sweep::new(std::slice::from_ref(section), path, &SweepOptions::default()).unwrap().meeting()
+    };
+    for degrees in (10..=160).step_by(10) {
+        let turn = f64::from(degrees).to_radians();
+        for rise in [0.0, 30.0] {
+            let end = [200.0 + 300.0 * turn.cos(), 300.0 * turn.sin(), rise];
+            let corner = path(&[[0.0, 0.0, 0.0], [200.0, 0.0, 0.0], end], 0.0, false);
+            for section in [&square, &tall] {
+                assert_eq!(meeting(section, &corner), None, "{degrees} degrees, rise {rise}");
+            }
+        }
+    }
+    let back = path(&[[0.0, 0.0, 0.0], [200.0, 0.0, 0.0], [120.0, 60.0, 0.0], [120.0, -60.0, 0.0]], 0.0, false);
+    assert!(meeting(&square, &back).is_some());
+}
+
 #[test]
 fn ellipses_are_exact() {
     let mut random = Random::new(39, 0);

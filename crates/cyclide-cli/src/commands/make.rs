@@ -73,6 +73,9 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         files.push((path, bytes));
     }
     drop(progress);
+    if plan.per_object {
+        say_what_is_left(&per_object::left_from_before(&parts, &plan.outputs));
+    }
     let (model, provenance) = per_object::joined(parts);
     if plan.kind_by_default {
         outline_doubt::warnings(&model).iter().for_each(|message| terminal::warning(message));
@@ -90,6 +93,18 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     // A folder that is not there is an error here: it may be a slip.
     let is_set = plan.per_object && files.iter().all(|(path, _)| path.parent().is_some_and(Path::is_dir));
     if is_set { files::write_set(&files, plan.write, &report) } else { files::write(&files, plan.write, &report) }
+}
+
+/// Says which files of an earlier run stay beside those of the objects.
+fn say_what_is_left(left: &[PathBuf]) {
+    if let [first, others @ ..] = left {
+        let others = match others.len() {
+            0 => "belongs".to_owned(),
+            1 => "and one other file belong".to_owned(),
+            count => format!("and {count} other files belong"),
+        };
+        terminal::note(&format!("{} {others} to no object of this model and will stay", first.display()));
+    }
 }
 
 /// Makes and checks the files of a model.

@@ -1,6 +1,6 @@
 //! Files for each object of a model, named after it, and for VTU an index of them.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -77,6 +77,26 @@ pub fn indices(parts: &[Part], outputs: &[(PathBuf, Format)]) -> Vec<(PathBuf, V
         (path.with_extension("vtm"), vtk_multi_block(&blocks))
     };
     vtu.map(index).collect()
+}
+
+/// Files beside those of the objects that are named as theirs, from a run of a model that had more objects: of `part.step` all
+/// `part-….step` that are not written now.
+pub fn left_from_before(parts: &[Part], outputs: &[(PathBuf, Format)]) -> Vec<PathBuf> {
+    let written: HashSet<&Path> = parts.iter().flat_map(|part| &part.outputs).map(|(path, _)| path.as_path()).collect();
+    let mut left = Vec::new();
+    for (path, _) in outputs {
+        let begin = format!("{}-", path.file_stem().unwrap_or_default().to_string_lossy());
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+            let other = path.with_file_name(entry.file_name());
+            let is_named_so = entry.file_name().to_string_lossy().starts_with(&begin);
+            if is_named_so && other.extension() == path.extension() && !written.contains(other.as_path()) {
+                left.push(other);
+            }
+        }
+    }
+    left.sort();
+    left
 }
 
 /// The name of an object as part of the name of a file: letters, digits, `-`, `_` and `.`, anything else as `_`.

@@ -44,6 +44,14 @@ pub fn run(plan: &SchedulePlan) -> Result<(), Failure> {
     for left in schedule.not_scheduled().iter().filter(|left| asked.is_empty() || asked.contains(&left.name)) {
         terminal::note(&format!("{} ({}) is not scheduled: {}", left.name, left.r#type, left.why));
     }
+    for net in schedule.listed_apart() {
+        let offsets = net.offsets.join("`, `");
+        terminal::note(&format!(
+            "`{offsets}` are offsets of `{of}`: each is listed as a skin of its own. If one is the other side of the panels of `{of}`, \
+             use --object {of} with its distance as --thickness",
+            of = net.of
+        ));
+    }
     if !schedule.has_beams() {
         terminal::note("beams.csv and beams.dxf are empty: set the depth of the beams with --beam-depth");
     }

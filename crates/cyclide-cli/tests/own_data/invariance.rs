@@ -9,25 +9,25 @@ use super::case;
 use super::common::Folder;
 
 /// Lengths and areas of the same points agree to this part of themselves.
-const AGREEMENT: f64 = 1e-9;
+pub(super) const AGREEMENT: f64 = 1e-9;
 
 /// Numbers without a pattern.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
     /// In `[from, to)`, with three decimals.
-    fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub(super) fn between(&mut self, from: f64, to: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let unit = (self.0 >> 11) as f64 / (1u64 << 53) as f64;
         ((from + (to - from) * unit) * 1e3).round() / 1e3
     }
 
-    fn index(&mut self, count: usize) -> usize {
+    pub(super) fn index(&mut self, count: usize) -> usize {
         (self.between(0.0, count as f64) as usize).min(count - 1)
     }
 
     /// Points round a ring or half of one, uneven, in space every other time.
-    fn points(&mut self, count: usize, closed: bool, in_space: bool) -> Vec<[f64; 3]> {
+    pub(super) fn points(&mut self, count: usize, closed: bool, in_space: bool) -> Vec<[f64; 3]> {
         let turn = if closed { std::f64::consts::TAU } else { 3.5 };
         let point = |i: usize| {
             let (angle, r) = (turn * i as f64 / count as f64, self.between(35.0, 65.0));

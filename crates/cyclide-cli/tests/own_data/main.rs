@@ -10,6 +10,7 @@ mod common;
 mod fairness;
 mod files;
 mod invariance;
+mod invariance_of_commands;
 mod maps;
 mod meshes;
 mod moves;

@@ -32,6 +32,27 @@ pub struct NotScheduled {
     pub why: String,
 }
 
+/// Offsets of a scheduled net at several distances: which of them is the other side of its panels is not known, so each is listed as
+/// a skin of its own.
+///
+/// ```
+/// use cyclide_io::{Document, schedule::{ScheduleOptions, WorkshopSchedule}};
+/// let text = r#"{"cyclide": 1, "objects": {"skin": {"type": "cyclide", "a": 3, "mu": 1, "segments": [8, 6]},
+///     "out": {"type": "offset", "of": "skin", "distance": 0.1}, "in": {"type": "offset", "of": "skin", "distance": -0.1}}}"#;
+/// let document: Document = text.parse()?;
+/// let schedule = WorkshopSchedule::new(document.units, &document.build()?, &ScheduleOptions::default())?;
+/// assert_eq!(schedule.listed_apart()[0].offsets, ["out", "in"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct ListedApart {
+    /// The name of the net.
+    pub of: String,
+    /// Names of its offsets, of which each is listed.
+    pub offsets: Vec<String>,
+}
+
 /// An object that is scheduled.
 pub(super) struct Chosen {
     /// What its parts are named after.
@@ -68,6 +89,20 @@ pub(super) fn refuse_equal_names(chosen: &[Chosen]) -> Result<(), ScheduleError>
         }
     }
     Ok(())
+}
+
+/// The offsets that are listed beside the net from which they are made, where it has several.
+pub(super) fn listed_apart(objects: &[BuiltObject], chosen: &[Chosen]) -> Vec<ListedApart> {
+    let of_net = |net: &Chosen| {
+        let is_chosen = |name: &str| chosen.iter().any(|chosen| chosen.name == name);
+        let offset = |built: &BuiltObject| match &built.of_panels {
+            Some(OfPanels::OtherSide { of, .. }) if *of == net.name => Some(built.item.name.clone()),
+            _ => None,
+        };
+        let offsets: Vec<String> = objects.iter().filter_map(offset).filter(|name| is_chosen(name)).collect();
+        (net.thickness.is_none() && offsets.len() > 1).then(|| ListedApart { of: net.name.clone(), offsets })
+    };
+    chosen.iter().filter_map(of_net).collect()
 }
 
 /// The nets of an object, a single patch as one of one panel.

@@ -22,7 +22,7 @@ use serde::Serialize;
 
 use crate::document::BuiltObject;
 use crate::formats::Sheet;
-pub use choice::NotScheduled;
+pub use choice::{ListedApart, NotScheduled};
 pub use error::ScheduleError;
 use net::Net;
 use panels::PanelGroups;
@@ -83,6 +83,7 @@ pub struct WorkshopSchedule {
     nets: Vec<Net>,
     groups: PanelGroups,
     not_scheduled: Vec<NotScheduled>,
+    listed_apart: Vec<ListedApart>,
 }
 
 /// What `schedule.json` holds before the tables.
@@ -95,6 +96,8 @@ struct Head<'a> {
     totals: Totals,
     nets: Vec<Totals>,
     not_scheduled: &'a [NotScheduled],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    listed_apart: &'a [ListedApart],
 }
 
 impl WorkshopSchedule {
@@ -111,6 +114,7 @@ impl WorkshopSchedule {
             return Err(ScheduleError::NoNet { why });
         }
         choice::refuse_equal_names(&chosen)?;
+        let listed_apart = choice::listed_apart(objects, &chosen);
         let mut nets = Vec::new();
         for chosen in chosen {
             for (name, skin) in chosen.nets() {
@@ -125,13 +129,19 @@ impl WorkshopSchedule {
         let congruent_within = options.congruent_within.unwrap_or(tolerance);
         let groups = PanelGroups::new(&nets, tolerance, congruent_within);
         let groups = groups.map_err(|source| refused("the panels", source))?;
-        Ok(Self { units, tolerance, congruent_within, nets, groups, not_scheduled })
+        Ok(Self { units, tolerance, congruent_within, nets, groups, not_scheduled, listed_apart })
     }
 
     /// The objects that are not scheduled, each with the reason.
     #[must_use]
     pub fn not_scheduled(&self) -> &[NotScheduled] {
         &self.not_scheduled
+    }
+
+    /// Nets with offsets at several distances, all of which are listed.
+    #[must_use]
+    pub fn listed_apart(&self) -> &[ListedApart] {
+        &self.listed_apart
     }
 
     /// True if some net has beams.
@@ -186,6 +196,7 @@ impl WorkshopSchedule {
             totals: Totals::of_all(&self.nets, &self.groups),
             nets: self.totals(),
             not_scheduled: &self.not_scheduled,
+            listed_apart: &self.listed_apart,
         };
         // Numbers and words only: nothing that could fail.
         let head = serde_json::to_string_pretty(&head).unwrap_or_default();
@@ -204,6 +215,18 @@ impl WorkshopSchedule {
     pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, ScheduleError> {
         let fault = |file: &str, fault: String| ScheduleError::Check { file: file.to_owned(), fault };
         self.check_measures().map_err(|found| fault("schedule.json", found))?;
+        let mut files = self.lists()?;
+        for (name, sheet) in self.sheets()? {
+            let bytes = sheet.write(self.units);
+            sheet.check(self.units, &bytes).map_err(|error| fault(name, error.to_string()))?;
+            files.push((name.to_owned(), bytes));
+        }
+        Ok(files)
+    }
+
+    /// The tables, each as CSV and all in `schedule.json`.
+    fn lists(&self) -> Result<Vec<(String, Vec<u8>)>, ScheduleError> {
+        let fault = |file: &str, fault: String| ScheduleError::Check { file: file.to_owned(), fault };
         let tables = self.tables();
         let mut files = Vec::new();
         for table in &tables {
@@ -222,11 +245,6 @@ impl WorkshopSchedule {
             }
         }
         files.push(("schedule.json".to_owned(), json.into_bytes()));
-        for (name, sheet) in self.sheets()? {
-            let bytes = sheet.write(self.units);
-            sheet.check(self.units, &bytes).map_err(|error| fault(name, error.to_string()))?;
-            files.push((name.to_owned(), bytes));
-        }
         Ok(files)
     }
 

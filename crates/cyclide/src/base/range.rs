@@ -47,17 +47,27 @@ pub(crate) fn check_derivative(index: usize, v: Vec3) -> Result<()> {
 
 /// Refuses a distance that is neither zero nor in range.
 pub fn check_distance(value: f64) -> Result<()> {
-    if value == 0.0 || (MIN_DISTANCE..=4.0 * MAX_COORDINATE).contains(&value) {
+    check_length(ErrorItem::Distance, value)
+}
+
+fn check_length(name: ErrorItem, value: f64) -> Result<()> {
+    let (min, max) = (MIN_DISTANCE, 4.0 * MAX_COORDINATE);
+    if value == 0.0 || (min..=max).contains(&value) {
         Ok(())
     } else {
-        Err(NumberError::ParameterOutOfRange {
-            name: ErrorItem::Distance,
-            value,
-            min: MIN_DISTANCE,
-            max: 4.0 * MAX_COORDINATE,
-        }
-        .into())
+        Err(NumberError::ParameterOutOfRange { name, value, min, max }.into())
     }
+}
+
+/// Refuses a radius that is no number above zero, or out of range.
+pub(crate) fn check_radius(what: ErrorItem, index: usize, radius: f64) -> Result<()> {
+    if !radius.is_finite() {
+        return Err(NumberError::NotFinite { what, index }.into());
+    }
+    if radius <= 0.0 {
+        return Err(NumberError::RadiusNotPositive { what, index, radius }.into());
+    }
+    check_length(ErrorItem::Radius, radius)
 }
 
 /// Refuses a thickness that is not a length, or not above the smallest distance.

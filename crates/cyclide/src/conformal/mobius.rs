@@ -106,7 +106,7 @@ impl Mobius {
             return Err(NumberError::NotFinite { what: ErrorItem::Center, index: 0 }.into());
         }
         if !(radius > 0.0 && radius.is_finite()) {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         // Entries of size R and 1/R: R² would leave the range of doubles early.
         let (b, c) = (Quat::ONE * -radius, Quat::ONE * (1.0 / radius));

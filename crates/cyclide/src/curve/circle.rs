@@ -72,7 +72,7 @@ impl Circle {
             return Err(NumberError::NotFinite { what: ErrorItem::Normal, index: 0 }.into());
         }
         if !(radius > 0.0) {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         let normal = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let toward = if normal.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };

@@ -36,6 +36,8 @@ items! {
     Angle => "angle",
     Arm => "arm",
     Axis => "axis",
+    Ball => "ball",
+    BallRadius => "ball_radius",
     BarycentricCoordinate => "barycentric coordinate",
     Blend => "blend",
     BorderCurveSide => "side of a border curve (the direction is closed)",
@@ -55,6 +57,7 @@ items! {
     Coordinate => "coordinate",
     Corner => "corner",
     CornerAngle => "corner_angle",
+    CreaseAngle => "crease_angle",
     Curve => "curve",
     Cyclide => "cyclide",
     Degree => "degree",
@@ -67,6 +70,7 @@ items! {
     Edge => "edge",
     EdgeLength => "edge_length",
     EdgePoints => "edge_points",
+    Ellipse => "ellipse",
     Face => "face",
     FirstCell => "first cell",
     Flatness => "flatness",
@@ -98,7 +102,10 @@ items! {
     Pair => "pair",
     Parameter => "parameter",
     Patch => "patch",
+    Pipe => "pipe",
+    PipeRadius => "pipe_radius",
     Plane => "plane",
+    Plate => "plate",
     Point => "point",
     Polyhedron => "polyhedron",
     Pose => "pose",
@@ -106,6 +113,7 @@ items! {
     Radius => "radius",
     RadiusOfCircle => "radius of the circle",
     Ratio => "ratio",
+    Ring => "ring",
     Rotation => "rotation",
     Row => "row",
     S => "s",
@@ -113,6 +121,8 @@ items! {
     SegmentsAlongT => "segments along t",
     Side => "side",
     Similarity => "similarity",
+    Slope => "slope",
+    Sphere => "sphere",
     Start => "start",
     Station => "station",
     Stretch => "stretch",
@@ -129,6 +139,7 @@ items! {
     Tolerance => "tolerance",
     Torus => "torus",
     Translation => "translation",
+    Tube => "tube",
     Turn => "turn",
     U => "u",
     Vertex => "vertex",
@@ -138,6 +149,59 @@ items! {
     WeightRatio => "length of the weight ratio",
     Width => "width",
     Winding => "winding",
+}
+
+impl ErrorItem {
+    /// The field of the input that holds such items, one or a list of them; none for points.
+    pub(crate) const fn list(self) -> Option<&'static str> {
+        Some(match self {
+            Self::Ball => "balls",
+            Self::Branch => "branches",
+            Self::ControlPoint => "control_points",
+            Self::Ellipse => "ellipses",
+            Self::FrameVector => "frame",
+            Self::Knot => "knots",
+            Self::MainPipe => "main",
+            Self::Parameter => "parameters",
+            Self::Pipe => "pipes",
+            Self::Tangent => "tangents",
+            Self::Weight => "weights",
+            Self::Angle
+            | Self::BallRadius
+            | Self::Blend
+            | Self::Bulge
+            | Self::PipeRadius
+            | Self::Plate
+            | Self::Radius
+            | Self::Ring
+            | Self::Sphere
+            | Self::Tolerance
+            | Self::Tube
+            | Self::Width
+            | Self::Winding => self.word(),
+            _ => return None,
+        })
+    }
+}
+
+impl ErrorItem {
+    /// The field of the input that holds the parameter.
+    pub(crate) fn field(self) -> &'static str {
+        match self {
+            Self::SegmentsAlongS | Self::SegmentsAlongT => "segments",
+            Self::TangentOverSpan => "tangents",
+            _ => self.list().unwrap_or(self.word()),
+        }
+    }
+
+    /// Which entry of that field it is.
+    pub(crate) const fn entry(self) -> Option<usize> {
+        match self {
+            Self::SegmentsAlongS => Some(0),
+            Self::SegmentsAlongT => Some(1),
+            _ => None,
+        }
+    }
 }
 
 impl std::fmt::Display for ErrorItem {

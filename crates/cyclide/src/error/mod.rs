@@ -8,6 +8,7 @@ mod grid_cell_fault;
 mod item;
 mod join_fault;
 mod layout_fault;
+mod path;
 pub mod reasons;
 mod subjects;
 mod surface_fault;
@@ -18,6 +19,7 @@ pub use grid_cell_fault::GridCellFault;
 pub use item::ErrorItem;
 pub use join_fault::JoinFault;
 pub use layout_fault::LayoutFault;
+pub use path::FieldPath;
 pub use subjects::*;
 pub use surface_fault::SurfaceFault;
 

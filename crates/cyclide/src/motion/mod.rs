@@ -30,7 +30,7 @@ mod trajectory;
 
 pub use any_motion::Motion;
 pub use cubic::CubicMotions;
-pub use decoupled::{DecoupledMotion, MotionDeviation, MotionTolerance, RationalForm};
+pub use decoupled::{DecoupledMotion, MotionDeviation, MotionTolerance, PoseLimit, RationalForm};
 pub use dual_quat::DualQuat;
 pub use extremes::{MotionExtremes, MotionPlace};
 pub use fast_places::{FastPlace, SpeedKind};

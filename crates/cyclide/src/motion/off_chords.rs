@@ -10,8 +10,8 @@ use crate::rational::RationalBezier;
 
 /// Even parts of a span that are looked at.
 const PARTS: usize = 16;
-/// The places that may be farthest, which are searched for between their neighbors.
-const SEARCHED: usize = 16;
+/// Places that may be farthest are searched for between their neighbors, so many at most.
+const SEARCHED: usize = 1024;
 /// Sections of a bracket: 1e-8 of it, of which a smooth peak knows nothing.
 const SECTIONS: u32 = 40;
 /// Parts of a rational path that can be farther than the farthest place by no more than this part of its distance are done with.
@@ -68,34 +68,38 @@ impl Motion {
         Some(found)
     }
 
-    /// The farthest place next to the farthest of even ones.
+    /// The farthest place next to the farthest of even ones. Between its joints a motion is smooth: a blend, however short, has its own.
     fn farthest_sampled(&self, chords: &Chords) -> OffChords {
         let times = self.pose_times();
         let distance = |span: usize, time: f64| chords.distance(span, self.pose(time).translation());
         let mut found = OffChords { distance: 0.0, time: times[0] };
         let mut brackets: Vec<(f64, usize, [f64; 2])> = Vec::new();
+        let joints = self.times();
         for (span, ends) in times.windows(2).enumerate() {
-            let place = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 / PARTS as f64);
-            // At the ends the joint belongs to the span that starts there: the place is the same.
-            let values: Vec<f64> = (0..=PARTS).map(|k| distance(span, place(k))).collect();
-            for (k, value) in values.iter().enumerate() {
-                found.raise(*value, place(k));
-                let (before, after) = (k.saturating_sub(1), (k + 1).min(PARTS));
-                if *value > 0.0 && *value >= values[before] && *value >= values[after] {
-                    brackets.push((
-                        2.0 * value - values[before].min(values[after]),
-                        span,
-                        [place(before), place(after)],
-                    ));
+            let inside = joints[joints.partition_point(|joint| *joint <= ends[0])..].iter();
+            let inside = inside.copied().take_while(|joint| *joint < ends[1]);
+            let cuts: Vec<f64> = std::iter::once(ends[0]).chain(inside).chain([ends[1]]).collect();
+            for ends in cuts.windows(2) {
+                let place = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 / PARTS as f64);
+                // At the ends the joint belongs to the span that starts there: the place is the same.
+                let values: Vec<f64> = (0..=PARTS).map(|k| distance(span, place(k))).collect();
+                for (k, value) in values.iter().enumerate() {
+                    found.raise(*value, place(k));
+                    let (before, after) = (k.saturating_sub(1), (k + 1).min(PARTS));
+                    if *value > 0.0 && *value >= values[before] && *value >= values[after] {
+                        let may_be = 2.0 * value - values[before].min(values[after]);
+                        brackets.push((may_be, span, [place(before), place(after)]));
+                    }
                 }
             }
         }
         brackets.sort_by(|a, b| b.0.total_cmp(&a.0));
         for (may_be, span, ends) in brackets.into_iter().take(SEARCHED) {
-            if may_be > found.distance {
-                let time = GoldenSection::lowest(|time| -distance(span, time), ends, SECTIONS);
-                found.raise(distance(span, time), time);
+            if may_be <= found.distance {
+                break;
             }
+            let time = GoldenSection::lowest(|time| -distance(span, time), ends, SECTIONS);
+            found.raise(distance(span, time), time);
         }
         found
     }

@@ -2,7 +2,7 @@
 
 use cyclide::{
     Quat, Vec3,
-    motion::{Motion, Pose, RationalMotion, TimedPose},
+    motion::{DecoupledMotion, Motion, Pose, RationalMotion, TimedPose},
 };
 
 /// Numbers from -1 to 1, always the same.
@@ -81,4 +81,25 @@ fn a_peak_between_even_places_is_found() {
     let motion = Motion::from(RationalMotion::conic(&poses).unwrap());
     is_farthest(&motion, &poses, 20_000);
     assert!((motion.off_chords().unwrap().distance - 151.0).abs() < 1.0, "{:?}", motion.off_chords());
+}
+
+/// Short blends between a fast span and a slow one are farthest beside the pose.
+#[test]
+fn short_blends_between_unequal_speeds_are_searched() {
+    let at = |time: f64, x: f64, y: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::new(x, y, 0.0)).unwrap() };
+    for (slow, blend) in [(5.0, 2.0), (1.0, 2.0), (20.0, 0.1), (3.0, 300.0)] {
+        let poses = [at(0.0, 0.0, 0.0), at(1.0, 1000.0, 0.0), at(1.0 + slow, 1000.0, 1000.0)];
+        let motion = Motion::from(DecoupledMotion::linear(&poses, None, blend).unwrap());
+        let found = motion.off_chords().unwrap();
+        let off = |time: f64| {
+            let place = motion.pose(time).translation();
+            // From the line along x, and from the one along y.
+            place.y.abs().min((place.x - 1000.0).abs())
+        };
+        let window = 2.0 * blend / 1000.0;
+        let most = (0..=200_000).map(|k| off(1.0 - window + window * f64::from(k) / 1e5)).fold(0.0, f64::max);
+        // It is where both lines are as far: a sample may be half a step beside that.
+        let beside = found.distance - most;
+        assert!(beside > -1e-9 * most && beside < 1e-4 * most, "{slow} {blend}: {found:?}, {most}");
+    }
 }

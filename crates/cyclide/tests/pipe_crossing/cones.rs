@@ -253,7 +253,7 @@ fn cones_that_are_no_crossing_are_refused_with_their_measures() {
     let refused = |cones: Cones, blend: f64| cones.whole(blend).made().map(|_| ()).expect_err("no crossing");
     let (cones, blend) = CASES[0];
     // A cone that comes to its apex before its end: 2 less 7 tan 0.3.
-    let Error::Pipe(PipeError::ConeReachesApex { apex, reached }) =
+    let Error::Pipe(PipeError::ConeReachesApex { apex, reached, .. }) =
         refused(Cones { pipes: [[2.0, 0.3], [2.0, 0.0]], ..cones }, blend)
     else {
         panic!("an apex")

@@ -1,11 +1,6 @@
 //! A circular arc or straight segment.
 
-use cyclide::{
-    Quat, Vec3,
-    curve::Arc,
-    error::{ArcError, NumberError, PointError},
-    model::CurveObject,
-};
+use cyclide::{Quat, Vec3, curve::Arc, error::ArcError, model::CurveObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -13,7 +8,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// What an arc of a document must leave of a full turn at least, radians: a bulge of a million. The kernel makes arcs up to
@@ -85,19 +80,13 @@ impl Kind for ArcSpec {
         Ok(CurveObject::Arc(at.arc(self)?).into())
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        match error {
-            E::Number(NumberError::NotFinite { what: I::Tangent, .. })
-            | E::Point(PointError::ZeroTangent { .. })
-            | E::Arc(ArcError::TangentOpposesChord { .. }) => {
-                Some(Blame::Field(if self.tangent.is_some() { "tangent" } else { "end_tangent" }))
-            }
-            E::Arc(ArcError::NotInImH { .. } | ArcError::PoleOnSegment { .. }) if self.bulge.is_some() => {
-                Some(Blame::Field("bulge"))
-            }
-            _ => None,
+    fn fields(&self) -> FieldNames {
+        let tangent = if self.tangent.is_some() { "tangent" } else { "end_tangent" };
+        let mut fields = vec![("tangents[]", tangent)];
+        if self.bulge.is_some() {
+            fields.push(("weights[]", "bulge"));
         }
+        fields
     }
 }
 

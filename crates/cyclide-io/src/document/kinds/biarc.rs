@@ -2,7 +2,6 @@
 
 use cyclide::{
     construct::{Biarc, BiarcRule},
-    error::{ArcError, NumberError, PointError},
     model::CurveObject,
 };
 use schemars::JsonSchema;
@@ -12,7 +11,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// Two arcs from one point and direction to another, tangent-continuous at their joint.
@@ -57,14 +56,7 @@ impl Kind for BiarcSpec {
         Ok(CurveObject::ArcPath(biarc.map_err(|e| at.refused(&e, None))?.to_path()).into())
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        let (E::Number(NumberError::NotFinite { what: I::Tangent, index })
-        | E::Point(PointError::ZeroTangent { index })
-        | E::Arc(ArcError::TangentOpposesChord { index, .. })) = *error
-        else {
-            return None;
-        };
-        Some(Blame::Field(if index == 0 { "from_tangent" } else { "to_tangent" }))
+    fn fields(&self) -> FieldNames {
+        vec![("tangents[0]", "from_tangent"), ("tangents[1]", "to_tangent")]
     }
 }

@@ -1,6 +1,6 @@
 //! A full circle.
 
-use cyclide::{Vec3, curve::Circle, error::ArcError, model::CurveObject};
+use cyclide::{Vec3, curve::Circle, model::CurveObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -8,7 +8,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
 use crate::error::Result;
 
 /// A full circle: by its center and radius, or through three points.
@@ -53,8 +53,8 @@ impl Kind for CircleSpec {
         Ok(CurveObject::Circle(at.circle(self)?).into())
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        matches!(error, cyclide::Error::Arc(ArcError::DegenerateCircle { .. })).then_some(Blame::Field("through"))
+    fn fields(&self) -> FieldNames {
+        main_field("through")
     }
 }
 

@@ -1,11 +1,6 @@
 //! Arcs between two curves.
 
-use cyclide::{
-    ShortNumber, Vec3,
-    construct::RailSurface,
-    error::{ArcError, BridgeError, NumberError, PointError},
-    model::SurfaceObject,
-};
+use cyclide::{ShortNumber, Vec3, construct::RailSurface, error::PointError, model::SurfaceObject};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -13,8 +8,7 @@ use crate::document::coordinates::{Coordinates, Directions};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
-use crate::document::objects::refuse::blame_size;
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, rails};
 use crate::error::Result;
 
 /// Arcs between two curves. They connect points at equal parameters, piece by piece, and leave the first curve in given
@@ -57,16 +51,11 @@ impl Kind for CircularSurfaceSpec {
         rails(&self.rails)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::Error as E;
-        blame_size(error).or(Some(match error {
-            E::Point(PointError::ZeroTangent { index }) if self.tangent.0.len() > 1 => Blame::Entry("tangent", *index),
-            E::Point(PointError::ZeroTangent { .. })
-            | E::Bridge(BridgeError::OppositeTangents { .. })
-            | E::Arc(ArcError::TangentOpposesChord { .. })
-            | E::Number(NumberError::CountDiffers { .. }) => Blame::Field("tangent"),
-            _ => Blame::Field("rails"),
-        }))
+    fn fields(&self) -> FieldNames {
+        let mut fields = main_field("rails");
+        // One direction is that of all points.
+        fields.push(if self.tangent.0.len() > 1 { ("tangents", "tangent") } else { ("tangents[]", "tangent") });
+        fields
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

@@ -3,7 +3,6 @@
 use cyclide::{
     Vec3,
     construct::{BlendBase, BlendRing, BlendTube, ContactBlend, NeckSide, PlateShape, RingBlend, TeeEnds},
-    error::{BridgeError, ContactError, NumberError, PipeError},
     model::SurfaceObject,
 };
 use schemars::JsonSchema;
@@ -16,7 +15,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::plate_with_neck::PlateSpec;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// A cylinder or cone joined by a rolling-ball fillet to a `sphere` about the origin, or to a `plate` whose upper side
@@ -158,8 +157,9 @@ impl Kind for ContactBlendSpec {
         at.contact_blend(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_contact(self, error))
+    fn fields(&self) -> FieldNames {
+        let solid = if self.ring.is_some() { "ring" } else { "tube" };
+        vec![("[]", solid), ("pipes[]", solid), ("knots[]", solid)]
     }
 }
 
@@ -229,29 +229,4 @@ fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<C
     let blend = spec.tolerance.map_or(Ok(blend), |tolerance| blend.with_tolerance(tolerance))?;
     let blend = spec.thickness.map_or(Ok(blend), |thickness| blend.with_thickness(thickness))?;
     spec.wall.map_or(Ok(blend), |wall| blend.with_wall(wall))
-}
-
-/// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
-pub(in crate::document) fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    match error {
-        E::Number(NumberError::NotFinite { what: I::Radius, index: 1 })
-        | E::Contact(ContactError::BlendFolds { .. })
-        | E::Pipe(PipeError::BallDoesNotFit { .. }) => Blame::Field("blend"),
-        E::Number(NumberError::RadiusNotPositive { .. }) if spec.tube.is_some_and(|tube| !(tube.radius > 0.0)) => {
-            Blame::Field("tube")
-        }
-        E::Number(NumberError::RadiusNotPositive { .. }) if spec.blend <= 0.0 => Blame::Field("blend"),
-        E::Number(NumberError::RadiusNotPositive { .. }) if spec.sphere.is_some_and(|sphere| sphere <= 0.0) => {
-            Blame::Field("sphere")
-        }
-        E::Pipe(PipeError::PlateTooSmall { .. }) | E::Bridge(BridgeError::RulingsCross { .. }) => Blame::Field("plate"),
-        E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
-            Blame::Field("tolerance")
-        }
-        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. }) => {
-            Blame::Field(name.word())
-        }
-        _ => Blame::Field(if spec.ring.is_some() { "ring" } else { "tube" }),
-    }
 }

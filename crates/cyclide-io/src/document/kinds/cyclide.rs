@@ -14,7 +14,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::frame_of_axes;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// Patches of a whole cyclide round the hole and round the tube.
@@ -80,8 +80,8 @@ impl Kind for CyclideSpec {
         Some(made.map_err(|e| at.refused_at([Step::from("torus")], &e)))
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        matches!(error, cyclide::Error::Point(PointError::ZeroAxis { .. })).then_some(Blame::Field("axis"))
+    fn fields(&self) -> FieldNames {
+        vec![("normal", "axis")]
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

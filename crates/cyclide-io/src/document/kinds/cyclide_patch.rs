@@ -1,10 +1,6 @@
 //! One patch of a Dupin cyclide, bounded by four circular arcs.
 
-use cyclide::{
-    error::{NumberError, PatchError, PointError},
-    model::SurfaceObject,
-    surface::CyclidePatch,
-};
+use cyclide::{error::PatchError, model::SurfaceObject, surface::CyclidePatch};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -12,7 +8,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::frame::{direction, frame_words};
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 
@@ -55,16 +51,8 @@ impl Kind for CyclidePatchSpec {
         at.patch(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        match *error {
-            E::Patch(PatchError::NotConcircular { .. } | PatchError::CrossingQuad { .. }) => {
-                Some(Blame::Entry("corners", 3))
-            }
-            E::Number(NumberError::NotFinite { what: I::Point, index })
-            | E::Point(PointError::CoincidentPoints { second: index, .. }) => Some(Blame::Entry("corners", index)),
-            _ => None,
-        }
+    fn fields(&self) -> FieldNames {
+        vec![("", "corners")]
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

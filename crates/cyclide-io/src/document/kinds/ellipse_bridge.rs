@@ -7,8 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
-use crate::document::objects::refuse::blame_size;
+use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
 use crate::error::Result;
 
 /// Half circles over the chords between two ellipses about the origin, in upright planes. The surface is tangent to the
@@ -75,8 +74,8 @@ impl Kind for EllipseBridgeSpec {
         at.ellipse_bridge(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        blame_size(error).or(Some(Blame::Field("ellipses")))
+    fn fields(&self) -> FieldNames {
+        main_field("ellipses")
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

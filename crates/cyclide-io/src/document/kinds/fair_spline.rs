@@ -17,8 +17,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made, corners};
 use crate::document::objects::idle::{Idle, NO_CORNER, NO_ENDS, found, has_no_corner, is_same};
-use crate::document::objects::kind::{Blame, Kind, Shape};
-use crate::document::objects::refuse::blame_ends;
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -249,8 +248,8 @@ impl Kind for FairSplineSpec {
         Some(WaverRule { rounds_corners: true, ..WaverRule::of(WaverData::Nodes, WaverRemedy::Points) })
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        blame_ends(error)
+    fn fields(&self) -> FieldNames {
+        vec![("tangents[]", "ends")]
     }
 }
 

@@ -4,7 +4,7 @@ use cyclide::{
     Vec3,
     construct::MoebiusSplineOptions,
     curve::{CircleSpline, CircleSplineOptions, QbSpline},
-    error::{ErrorItem, NumberError, NurbsError, PoseError},
+    error::{ErrorItem, NumberError, NurbsError},
     model::CurveObject,
     warning::WaverRemedy,
 };
@@ -20,7 +20,7 @@ use crate::document::kinds::fields::torus_numbers::FreeOr;
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made, corners};
 use crate::document::objects::idle::{Idle, NO_CORNER, found, has_no_corner};
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -114,14 +114,8 @@ impl Kind for MoebiusSplineSpec {
         Some(WaverRule::of(WaverData::Nodes, WaverRemedy::FairSpline))
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        match *error {
-            E::Pose(PoseError::ParametersNotIncreasing { index, .. })
-            | E::Number(NumberError::NotFinite { what: I::Knot, index }) => Some(Blame::Entry("knots", index)),
-            E::Number(NumberError::CountDiffers { what: I::Knot | I::Parameter, .. }) => Some(Blame::Field("knots")),
-            _ => None,
-        }
+    fn fields(&self) -> FieldNames {
+        vec![("parameters", "knots")]
     }
 }
 

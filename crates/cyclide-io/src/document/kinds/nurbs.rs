@@ -1,11 +1,7 @@
 //! A rational B-spline curve.
 
 use cyclide::{
-    Point3, ShortNumber,
-    error::{CurveError, NumberError, NurbsError},
-    model::CurveObject,
-    rational::NurbsCurve,
-    warning::WaverRemedy,
+    Point3, ShortNumber, error::NumberError, model::CurveObject, rational::NurbsCurve, warning::WaverRemedy,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -15,7 +11,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -92,8 +88,8 @@ impl Kind for NurbsSpec {
         Some(WaverRule::of(WaverData::ControlPoints, WaverRemedy::Source))
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_nurbs(error))
+    fn fields(&self) -> FieldNames {
+        main_field("control_points")
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
@@ -141,23 +137,4 @@ pub(in crate::document) fn knots_words(error: &cyclide::Error) -> Option<String>
             "{error}: the number of knots is that of the control points + degree + 1 (if a program omits the first and the last knot, repeat them)"
         )
     })
-}
-
-/// Which value of a `nurbs` an error of the kernel is about.
-pub(in crate::document) fn blame_nurbs(error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    match *error {
-        E::Number(NumberError::ParameterOutOfRange { name: I::Degree, .. }) => Blame::Field("degree"),
-        E::Nurbs(NurbsError::WeightNotPositive { index, .. } | NurbsError::WeightsUneven { second: index, .. }) => {
-            Blame::Entry("weights", index)
-        }
-        E::Number(NumberError::CountDiffers { what: I::Weight, .. }) => Blame::Field("weights"),
-        E::Nurbs(NurbsError::KnotsDecrease { index, .. } | NurbsError::KnotMultiplicity { index, .. })
-        | E::Number(NumberError::NotFinite { what: I::Knot, index }) => Blame::Entry("knots", index),
-        E::Number(NumberError::CountDiffers { .. })
-        | E::Curve(CurveError::EmptyInterval { .. })
-        | E::Nurbs(NurbsError::NotASpline { .. }) => Blame::Field("knots"),
-        E::Number(NumberError::NotFinite { what: I::ControlPoint, index }) => Blame::Entry("control_points", index),
-        _ => Blame::Field("control_points"),
-    }
 }

@@ -2,7 +2,7 @@
 
 use cyclide::{
     Warning,
-    error::{NumberError, PartError, PatchError, ShellError},
+    error::NumberError,
     model::{CurveObject, SurfaceObject},
     surface::{CyclidePatch, Torus},
     topology::{Body, Shell, ShellFace},
@@ -15,7 +15,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::locate::Step;
 use crate::document::objects::contours::ContourFacts;
-use crate::document::objects::kind::{Blame, Kind, OfPanels, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, OfPanels, Reference, Shape, main_field, of};
 use crate::document::objects::{Builder, BuiltObject};
 use crate::error::Result;
 
@@ -68,11 +68,8 @@ impl Kind for OffsetSpec {
         of(&self.of)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        let is_of_distance = matches!(error, E::Number(NumberError::ParameterOutOfRange { name: I::Distance, .. }))
-            || is_of_distance(error);
-        is_of_distance.then_some(Blame::Field("distance"))
+    fn fields(&self) -> FieldNames {
+        main_field("distance")
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {
@@ -157,16 +154,5 @@ impl Builder<'_> {
             made.map_err(|e| self.refused(&e, None))
         });
         parallels.collect()
-    }
-}
-
-/// Whether the distance of an offset is at fault, in the whole of it or in one of its quads.
-pub(in crate::document) fn is_of_distance(error: &cyclide::Error) -> bool {
-    use cyclide::Error as E;
-    match error {
-        E::Part(PartError::InQuad { cause, .. }) => is_of_distance(cause),
-        E::Patch(PatchError::OffsetOnFocalSet { .. } | PatchError::OffsetNotRegular { .. })
-        | E::Shell(ShellError::NotAShell { .. }) => true,
-        _ => false,
     }
 }

@@ -15,7 +15,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::ruled::remedies::MOST_TRIED;
 use crate::document::objects::Builder;
 use crate::document::objects::idle::{Idle, NO_ENDS, found};
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, of};
 use crate::error::Result;
 
 /// Tolerances of a fit that are tried, in radii of the pipe; and the part of them that the arcs along it may take.
@@ -71,8 +71,8 @@ impl Kind for PipeSpec {
         of(&self.of)
     }
 
-    fn blame_otherwise(&self) -> Option<Blame> {
-        Some(Blame::Field("of"))
+    fn fields(&self) -> FieldNames {
+        main_field("of")
     }
 }
 

@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use cyclide::{
     construct::{CrossingPipe, CrossingSide, PipeCrossing, TeeEnds},
-    error::{BallError, CrossingError, NumberError, PipeError, PointError},
     model::SurfaceObject,
 };
 use schemars::JsonSchema;
@@ -17,7 +16,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::pipe_tee::TeeRadiusSpec;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
 use crate::error::Result;
 
 /// Two pipes (cylinders or cones) that pass each other, joined by a rolling-ball fillet. The first pipe is about the x
@@ -102,15 +101,6 @@ pub struct CrossingPipeSpec {
     pub ends: [f64; 2],
 }
 
-impl CrossingPipeSpec {
-    /// Whether its radius, within a wall, is positive from end to end.
-    pub(crate) fn is_round_throughout(&self, wall: Option<f64>) -> bool {
-        let (sin, cos) = self.taper.map_or(0.0, Angle::radians).sin_cos();
-        let radius_at = |end: f64| self.radius - (end * sin + wall.unwrap_or(0.0)) / cos;
-        self.radius > 0.0 && cos > 0.0 && self.ends.into_iter().all(|end| radius_at(end) > 0.0)
-    }
-}
-
 /// The radius of the ball of a crossing, or a law of it.
 ///
 /// ```
@@ -172,8 +162,8 @@ impl Kind for PipeCrossingSpec {
         at.pipe_crossing(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_crossing(self, error))
+    fn fields(&self) -> FieldNames {
+        main_field("pipes")
     }
 }
 
@@ -230,47 +220,5 @@ fn crossing(spec: &PipeCrossingSpec, values: &[[f64; 2]]) -> cyclide::Result<Pip
     match spec.wall {
         Some(wall) => crossing.with_wall(wall),
         None => Ok(crossing),
-    }
-}
-
-/// As [`blame`], of crossings of pipes.
-pub(in crate::document) fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    match error {
-        E::Pipe(PipeError::EndsReversed { pipe, .. })
-        | E::Crossing(
-            CrossingError::PipeTooShort { pipe, .. }
-            | CrossingError::HoleTooWide { pipe, .. }
-            | CrossingError::HoleTurnsBack { pipe, .. },
-        ) => Blame::Entry("pipes", *pipe),
-        E::Number(NumberError::NotFinite { what: I::Radius, index }) if *index < 2 => Blame::Entry("pipes", *index),
-        E::Number(NumberError::NotFinite { what: I::Taper, index }) => Blame::Entry("pipes", *index),
-        E::Crossing(CrossingError::NeedsCylinders { what, .. }) => Blame::Field(what.word()),
-        E::Number(NumberError::AngleOutOfRange { .. }) if spec.angle.is_some() => Blame::Field(I::Angle.word()),
-        E::Ball(BallError::RadiusTooSmall { .. })
-        | E::Crossing(CrossingError::BallTooLarge { .. } | CrossingError::NoBallWorks { .. })
-        | E::Point(
-            PointError::CoincidentPoints { .. }
-            | PointError::TooFewPoints { .. }
-            | PointError::BelowRoundingOfPlace { .. },
-        )
-        | E::Crossing(CrossingError::Folds { .. })
-        | E::Number(NumberError::NotFinite { what: I::Radius, .. }) => Blame::Field("blend"),
-        E::Number(NumberError::RadiusNotPositive { .. }) | E::Pipe(PipeError::ConeReachesApex { .. }) => {
-            match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
-                Some(pipe) => Blame::Entry("pipes", pipe),
-                None => Blame::Field("blend"),
-            }
-        }
-        E::Crossing(CrossingError::AxesTooNear { .. } | CrossingError::PipesApart { .. })
-        | E::Ball(BallError::NotTimelikePair { .. })
-        | E::Number(NumberError::NotFinite { what: I::Distance, .. }) => Blame::Field("distance"),
-        E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
-            Blame::Field("tolerance")
-        }
-        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. }) => {
-            Blame::Field(name.word())
-        }
-        _ => Blame::Field("pipes"),
     }
 }

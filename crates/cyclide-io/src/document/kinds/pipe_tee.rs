@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use cyclide::{
     construct::{PipeTee, TeeBlend, TeeBranch, TeeEnds, TeeMain},
-    error::{NumberError, PartError, PipeError, TeeError},
     model::SurfaceObject,
 };
 use schemars::JsonSchema;
@@ -16,7 +15,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
 use crate::error::Result;
 
 /// A main pipe about the x axis with branches, each joined to it by a rolling-ball fillet; solid, or with a `wall`.
@@ -224,8 +223,8 @@ impl Kind for PipeTeeSpec {
         at.pipe_tee(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_tee(error))
+    fn fields(&self) -> FieldNames {
+        main_field("branches")
     }
 }
 
@@ -287,38 +286,5 @@ impl Builder<'_> {
                 "a blend requires exactly one of `radius`, `least`, `crotch` with `flank`, and `values`; all except `least` allow a `tolerance`",
             )),
         }
-    }
-}
-
-/// As [`blame`], of tees.
-pub(in crate::document) fn blame_tee(error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    match error {
-        E::Tee(
-            TeeError::BranchTooWide { branch, .. }
-            | TeeError::BlendTooLarge { branch, .. }
-            | TeeError::LawOnEqualPipes { branch, .. }
-            | TeeError::BlendFolds { branch, .. }
-            | TeeError::HoleFolds { branch, .. }
-            | TeeError::PipeTooShort { what: I::Branch, branch, .. },
-        ) => Blame::Entry("branches", *branch),
-        E::Part(PartError::InBranch { branch, what, .. }) => Blame::FieldOfEntry("branches", *branch, what.word()),
-        E::Tee(TeeError::PipeTooShort { .. })
-        | E::Pipe(PipeError::EndsReversed { .. })
-        | E::Number(NumberError::RadiusNotPositive { .. })
-        | E::Pipe(PipeError::ConeReachesApex { .. })
-        | E::Number(
-            NumberError::ParameterOutOfRange { name: I::Taper, .. }
-            | NumberError::NotFinite { what: I::Radius | I::Taper, .. },
-        ) => Blame::Field("main"),
-        E::Tee(
-            TeeError::BranchesMeet { second, .. }
-            | TeeError::BranchesTooNear { second, .. }
-            | TeeError::EqualBranchesNotOpposite { second, .. }
-            | TeeError::NoFreeLine { second, .. },
-        ) => Blame::Entry("branches", *second),
-        E::Number(NumberError::NotFinite { index, .. }) => Blame::Entry("branches", *index),
-        E::Number(NumberError::ParameterOutOfRange { name: name @ I::Wall, .. }) => Blame::Field(name.word()),
-        _ => Blame::Field("branches"),
     }
 }

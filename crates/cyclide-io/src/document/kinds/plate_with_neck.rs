@@ -2,7 +2,6 @@
 
 use cyclide::{
     construct::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape},
-    error::{NumberError, PipeError},
     model::SurfaceObject,
 };
 use schemars::JsonSchema;
@@ -13,8 +12,7 @@ use crate::document::forms::forms;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Shape};
-use crate::document::objects::refuse::blame_size;
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// A pipe on a plate with a rounded neck between them, made by a ball that rolls around the pipe; an open surface, or
@@ -137,16 +135,8 @@ impl Kind for PlateWithNeckSpec {
         at.plate_with_neck(self).map(Shape::Surfaces)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::Error as E;
-        blame_size(error).or(Some(match error {
-            E::Number(NumberError::RadiusNotPositive { .. }) if self.pipe_radius <= 0.0 => Blame::Field("pipe_radius"),
-            E::Number(NumberError::RadiusNotPositive { .. })
-            | E::Pipe(PipeError::BallDoesNotFit { .. } | PipeError::NeckFolds { .. }) => Blame::Field("ball_radius"),
-            E::Number(NumberError::AngleOutOfRange { .. }) => Blame::Field("slope"),
-            E::Pipe(PipeError::PlateTooSmall { .. }) => Blame::Field("plate"),
-            _ => Blame::Object,
-        }))
+    fn fields(&self) -> FieldNames {
+        vec![("blend", "ball_radius")]
     }
 }
 

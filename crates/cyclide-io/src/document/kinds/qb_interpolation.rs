@@ -18,7 +18,7 @@ use crate::document::kinds::fields::parameters::{ParametersSpec, node_parameters
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, Made};
 use crate::document::objects::facts::InterpolationFacts;
-use crate::document::objects::kind::{Blame, Kind, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
 
@@ -86,16 +86,8 @@ impl Kind for QbInterpolationSpec {
         Some(WaverRule::of(WaverData::Points, WaverRemedy::FairSpline))
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        match error {
-            E::Number(NumberError::CountDiffers { what: I::Parameter, .. }) => None,
-            E::Number(NumberError::CountDiffers { .. } | NumberError::NotFinite { what: I::Tangent, .. }) => {
-                Some(Blame::Field("derivatives"))
-            }
-            E::Number(NumberError::ParameterOutOfRange { name: I::Parameter, .. }) => Some(Blame::Field("parameters")),
-            _ => None,
-        }
+    fn fields(&self) -> FieldNames {
+        vec![("tangents[]", "derivatives")]
     }
 }
 

@@ -3,7 +3,6 @@
 use cyclide::{
     ShortNumber, Vec3,
     construct::Revolution,
-    error::{NumberError, PointError},
     model::{CurveObject, SurfaceObject},
 };
 use schemars::JsonSchema;
@@ -15,7 +14,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, of};
 use crate::error::Result;
 
 /// An angle in radians that leaves less of a whole turn than this may be one, typed with three digits or more.
@@ -66,16 +65,8 @@ impl Kind for RevolutionSpec {
         of(&self.of)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        match error {
-            cyclide::Error::Point(PointError::ZeroAxis { .. }) => Some(Blame::Field("axis")),
-            cyclide::Error::Number(NumberError::AngleOutOfRange { .. }) => Some(Blame::Field("angle")),
-            _ => None,
-        }
-    }
-
-    fn blame_otherwise(&self) -> Option<Blame> {
-        Some(Blame::Field("of"))
+    fn fields(&self) -> FieldNames {
+        main_field("of")
     }
 }
 

@@ -3,7 +3,6 @@
 use cyclide::{
     Point2,
     curve::Circle,
-    error::TorusError,
     model::CurveObject,
     surface::{CircleFamily, Torus, TorusSpline},
 };
@@ -14,10 +13,10 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::torus_source::{NEAR, TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::fields::torus_source::{NEAR, TorusSource, place};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::ContourFacts;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape};
 use crate::error::Result;
 
 /// A circle on a torus through a given point.
@@ -116,17 +115,9 @@ impl Kind for TorusCircleSpec {
         Some(spline)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        use cyclide::Error as E;
-        let angles = if self.at.is_some() { "at" } else { "through" };
-        Some(match error {
-            E::Torus(
-                TorusError::PointOnAxis { .. }
-                | TorusError::PointOnCoreCircle { .. }
-                | TorusError::PointOffTorus { .. },
-            ) => Blame::Field(angles),
-            _ => blame_on_torus(&TorusFields { angles, ..TorusFields::SPLINE }, error),
-        })
+    fn fields(&self) -> FieldNames {
+        let place = if self.at.is_some() { "at" } else { "through" };
+        vec![("[]", place), ("angle[]", place)]
     }
 }
 

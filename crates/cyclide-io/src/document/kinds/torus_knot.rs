@@ -7,9 +7,9 @@ use serde::Deserialize;
 use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::fields::torus_source::{TorusSource, place};
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape};
 use crate::error::Result;
 
 /// A torus knot: the closed curve that winds evenly around the axis and around the tube of a torus.
@@ -57,8 +57,8 @@ impl Kind for TorusKnotSpec {
         self.torus.reference()
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_on_torus(&TorusFields { angles: "start", turns: "turns", ..TorusFields::SPLINE }, error))
+    fn fields(&self) -> FieldNames {
+        vec![("angle[]", "start"), ("winding[]", "turns")]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use cyclide::{
     Error as E, Point2,
-    error::{ErrorItem as I, NumberError, TorusError},
+    error::{ErrorItem as I, NumberError},
     model::CurveObject,
     surface::{CircleFamily, QuarticType, TorusSpline},
 };
@@ -12,11 +12,11 @@ use serde::Deserialize;
 use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::torus_source::{TorusFields, TorusSource, blame_on_torus, place};
+use crate::document::kinds::fields::torus_source::{TorusSource, place};
 use crate::document::kinds::torus_circle::FamilySpec;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape};
 use crate::error::{Error, Result};
 
 /// A closed quartic on a torus, of one of six types: it runs once around two families of circles at the same time.
@@ -63,12 +63,8 @@ impl Kind for TorusQuarticSpec {
         self.torus.reference()
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        let fields = TorusFields { angles: "start", ..TorusFields::SPLINE };
-        Some(match error {
-            cyclide::Error::Torus(TorusError::NotCoprime { .. }) => Blame::Field("ratio"),
-            _ => blame_on_torus(&fields, error),
-        })
+    fn fields(&self) -> FieldNames {
+        vec![("angle[]", "start"), ("turns", "ratio")]
     }
 }
 

@@ -1,21 +1,14 @@
 //! A raised or sunk seam along a curve on a torus.
 
-use cyclide::{
-    Error as E, ShortNumber,
-    construct::TorusSeam,
-    error::{CurveError, ErrorItem as I, NumberError, NurbsError, PointError, TorusError},
-    model::SurfaceObject,
-    topology::Body,
-};
+use cyclide::{ShortNumber, construct::TorusSeam, model::SurfaceObject, topology::Body};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, of};
 use crate::error::Result;
 
 /// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.
@@ -75,8 +68,8 @@ impl Kind for TorusSeamSpec {
         of(&self.of)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_seam(error))
+    fn fields(&self) -> FieldNames {
+        main_field("of")
     }
 }
 
@@ -98,29 +91,5 @@ impl Builder<'_> {
             self.remark("seams-meet", Some(second), None, place, message);
         }
         Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
-    }
-}
-
-/// Which value of a seam an error is about: what is not said of its fields is about its curve.
-pub(in crate::document) fn blame_seam(error: &cyclide::Error) -> Blame {
-    let fields = TorusFields { turns: "tolerance", ..TorusFields::SPLINE };
-    match error {
-        E::Point(PointError::ZeroTangent { .. })
-        | E::Number(
-            NumberError::NotFinite { what: I::Tangent | I::Knot, .. }
-            | NumberError::CountDiffers { what: I::Tangent | I::Knot, .. },
-        )
-        | E::Curve(CurveError::EmptyInterval { .. } | CurveError::Disconnected { .. })
-        | E::Nurbs(NurbsError::WeightNotPositive { .. })
-        | E::Torus(TorusError::NotCoprime { .. })
-        | E::Number(
-            NumberError::ParameterOutOfRange { name: I::Width | I::Height | I::Ratio, .. }
-            | NumberError::RadiusNotPositive { .. },
-        )
-        | E::Torus(TorusError::SeamMeetsItself { .. } | TorusError::SeamTooWide { .. })
-        | E::Number(NumberError::ToleranceNotPositive { .. } | NumberError::TooManyPieces { .. }) => {
-            blame_on_torus(&fields, error)
-        }
-        _ => Blame::Field("of"),
     }
 }

@@ -19,11 +19,11 @@ use crate::document::coordinates::{Coordinates, PointSource};
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::fields::torus_numbers::{AnglePairs, FreeOr, RatePairs};
-use crate::document::kinds::fields::torus_source::{NEAR, TorusFields, TorusSource, blame_on_torus};
+use crate::document::kinds::fields::torus_source::{NEAR, TorusSource};
 use crate::document::objects::Builder;
 use crate::document::objects::contours::{Contour, ContourFacts, Made};
 use crate::document::objects::idle::{Idle, found};
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape};
 use crate::document::objects::points::{Origin, Points};
 use crate::document::objects::wavers::{WaverData, WaverRule};
 use crate::error::Result;
@@ -216,9 +216,13 @@ impl Kind for TorusSplineSpec {
         Some(WaverRule { through: false, ..WaverRule::of(WaverData::Nodes, WaverRemedy::Points) })
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
+    fn fields(&self) -> FieldNames {
         let directions = if self.rates.is_some() { "rates" } else { "tangents" };
-        Some(blame_on_torus(&TorusFields { directions, knots: self.knots.is_some(), ..TorusFields::SPLINE }, error))
+        let mut fields = vec![("tangents", directions), ("angle", "angles")];
+        if self.knots.is_none() {
+            fields.push(("knots[]", directions));
+        }
+        fields
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

@@ -5,7 +5,7 @@ use std::fmt;
 use cyclide::{
     Point3, ShortNumber,
     construct::{Ball, PipeEnds, RadiusLaw, TaperedTube, Tube},
-    error::{ArcError, CurveError, NumberError, PipeError, TubeError},
+    error::CurveError,
     model::{CurveObject, Exactness, Lower as _, SurfaceObject},
     topology::Body,
 };
@@ -18,7 +18,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{Facts, TubeFacts};
 use crate::document::objects::idle::{Idle, NO_ENDS, found};
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, of};
 use crate::error::Result;
 
 pub use crate::document::objects::facts::RadiusOf;
@@ -265,8 +265,8 @@ impl Kind for TubeSpec {
         self.of.as_deref().map(of).unwrap_or_default()
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_tube(self, error))
+    fn fields(&self) -> FieldNames {
+        if self.balls.is_some() { vec![("", "balls")] } else { main_field("radius") }
     }
 }
 
@@ -362,24 +362,6 @@ pub(in crate::document) fn idle_in_tube(spec: &TubeSpec, closed: bool) -> Vec<Id
             "a wall ends in rings; without `wall` the tube is open",
         ),
     ])
-}
-
-/// As [`blame`], of tubes.
-pub(in crate::document) fn blame_tube(spec: &TubeSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    let through = spec.balls.is_some();
-    match error {
-        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. }) => {
-            Blame::Field(name.word())
-        }
-        E::Pipe(PipeError::CornerNotMitred { .. }) | E::Arc(ArcError::ThroughInfinity { .. }) => Blame::Field("of"),
-        E::Tube(TubeError::RadiusVanishes { piece, .. } | TubeError::Folds { piece, .. }) if through => {
-            Blame::Entry("balls", *piece)
-        }
-        E::Number(NumberError::NotFinite { index, .. }) if through => Blame::Entry("balls", *index),
-        _ if through => error.index().map_or(Blame::Field("balls"), |index| Blame::Entry("balls", index)),
-        _ => Blame::Field("radius"),
-    }
 }
 
 /// The tube along a curve. Arcs in place of one that is not made of arcs are made nearer until the tube is known to be within the tolerance.

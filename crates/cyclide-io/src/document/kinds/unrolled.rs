@@ -12,10 +12,9 @@ use serde::Deserialize;
 use crate::document::angle::Angle;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
-use crate::document::kinds::fields::torus_source::{TorusFields, blame_on_torus};
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{Facts, UnrolledPlane};
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, of};
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, of};
 use crate::error::Result;
 
 /// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
@@ -73,8 +72,8 @@ impl Kind for UnrolledSpec {
         of(&self.of)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        Some(blame_on_torus(&TorusFields { angles: "seam", turns: "tolerance", ..TorusFields::SPLINE }, error))
+    fn fields(&self) -> FieldNames {
+        vec![("angle[]", "seam")]
     }
 }
 

@@ -71,14 +71,9 @@ pub(in crate::document) trait Kind {
         None
     }
 
-    /// Which of its values an error of the kernel is about, where that is a rule of this kind.
-    fn blame(&self, _: &cyclide::Error) -> Option<Blame> {
-        None
-    }
-
-    /// Which value an error is about that names none of its own.
-    fn blame_otherwise(&self) -> Option<Blame> {
-        None
+    /// What its document calls the fields of the kernel's paths, where that is something else.
+    fn fields(&self) -> FieldNames {
+        Vec::new()
     }
 
     /// What an error of the kernel is called for this kind, if that is other than what it is called in general.
@@ -134,14 +129,13 @@ pub(crate) enum OfPanels {
     Edges { of: String },
 }
 
-/// The value of an object that an error is about.
-pub(in crate::document) enum Blame {
-    Field(&'static str),
-    Entry(&'static str, usize),
-    /// A field of an entry.
-    FieldOfEntry(&'static str, usize, &'static str),
-    Point(usize),
-    Object,
+/// Pairs of a path of the kernel and the field that it is in a document: `tangents` with any entry or none, which is kept;
+/// `tangents[0]` with this entry and `tangents[]` with any or none, which is not kept. The main list is the path without a name.
+pub(in crate::document) type FieldNames = Vec<(&'static str, &'static str)>;
+
+/// The field for everything that the kernel names no field for.
+pub(in crate::document) fn main_field(name: &'static str) -> FieldNames {
+    vec![("[]", name)]
 }
 
 /// What a construction makes: curves, grids, surfaces, blocks or a motion.

@@ -2,13 +2,10 @@
 
 use cyclide::{
     Point3, ShortNumber, Warning,
-    error::{
-        ArcError, CurveError, ErrorItem, GridError, InterpolationError, NumberError, PatchError, PipeError, PointError,
-    },
+    error::{ErrorItem, FieldPath, NumberError, PointError},
     warning::PointWarning,
 };
 
-use super::kind::Blame;
 use crate::document::angle::Angle;
 use crate::document::locate::{Step, path_text, span_of};
 use crate::document::objects::Builder;
@@ -66,17 +63,17 @@ impl Builder<'_> {
 
     /// The message for what the kernel said, at the point or field it is about.
     pub(in crate::document) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
-        let blame = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
-            Some(point) => Blame::Point(point),
-            None => blame(self.kind, error),
+        let at = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
+            Some(point) => FieldPath { index: Some(point), ..FieldPath::default() },
+            None => path_in_document(self.kind, error),
         };
         let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
         let path = self.path([]);
         if let Some((points, contour)) = from
             && let Origin::File { name, text, .. } = &points.origin
-            && matches!(blame, Blame::Point(_) | Blame::Object)
+            && at.field.is_none()
         {
-            let index = if let Blame::Point(k) = blame { original(k) } else { 0 };
+            let index = at.index.map_or(0, original);
             let start = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
             let width = text[start..].find(['\n', '\r', '#']).unwrap_or(text.len() - start);
             let width = text[start..start + width].trim_end().len();
@@ -89,42 +86,54 @@ impl Builder<'_> {
         if document.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), contour: of_several, source: error.clone() };
         }
-        let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true, .. });
-        let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(p.steps(c, k)));
-        // A value that all contours share does not tell which of them it does not fit.
-        let shared = matches!(blame, Blame::Field(_) | Blame::Entry(..));
-        let candidates = match blame {
-            Blame::Field(field) => vec![self.path([field.into()])],
-            Blame::FieldOfEntry(list, k, field) => {
-                let entry = [list.into(), k.into()];
-                vec![self.path(entry.iter().cloned().chain([field.into()])), self.path(entry)]
-            }
-            Blame::Entry(field, k) => {
-                let contour = from.map_or(0, |(_, c)| c);
-                let one = self.path([field.into(), original(k).into()]);
-                let several = self.path([field.into(), contour.into(), original(k).into()]);
-                // A list of lists also has an entry at the first path: the deeper one is meant.
-                let nested = from.is_some_and(|(p, _)| p.lists.len() > 1 || nested(p));
-                if nested { vec![several, one] } else { vec![one, self.path([field.into()])] }
-            }
-            Blame::Point(k) => {
-                let end = if k == 0 { "from" } else { "to" };
-                let fixed = [self.path(["through".into(), k.into()]), self.path([end.into()])];
-                in_points(Some(original(k))).into_iter().chain(fixed).collect()
-            }
-            Blame::Object => in_points(None).into_iter().collect(),
-        };
+        let candidates = self.candidates(at, from, original);
         let place = |p: &Vec<Step>| span_of(document, p).map(|span| (p.clone(), span));
-        let own_entry =
-            matches!(blame, Blame::Entry(..)) && candidates.first().is_some_and(|first| place(first).is_some());
+        // A value that all contours share does not tell which of them it does not fit.
+        let own_entry = at.index.is_some() && candidates.first().is_some_and(|first| place(first).is_some());
         let (path, span) = candidates.iter().find_map(place).unwrap_or_else(|| {
             let start = span_of(document, &path).map_or(0, |s| s.start);
             (path, start..start + 1)
         });
         let words = self.words(error, from.map_or(0, |(_, contour)| contour));
-        let words = of_contour(of_several.filter(|_| shared && !own_entry)) + &words;
+        let words = of_contour(of_several.filter(|_| at.field.is_some() && !own_entry)) + &words;
         let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
+    }
+
+    /// The paths of an error in the document, the most exact one first.
+    fn candidates(
+        &self,
+        at: FieldPath,
+        from: Option<(&Points, usize)>,
+        original: impl Fn(usize) -> usize,
+    ) -> Vec<Vec<Step>> {
+        let in_points = |k: Option<usize>| from.map(|(points, contour)| self.path(points.steps(contour, k)));
+        let main = || self.kind.fields().into_iter().find(|(path, _)| path.trim_end_matches("[]").is_empty());
+        let main = || main().map(|(_, field)| self.path([field.into()]));
+        match (at, at.field) {
+            (FieldPath { part: Some((list, entry)), .. }, field) => {
+                let entry = [list.into(), entry.into()];
+                let field = field.map(|field| self.path(entry.iter().cloned().chain([field.into()])));
+                field.into_iter().chain([self.path(entry)]).collect()
+            }
+            (FieldPath { index: Some(k), .. }, Some(field)) => {
+                let contour = from.map_or(0, |(_, contour)| contour);
+                let one = self.path([field.into(), original(k).into()]);
+                let several = self.path([field.into(), contour.into(), original(k).into()]);
+                // A list of lists also has an entry at the first path: the deeper one is meant.
+                let is_nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true, .. });
+                let is_deep = from.is_some_and(|(points, _)| points.lists.len() > 1 || is_nested(points));
+                let of_field = if is_deep { [several, one] } else { [one, self.path([field.into()])] };
+                of_field.into_iter().chain(main()).collect()
+            }
+            (_, Some(field)) => [self.path([field.into()])].into_iter().chain(main()).collect(),
+            (FieldPath { index: Some(k), .. }, None) => {
+                let end = if k == 0 { "from" } else { "to" };
+                let fixed = [self.path(["through".into(), k.into()]), self.path([end.into()])];
+                in_points(Some(original(k))).into_iter().chain(fixed).collect()
+            }
+            (_, None) => in_points(None).into_iter().collect(),
+        }
     }
 }
 
@@ -151,74 +160,19 @@ fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
     points.iter().position(|p| p.to_vec().max_abs() >= value.abs())
 }
 
-/// Which value of an object an error of the kernel is about.
-pub(in crate::document) fn blame(kind: &dyn Kind, error: &cyclide::Error) -> Blame {
-    kind.blame(error).or_else(|| blame_by_word(error)).or_else(|| kind.blame_otherwise()).unwrap_or_else(|| {
-        use cyclide::{Error as E, error::ErrorItem as I};
-        match *error {
-            E::Point(PointError::ZeroAxis { .. }) => Blame::Field("normal"),
-            E::Number(NumberError::ParameterOutOfRange { name: I::SegmentsAlongS, .. }) => Blame::Entry("segments", 0),
-            E::Number(NumberError::ParameterOutOfRange { name: I::SegmentsAlongT, .. }) => Blame::Entry("segments", 1),
-            E::Number(NumberError::OrderOutOfRange { .. }) => Blame::Field("order"),
-            E::Number(NumberError::CountDiffers { .. }) => Blame::Field("tangents"),
-            E::Number(NumberError::ParameterOutOfRange { name: I::EdgePoints, .. }) => Blame::Field("polyline"),
-            E::Number(NumberError::ParameterOutOfRange { name, .. }) => Blame::Field(name.word()),
-            _ => error.index().map_or(Blame::Object, Blame::Point),
-        }
-    })
-}
-
-/// The value that an error is about by what it names, whatever the kind.
-fn blame_by_word(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    Some(match *error {
-        E::Interpolation(InterpolationError::RepeatedParameter { second, .. }) => Blame::Entry("parameters", second),
-        E::Number(NumberError::NotFinite { what: I::Parameter, index }) => Blame::Entry("parameters", index),
-        E::Number(NumberError::CountDiffers { what: I::Parameter, .. }) => Blame::Field("parameters"),
-        E::Number(NumberError::NotFinite { what: I::Tangent, index })
-        | E::Point(PointError::ZeroTangent { index })
-        | E::Arc(ArcError::TangentOpposesChord { index, .. }) => Blame::Entry("tangents", index),
-        E::Number(NumberError::NotFinite { what: I::Weight, index }) | E::Arc(ArcError::ZeroWeight { index }) => {
-            Blame::Entry("weights", index)
-        }
-        E::Number(NumberError::NotFinite { what: I::FrameVector, index }) => Blame::Entry("frame", index),
-        E::Patch(PatchError::FrameNotOrthonormal { .. }) => Blame::Field("frame"),
-        E::Number(NumberError::NotFinite { what: I::Tolerance, .. } | NumberError::ToleranceNotPositive { .. }) => {
-            Blame::Field("tolerance")
-        }
-        E::Number(NumberError::NotFinite { what: I::Bulge, .. }) => Blame::Field("bulge"),
-        E::Arc(ArcError::NotInImH { .. } | ArcError::PoleOnSegment { .. }) => Blame::Field("weights"),
-        E::Number(NumberError::RadiusNotPositive { .. }) => Blame::Field("radius"),
-        E::Pipe(PipeError::TooWide { .. } | PipeError::MitreDoesNotFit { .. } | PipeError::MeetsItself { .. }) => {
-            Blame::Field("radius")
-        }
-        E::Number(NumberError::ParameterOutOfRange { name: name @ I::Wall, .. }) => Blame::Field(name.word()),
-        E::Curve(CurveError::NotOfArcs { .. }) | E::Grid(GridError::CellsUnfit { .. }) => Blame::Field("of"),
-        E::Number(NumberError::CountDiffers { what: I::Radius, .. }) => Blame::Field("radius"),
-        _ => return None,
-    })
-}
-
-/// Sizes that are fields of their own.
-pub(in crate::document) fn blame_size(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    match error {
-        E::Number(NumberError::ParameterOutOfRange {
-            name: name @ (I::Height | I::Thickness | I::Wall | I::Depth),
-            ..
-        }) => Some(Blame::Field(name.word())),
-        _ => None,
+/// Where in the document of a kind an error of the kernel is, as far as the kernel or the kind knows it.
+pub(in crate::document) fn path_in_document(kind: &dyn Kind, error: &cyclide::Error) -> FieldPath {
+    let path = error.path();
+    if path.part.is_some() {
+        return path;
     }
-}
-
-/// Directions of a curve with `ends`.
-pub(in crate::document) fn blame_ends(error: &cyclide::Error) -> Option<Blame> {
-    use cyclide::{Error as E, error::ErrorItem as I};
-    let is_tangent = matches!(
-        error,
-        E::Number(NumberError::NotFinite { what: I::Tangent, .. })
-            | E::Point(PointError::ZeroTangent { .. })
-            | E::Arc(ArcError::TangentOpposesChord { .. })
-    );
-    is_tangent.then_some(Blame::Field("ends"))
+    let names = kind.fields();
+    let named = |key: &str| names.iter().find(|(own, _)| *own == key).map(|(_, field)| *field);
+    let field = path.field.unwrap_or_default();
+    let entry = path.index.and_then(|index| named(&format!("{field}[{index}]")));
+    match (entry.or_else(|| named(&format!("{field}[]"))), named(field)) {
+        (Some(field), _) => FieldPath { field: Some(field), ..FieldPath::default() },
+        (None, Some(field)) => FieldPath { field: Some(field), ..path },
+        (None, None) => path,
+    }
 }

@@ -11,7 +11,7 @@ pub(in crate::construct::bodies) fn check_radius(radius: f64, index: usize) -> R
         return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
     }
     if radius <= 0.0 {
-        return Err(NumberError::RadiusNotPositive { radius }.into());
+        return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index, radius }.into());
     }
     Ok(())
 }

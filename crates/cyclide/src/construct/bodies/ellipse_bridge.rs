@@ -64,13 +64,7 @@ impl EllipseBridge {
     /// `parameter-out-of-range` (beyond 1e150).
     pub fn new(first: [f64; 2], second: [f64; 2]) -> Result<Self> {
         for (index, radius) in [first, second].into_iter().flatten().enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+            range::check_radius(ErrorItem::Ellipse, index / 2, radius)?;
         }
         for d in 0..2 {
             let (distance, limit) = ((second[d] - first[d]).abs(), SEPARATION * first[d].max(second[d]));
@@ -98,7 +92,9 @@ impl EllipseBridge {
     /// `angle-out-of-range` unless `0 < to - from < π`.
     pub fn surface(&self, from: f64, to: f64) -> Result<RationalBezierSurface> {
         if !(to - from > 0.0 && to - from < PI) {
-            return Err(NumberError::AngleOutOfRange { angle: to - from, min: 0.0, max: PI }.into());
+            return Err(
+                NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle: to - from, min: 0.0, max: PI }.into()
+            );
         }
         self.over(&Sector::new(from, to))
     }

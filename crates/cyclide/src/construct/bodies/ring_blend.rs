@@ -8,7 +8,7 @@ use super::{MadeContactBlend, Revolution, TeeBlendFacts};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, Circle};
-use crate::error::{ContactError, ErrorItem, NumberError, PipeError, Result, TorusError};
+use crate::error::{ContactError, ErrorItem, PipeError, Result, TorusError};
 use crate::topology::EdgeCurve;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -79,14 +79,14 @@ impl RingBlend {
     }
 
     fn new(ring: BlendRing, base: RingBase, [other, ball]: [f64; 2]) -> Result<Self> {
-        for (index, radius) in [ring.radius, ball, other, ring.tube].into_iter().enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+        let base_is = match base {
+            RingBase::Sphere(_) => ErrorItem::Sphere,
+            RingBase::Disk(_) => ErrorItem::Plate,
+        };
+        let radii =
+            [(ErrorItem::Ring, ring.radius), (ErrorItem::Blend, ball), (base_is, other), (ErrorItem::Ring, ring.tube)];
+        for (what, radius) in radii {
+            range::check_radius(what, 0, radius)?;
         }
         range::check_point(0, Vec3::Z * ring.height)?;
         if !(ring.tube < ring.radius) {

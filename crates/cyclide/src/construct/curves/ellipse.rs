@@ -32,13 +32,7 @@ impl Ellipse {
     pub fn new(center: Point3, normal: Vec3, x_direction: Option<Vec3>, semi_axes: [f64; 2]) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         for (index, &radius) in semi_axes.iter().enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+            range::check_radius(ErrorItem::Radius, index, radius)?;
         }
         let [x, y, _] = plane_axes(normal, x_direction)?;
         Ok(Self { center, axes: [x * semi_axes[0], y * semi_axes[1]] })
@@ -60,7 +54,9 @@ impl Ellipse {
             return Err(NumberError::NotFinite { what: ErrorItem::Angle, index: 0 }.into());
         }
         if sweep == 0.0 || sweep.abs() > TAU * (1.0 + f64::EPSILON) {
-            return Err(NumberError::AngleOutOfRange { angle: sweep, min: -TAU, max: TAU }.into());
+            return Err(
+                NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle: sweep, min: -TAU, max: TAU }.into()
+            );
         }
         let count = (sweep.abs() / FRAC_PI_2 - 1e-9).ceil().max(1.0);
         let step = sweep / count;

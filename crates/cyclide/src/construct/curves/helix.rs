@@ -57,14 +57,18 @@ impl Helix {
             }
         }
         if radius <= 0.0 {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         range::check_distance(radius)?;
         range::check_point(0, Vec3::new(pitch, pitch * turns, 0.0))?;
         if turns == 0.0 {
-            return Err(
-                NumberError::AngleOutOfRange { angle: 0.0, min: -TAU * MOST_PIECES, max: TAU * MOST_PIECES }.into()
-            );
+            return Err(NumberError::AngleOutOfRange {
+                name: ErrorItem::Turn,
+                angle: 0.0,
+                min: -TAU * MOST_PIECES,
+                max: TAU * MOST_PIECES,
+            }
+            .into());
         }
         Ok(Self { center, axes: plane_axes(axis, x_direction)?, radius, pitch, turns })
     }

@@ -11,7 +11,7 @@ use crate::base::golden_section::GoldenSection;
 use crate::base::roots::bracketed;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
-use crate::error::{NumberError, Result};
+use crate::error::{ErrorItem, NumberError, Result};
 
 /// Intervals of a piece that are looked at, beside its place of largest curvature.
 const INTERVALS: u32 = 64;
@@ -65,7 +65,7 @@ struct Part {
 /// `not-finite`, `radius-not-positive`.
 pub fn tight_places(curve: &dyn ParamCurve, radius: f64) -> Result<Vec<TightPlace>> {
     if !(radius.is_finite() && radius > 0.0) {
-        return Err(NumberError::RadiusNotPositive { radius }.into());
+        return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
     }
     let limit = (1.0 + MARGIN) / radius;
     let mut parts: Vec<Part> = (0..curve.piece_count()).flat_map(|piece| parts_of_piece(curve, piece, limit)).collect();

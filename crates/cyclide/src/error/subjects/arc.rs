@@ -18,6 +18,7 @@ table! {
         }
         reason "zero-weight";
         at *index;
+        entry "weights";
         says "weight {index} is zero";
 
         /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
@@ -30,6 +31,7 @@ table! {
             limit: f64,
         }
         reason "pole-on-segment";
+        field "weights";
         says "the arc passes through infinity: its weight ratio has real part {real} and vector part {vector}, which \
             must be longer than {limit}";
 
@@ -52,6 +54,7 @@ table! {
             limit: f64,
         }
         reason "not-in-im-h";
+        field "weights";
         says "the weight is not perpendicular to the chord (cosine {cosine}, limit {limit}): the arc would leave \
             three-space";
 
@@ -66,6 +69,7 @@ table! {
         }
         reason "tangent-opposes-chord";
         at *index;
+        entry "tangents";
         when *limit <= ROUNDING_OF_ANGLES, says "tangent {index} points directly away from the other end: the arc \
             would pass through infinity";
         says "tangent {index} is {angle} radians from pointing directly away from the other end, minimum {limit}: \

@@ -20,6 +20,7 @@ table! {
             limit: f64,
         }
         reason "not-timelike-pair";
+        field "distance";
         says "the balls tangent to both surfaces do not form a torus: the distance of skew axes, or the norm ratio of \
             the pair, is {measured}, limit {limit}";
 
@@ -84,6 +85,7 @@ table! {
             works: Option<f64>,
         }
         reason "radius-too-small";
+        field "blend";
         when works.is_some(), says "a ball of radius {radius} cannot touch both cylinders: the radius must be above \
             {limit}, and larger still for a blend without self-intersections; {} works",
             ShortNumber::no_less(works.unwrap_or_default());

@@ -78,6 +78,7 @@ table! {
         }
         reason "opposite-tangents";
         at *first;
+        field "tangents";
         says "tangents {first} and {second} are opposite, so the direction vanishes between them (relative length \
             {length}, must be above {limit}); turn one of them sideways";
     }

@@ -48,6 +48,7 @@ table! {
             left: f64,
         }
         reason "contact-blend-folds";
+        field "blend";
         says "the blend self-intersects at {angle} radians round the tube (width factor {left}, must be above 0); \
             use a smaller ball or a thinner wall";
 

@@ -21,6 +21,7 @@ table! {
             limit: f64,
         }
         reason "crossing-axes-too-near";
+        field "distance";
         says "the axes are {distance} apart; pipes that pass each other need more than the difference of the radii, \
             {limit}: move the axes apart, or use a branch of a `pipe-tee` if one pipe ends on the other";
 
@@ -34,6 +35,7 @@ table! {
             works: Option<f64>,
         }
         reason "crossing-ball-too-large";
+        field "blend";
         when *limit <= 0.0, says "the pipes do not overlap, so there is no edge to round: they are {} apart",
             ShortNumber(-2.0 * *limit);
         when works.is_some(), says "a ball of radius {radius} cannot roll along the edge: the radius must be below \
@@ -50,6 +52,7 @@ table! {
             limit: f64,
         }
         reason "crossing-no-ball";
+        field "blend";
         says "a ball of radius {radius} does not fit, its bound is {limit}, and no radius within the bound works: the \
             blend self-intersects, or its hole reaches too far round a pipe; turn the axes closer to a right angle, \
             move them, or use a thinner wall";
@@ -62,6 +65,7 @@ table! {
             limit: f64,
         }
         reason "crossing-pipes-apart";
+        field "distance";
         says "the pipes do not intersect, or only barely, so neither cuts the other: their axes are {distance} apart, \
             must be below {limit}, the sum of the radii less 0.1 %";
 
@@ -75,6 +79,7 @@ table! {
             taper: f64,
         }
         reason "crossing-needs-cylinders";
+        field what.word();
         says "pipe {pipe} has a taper of {taper} radians, but the requested {} requires cylinders: tapered pipes \
             need a ball of constant radius, outside or inside both", what.word();
 
@@ -95,6 +100,8 @@ table! {
             needed: f64,
         }
         reason "crossing-pipe-too-short";
+        at *pipe;
+        entry "pipes";
         says "pipe {pipe} ends within the blend: it ends at {end} and must extend beyond {needed}";
 
         /// The hole of a crossing extends too far round a pipe.
@@ -107,6 +114,8 @@ table! {
             limit: f64,
         }
         reason "crossing-hole-too-wide";
+        at *pipe;
+        entry "pipes";
         says "the hole in pipe {pipe} spans +-{angle} radians, maximum +-{limit}; use a smaller ball, or move the \
             axes apart";
 
@@ -118,6 +127,8 @@ table! {
             along: f64,
         }
         reason "crossing-hole-turns-back";
+        at *pipe;
+        entry "pipes";
         says "the border of the hole in pipe {pipe} turns back at {along} along its axis; use a smaller ball, move \
             the axes apart, or turn them closer to a right angle";
 
@@ -133,6 +144,7 @@ table! {
             walled: bool,
         }
         reason "crossing-folds";
+        field "blend";
         says "the blend self-intersects where its ball is at {angle} radians from the first axis (width factor \
             {left}, must be above 0); {}", remedy.advice(*walled);
     }

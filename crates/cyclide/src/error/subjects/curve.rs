@@ -69,6 +69,7 @@ table! {
             wanted: &'static str,
         }
         reason "not-of-arcs";
+        field "of";
         says "the curve does not consist of arcs and segments: give the tolerance within which arcs may replace it, \
             or use a curve of arcs ({wanted})";
 
@@ -82,7 +83,8 @@ table! {
             limit: f64,
         }
         reason "empty-interval";
-        at *index;
+        at *index + 1;
+        entry "knots";
         says "interval {index} of the parameter has length {length}, must be above {limit}";
     }
 }

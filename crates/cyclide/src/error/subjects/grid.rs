@@ -22,6 +22,7 @@ table! {
         }
         reason "cells-unfit";
         at *index;
+        field "of";
         says "{}", fault.words(*index);
 
         /// The quads of a mesh do not form regular grids that join round its irregular vertices.

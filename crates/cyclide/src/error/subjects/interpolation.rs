@@ -32,6 +32,7 @@ table! {
         }
         reason "repeated-parameter";
         at *second;
+        entry "parameters";
         says "parameters {first} and {second} are both {value}; they must differ";
 
         /// The only curve of the degree that fits the other points, at their parameters, misses these.

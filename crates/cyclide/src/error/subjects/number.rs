@@ -23,6 +23,7 @@ table! {
         }
         reason "not-finite";
         at *index;
+        entry what.list();
         says "{what} {index} is not a finite number";
 
         /// A parameter is outside its interval.
@@ -37,6 +38,8 @@ table! {
             max: f64,
         }
         reason "parameter-out-of-range";
+        at name.entry();
+        entry name.field();
         says "{name} = {value:#} is {}", outside(*name, *value, [*min, *max]);
 
         /// A tolerance is zero, negative or not a number.
@@ -45,6 +48,7 @@ table! {
             tolerance: f64,
         }
         reason "tolerance-not-positive";
+        field "tolerance";
         says "the tolerance {tolerance} is not positive";
 
         /// A radius is zero relative to the position of its center.
@@ -59,10 +63,16 @@ table! {
 
         /// A radius, length or tolerance that must be positive is not.
         RadiusNotPositive {
+            /// The kind of item.
+            what: ErrorItem,
+            /// Which one, from 0.
+            index: usize,
             /// The value given.
             radius: f64,
         }
         reason "radius-not-positive";
+        at *index;
+        entry what.list();
         says "the radius {radius} is not positive";
 
         /// The factor of a similarity is zero, negative or not a number.
@@ -81,6 +91,7 @@ table! {
             max: u32,
         }
         reason "order-out-of-range";
+        field "order";
         says "blend order {order} is outside 1 to {max}";
 
         /// A swept angle is outside its range.
@@ -97,6 +108,8 @@ table! {
 
         /// An angle of rotation is out of range: more than a full turn, a full turn in one piece, or zero for a body.
         AngleOutOfRange {
+            /// Which angle.
+            name: ErrorItem,
             /// The angle given, radians.
             angle: f64,
             /// Smallest angle accepted.
@@ -105,6 +118,7 @@ table! {
             max: f64,
         }
         reason "angle-out-of-range";
+        field name.word();
         when *angle == 0.0, says "the angle is 0, must be nonzero and at most {max:#} radians ({} degrees)",
             ShortNumber(max.to_degrees());
         says "the angle of {angle:#} radians ({} degrees) is outside {min:#} to {max:#} radians ({} to {} degrees)",
@@ -122,6 +136,7 @@ table! {
             needed: usize,
         }
         reason "count-differs";
+        field what.list();
         when *what == ErrorItem::Radius, says "{given} radii given for {needed} points";
         when *what == ErrorItem::Knot, says "{given} knots given, {needed} needed";
         when *what == ErrorItem::Weight, says "{given} weights given for {needed} control points";
@@ -143,6 +158,7 @@ table! {
         }
         reason "too-many-pieces";
         at *segment;
+        entry segment.is_none().then_some("tolerance");
         when segment.is_some(), says "{what} {segment} needs {} pieces, the limit is {cap}: {remedy}",
             at_least(*needed);
         says "{what} needs {} pieces, the limit is {cap}: {remedy}", at_least(*needed);

@@ -22,6 +22,7 @@ table! {
         }
         reason "knots-decrease";
         at *index;
+        entry "knots";
         says "knot {index} is {}, less than the previous one, {}: knots must not decrease", *knot, *before;
 
         /// A knot's multiplicity is so high that the curve is disconnected there, or a control point has no effect.
@@ -35,6 +36,7 @@ table! {
         }
         reason "knot-multiplicity";
         at *index;
+        entry "knots";
         says "the knot at {index} has multiplicity {multiplicity}, maximum {limit}: the curve would be disconnected \
             there";
 
@@ -44,6 +46,7 @@ table! {
             detail: &'static str,
         }
         reason "not-a-spline";
+        field "knots";
         says "not a valid spline: {detail}";
 
         /// A rational weight that must be positive is not.
@@ -55,6 +58,7 @@ table! {
         }
         reason "weight-not-positive";
         at *index;
+        entry "weights";
         says "weight {index} is {weight}: rational weights must be positive here";
 
         /// Weights of a rational curve differ so much that its points cannot be distinguished by their parameters.
@@ -70,6 +74,7 @@ table! {
         }
         reason "weights-uneven";
         at *second;
+        entry "weights";
         says "weights {first} and {second} differ by a factor of {ratio}, maximum {limit}: double precision cannot \
             resolve the curve between them; reduce the ratio (weights far above their neighbors pull the curve onto \
             the control polygon: use segments for that)";
@@ -82,6 +87,7 @@ table! {
             limit: usize,
         }
         reason "degree-too-high";
+        field "degree";
         says "the degree would be {degree}, maximum {limit}: use fewer points, or curves of lower degrees (segments \
             have 1, arcs 2, fair splines 4)";
     }

@@ -61,6 +61,18 @@ table! {
         at *branch;
         says "branch {branch}, {what}: {cause}";
 
+        /// A field of the input failed; the cause says why.
+        InField {
+            /// Which one.
+            field: &'static str,
+            /// What went wrong with it.
+            cause: Box<Error>,
+        }
+        of cause;
+        at cause.index();
+        entry *field;
+        says "{cause}";
+
         /// One triangle of a mesh failed; the cause says why.
         InTriangle {
             /// Which triangle, from 0.
@@ -92,6 +104,7 @@ impl std::error::Error for PartError {
             | Self::InFaceOfVolume { cause, .. }
             | Self::InQuad { cause, .. }
             | Self::InBranch { cause, .. }
+            | Self::InField { cause, .. }
             | Self::InTriangle { cause, .. }
             | Self::InSpan { cause, .. } => Some(cause.as_ref()),
         }
@@ -119,6 +132,12 @@ impl Error {
     #[must_use]
     pub fn in_branch(self, branch: usize, what: ErrorItem) -> Self {
         PartError::InBranch { branch, what, cause: Box::new(self) }.into()
+    }
+
+    /// Wraps the error as that of a field of the input, which its cause does not know.
+    #[must_use]
+    pub fn in_field(self, field: &'static str) -> Self {
+        PartError::InField { field, cause: Box::new(self) }.into()
     }
 
     /// Wraps the error as the failure of one triangle of a mesh.

@@ -20,6 +20,7 @@ table! {
             limit: f64,
         }
         reason "not-concircular";
+        at 3;
         says "the corners do not lie on one circle: relative distance {measured}, limit {limit}";
 
         /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
@@ -28,6 +29,7 @@ table! {
             position: f64,
         }
         reason "crossing-quad";
+        at 3;
         says "the sides cross: the corner opposite to the first is outside the arc between its neighbors (position \
             {position}, must be 0 to 1)";
 
@@ -39,6 +41,7 @@ table! {
             limit: f64,
         }
         reason "frame-not-orthonormal";
+        field "frame";
         says "the directions of the frame are not perpendicular: cosine {measured}, limit {limit}";
 
         /// The weights take the surface out of three-space.
@@ -111,6 +114,7 @@ table! {
             limit: f64,
         }
         reason "offset-on-focal-set";
+        field "distance";
         says "the offset at distance {distance} lies on the focal set: all centers of curvature of one family of \
             lines are at that distance, so the surface shrinks to a curve or a point (relative speed of the lines \
             {measured}, limit {limit})";
@@ -124,6 +128,7 @@ table! {
             limit: f64,
         }
         reason "offset-not-regular";
+        field "distance";
         when *limit == 0.0, says "a solid between the surface and its offset at distance {distance} would \
             self-intersect: the surface itself is singular or folded there, so that no distance is accepted";
         says "a solid between the surface and its offset at distance {distance} would self-intersect: a center of \

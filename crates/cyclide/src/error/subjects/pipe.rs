@@ -9,7 +9,7 @@ table! {
     ///
     /// ```
     /// use cyclide::{Error, error::PipeError};
-    /// let error: Error = PipeError::ConeReachesApex { apex: 0.5, reached: 0.5 }.into();
+    /// let error: Error = PipeError::ConeReachesApex { pipe: 0, apex: 0.5, reached: 0.5 }.into();
     /// assert_eq!(error.reason(), "radius-not-positive");
     /// ```
     pub enum PipeError: Error {
@@ -40,6 +40,7 @@ table! {
         }
         reason "pipe-too-wide";
         at *piece;
+        field "radius";
         says "the pipe's radius {radius} must be below the radius of piece {piece} of its curve, {limit}, or the \
             inner side folds; use a thinner pipe or wider bends";
 
@@ -56,6 +57,7 @@ table! {
         }
         reason "corner-not-mitred";
         at *joint;
+        field "of";
         when *limit <= *smooth, says "the tube's curve has a corner of {turn} rad before piece {joint}, maximum \
             {smooth} rad; round it (polyline with radius), use a smooth curve, or a pipe, which has mitres";
         says "the pipe's curve has a corner of {turn} rad before piece {joint}: corners between segments are mitred \
@@ -73,6 +75,7 @@ table! {
         }
         reason "mitre-does-not-fit";
         at *piece;
+        field "radius";
         says "segment {piece} of the pipe's curve has length {length}, but its mitres need more than {needed}; use a \
             thinner pipe or round the corners";
 
@@ -91,6 +94,7 @@ table! {
         }
         reason "pipe-meets-itself";
         at *second;
+        field "radius";
         when *distance > CROSSING * *limit, says "the pipe intersects itself at {point}: the arcs or segments \
             {first} and {second} along it are {distance} apart from center to center, minimum {limit}, the sum of \
             their radii; use a thinner pipe or move the curve apart";
@@ -108,16 +112,22 @@ table! {
             end: f64,
         }
         reason "pipe-ends-reversed";
+        at *pipe;
+        entry "pipes";
         says "the ends of pipe {pipe} are at {start} and {end}: the lower one must come first";
 
         /// A cone has its apex before the last position where it is needed: its radius there would not be positive.
         ConeReachesApex {
+            /// Which pipe, from 0.
+            pipe: usize,
             /// Position of the apex along its axis; with a wall, that of the bore.
             apex: f64,
             /// The position along its axis up to which it is needed.
             reached: f64,
         }
         reason "radius-not-positive";
+        at *pipe;
+        entry "pipes";
         says "the cone (its bore, if it has a wall) reaches its apex at {apex} along its axis, but is needed up to \
             {reached}; use a smaller taper, a larger radius, or a shorter pipe";
 
@@ -129,6 +139,7 @@ table! {
             limit: f64,
         }
         reason "ball-does-not-fit";
+        field "blend";
         says "a ball of radius {radius} does not fit into the pipe or the hole: the radius must be below {limit}";
 
         /// A solid has a neck whose ball is larger than the bends of its path: its surface would self-intersect.
@@ -139,6 +150,7 @@ table! {
             limit: f64,
         }
         reason "neck-folds";
+        field "blend";
         says "the neck self-intersects on the side to which the pipe leans, so it bounds no solid: the ball has \
             radius {radius}, but its path bends with radius {limit}; use a smaller ball";
 
@@ -152,6 +164,7 @@ table! {
             needed: f64,
         }
         reason "plate-too-small";
+        field "plate";
         says "the plate is too small: it extends {reach} from the axis of the pipe, but the {what} extends {needed}";
     }
 }

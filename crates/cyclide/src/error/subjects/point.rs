@@ -50,6 +50,7 @@ table! {
             limit: f64,
         }
         reason "below-rounding-of-place";
+        field what.list();
         when *what == ErrorItem::Cells, says "cells are as short as {size} at coordinates of up to {place}, minimum \
             {limit}: rounding makes their ends coincident; use fewer cells, or lengths that differ less";
         when *size > 0.0, says "the {what} has size {size} at coordinates of up to {place}, minimum {limit}: \
@@ -64,6 +65,7 @@ table! {
         }
         reason "zero-tangent";
         at *index;
+        entry "tangents";
         says "tangent {index} is zero";
 
         /// A rotation axis, plane normal or direction is zero (or has no part in the given plane).
@@ -79,6 +81,7 @@ table! {
         }
         reason "zero-axis";
         at *index;
+        field what.word();
         when *limit <= 0.0, says "the {what} is zero";
         says "the {what} runs along the chord: its perpendicular part is {length}, limit {limit}";
 

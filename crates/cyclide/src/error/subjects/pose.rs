@@ -67,6 +67,7 @@ table! {
         }
         reason "parameters-not-increasing";
         at *index;
+        entry "parameters";
         says "the parameters do not increase: number {index} is {value}, the previous one {before}";
     }
 }

@@ -27,6 +27,8 @@ table! {
             offset: f64,
         }
         reason "tee-branch-too-wide";
+        at *branch;
+        entry "branches";
         says "branch {branch} extends {reach} sideways from the axis of the main pipe, whose radius is {limit}: {}",
             room_for_branch(*reach, *limit, *rest, *offset);
 
@@ -40,6 +42,8 @@ table! {
             limit: f64,
         }
         reason "tee-blend-too-large";
+        at *branch;
+        entry "branches";
         when *limit > 0.0, says "the quartic blend of branch {branch} with radius {radius} at its flank is too \
             large: its inner-corner radius would be infinite; use a radius below {limit}, or one radius for the \
             whole blend";
@@ -55,6 +59,8 @@ table! {
             radii: [f64; 2],
         }
         reason "tee-law-on-equal-pipes";
+        at *branch;
+        entry "branches";
         says "branch {branch} is as wide as the main pipe, so its blend must have one radius all round, not {} and \
             {}: give one radius, or make the branch thinner", ShortNumber(radii[0]), ShortNumber(radii[1]);
 
@@ -70,6 +76,8 @@ table! {
             needed: f64,
         }
         reason "tee-pipe-too-short";
+        at (*what == ErrorItem::Branch).then_some(*branch);
+        entry what.list();
         when *what == ErrorItem::Branch, says "branch {branch} ends within its blend: it ends at {end} along its \
             axis and must extend beyond {needed}";
         says "the {what} ends within the blend of branch {branch}: it ends at {end} and must extend beyond {needed}";
@@ -86,6 +94,8 @@ table! {
             wall: Option<f64>,
         }
         reason "tee-blend-folds";
+        at *branch;
+        entry "branches";
         when wall.is_some(), says "the blend of branch {branch} inside its wall of {wall}, where its balls are \
             larger by the wall, self-intersects at {} round the branch (width factor {left}, must be above 0); use a \
             thinner wall, or a smaller radius there", turn(*angle);
@@ -101,6 +111,8 @@ table! {
             angle: f64,
         }
         reason "tee-hole-folds";
+        at *branch;
+        entry "branches";
         says "the blend of branch {branch} meets the main pipe in a curve that turns back at {} round the branch: \
             let the radius change less there", turn(*angle);
 
@@ -118,6 +130,8 @@ table! {
             round: f64,
         }
         reason "tee-branches-meet";
+        at *second;
+        entry "branches";
         when *distance < 0.0 && *round < 0.0, says "branches {first} and {second} with their blends overlap by {} \
             along the main pipe and by {} radians round it: move one along the pipe (`at`) until the blends are \
             {needed} apart, or turn one (`azimuth`) until both fit side by side",
@@ -143,6 +157,8 @@ table! {
             needed: f64,
         }
         reason "tee-branches-meet";
+        at *second;
+        entry "branches";
         says "branches {first} and {second} or their blends meet at {point}, or come closer than {needed} there: \
             shorten, turn or move one of them";
 
@@ -160,6 +176,8 @@ table! {
             needed: f64,
         }
         reason "tee-equal-branches-not-opposite";
+        at *second;
+        entry "branches";
         when *along > 0.0, says "branches {first} and {second} are as wide as the main pipe and must be exactly \
             opposite each other, but are off by {} degrees and by {along} along the pipe; turn one (`azimuth`, 180 \
             degrees from the other), or move them {needed} apart along the pipe (`at`)",
@@ -176,6 +194,8 @@ table! {
             second: usize,
         }
         reason "tee-no-free-line";
+        at *second;
+        entry "branches";
         says "no lines along the main pipe divide it beside branches {first} and {second}: such a line must miss all \
             holes and be less than half a turn from the branches next to it; move one along the pipe (`at`) or turn \
             it (`azimuth`)";

@@ -108,6 +108,7 @@ table! {
         }
         reason "no-two-type-solution";
         at *segment;
+        field "method";
         when cosine.abs() > 1.0 && cosine.is_finite(), says "no two pieces of these types join the ends of segment \
             {segment}: the angle at their joint would have the cosine {cosine}, maximum 1; move a point";
         says "no two pieces of these types join the ends of segment {segment} in the given directions: each \
@@ -121,6 +122,7 @@ table! {
             divisor: u32,
         }
         reason "not-coprime";
+        field "turns";
         says "{} and {} turns have greatest common divisor {divisor}, must be 1: the curve would retrace itself, or \
             not move at all", turns[0], turns[1];
 
@@ -136,6 +138,7 @@ table! {
             limit: f64,
         }
         reason "seam-too-wide";
+        field "width";
         says "the seam is {width} wide, maximum {limit}: it folds on the inner side of the bend of its curve at \
             {point}, in piece {piece}; use a narrower seam, or a curve that bends less along the torus";
 
@@ -154,6 +157,7 @@ table! {
         }
         reason "seam-meets-itself";
         at *second;
+        field "width";
         says "the seam intersects itself at {point}: pieces {first} and {second} of its curve are {distance} apart \
             there, and it is {width} wide; use a narrower seam, or a curve that stays away from itself";
     }

@@ -1,5 +1,6 @@
 //! Motions whose place and turn are interpolated apart: straight lines and slerp, curves and splines of rotations, smoothed noise.
 
+mod by_noise;
 mod curve;
 mod linear;
 mod pose_noise;
@@ -10,7 +11,7 @@ mod span;
 mod turns;
 
 pub use rational_form::RationalForm;
-pub use smoothed::{MotionDeviation, MotionTolerance};
+pub use smoothed::{MotionDeviation, MotionTolerance, PoseLimit};
 pub(super) use span::angular_jet;
 
 use super::motion_jet::MotionJet;

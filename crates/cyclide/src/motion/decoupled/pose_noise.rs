@@ -7,6 +7,10 @@ use crate::base::vector::Vec3;
 
 /// So many poses tell their noise.
 pub(super) const TELLING: usize = 20;
+/// Orders of the differences by which noise is read.
+const ORDERS: [usize; 4] = [3, 4, 6, 8];
+/// A higher one counts if it says less than this part: differences of noise itself differ by some hundredths.
+const LESS: f64 = 0.8;
 /// Squares of differences above this many times their median say nothing of the directions of noise.
 const TRIMMED: f64 = 9.0;
 
@@ -88,15 +92,21 @@ impl Track<'_> {
         poses.iter().zip(weights).fold(Vec3::ZERO, |sum, ((_, pose), w)| sum + (self.between)(from, *pose) * *w)
     }
 
-    /// The noise of the poses in a list, by divided third differences over their times: what is quadratic in time has none, however uneven these are. Each
-    /// is divided by the root of the sum of its squared weights, so that noise of a deviation gives one of the same.
+    /// The noise of the poses in a list, by divided differences over their times: what is quadratic in time has none of the third order, however uneven these
+    /// are, and a smooth motion less with each order, where noise stays what it is. So the least of some orders is taken.
     pub(super) fn noise(&self, list: &[usize]) -> Option<Noise> {
         if list.len() < TELLING {
             return None;
         }
-        let windows = if self.period.is_some() { list.len() } else { list.len() - 3 };
+        let noises = ORDERS.map(|order| self.noise_by(list, order));
+        noises.into_iter().flatten().reduce(|a, b| if b.sigma < LESS * a.sigma { b } else { a })
+    }
+
+    /// By differences of one order. Each is divided by the root of the sum of its squared weights, so that noise of a deviation gives one of the same.
+    fn noise_by(&self, list: &[usize], order: usize) -> Option<Noise> {
+        let windows = if self.period.is_some() { list.len() } else { list.len() - order };
         let differences = (0..windows as isize).filter_map(|first| {
-            let window: Vec<(f64, usize)> = (first..first + 4).filter_map(|k| self.at(list, k)).collect();
+            let window: Vec<(f64, usize)> = (first..=first + order as isize).filter_map(|k| self.at(list, k)).collect();
             let weights = divided(&window);
             let norm = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
             let difference = self.sum(window.get(1)?.1, &window, &weights) / norm;

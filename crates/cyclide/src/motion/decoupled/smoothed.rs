@@ -3,19 +3,19 @@
 //! Places and quaternions are smoothed apart, by natural cubic splines over the times: of those that are within the tolerance at every pose the search
 //! keeps the one with the most smoothing. A few poses that are far off by chance do not decide for all: they get larger weights first.
 
-use super::pose_noise::{Noise, Stray, Track};
+use super::pose_noise::{Noise, Stray, TELLING, Track};
 use super::smoothing_spline::{natural_derivatives, smoothed};
 use super::span::{PlaceSpan, TurnSpan, rotation_vector, unit};
 use super::{DecoupledMotion, Given};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, NumberError, Result};
+use crate::error::{Error, ErrorItem, NumberError, PoseError, Result};
 use crate::motion::swings::{PartSwings, Run, SAME_PLACE, SAME_TURN, parts};
 use crate::motion::timed_pose::TimedPose;
 use crate::warning::{PoseFitWarning, Warning};
 
 /// Decimal powers of the strengths that are tried, with times whose average step is 1: from none to waves of a thousand steps.
-const STRENGTHS: [f64; 2] = [-4.0, 12.0];
+pub(super) const STRENGTHS: [f64; 2] = [-4.0, 12.0];
 /// Halvings of that range.
 const HALVINGS: u32 = 8;
 /// Rounds in which the weights of values that are too far off grow.
@@ -31,10 +31,10 @@ const NAMED: usize = 20;
 const LENGTH_KEPT: f64 = 0.8;
 /// where it is shorter by more than so many times what noise does.
 const BY_NOISE: f64 = 4.0;
-/// A tolerance is beyond what the noise needs by this factor, where the motion is farther from the poses without it than they were.
-const ABOVE: f64 = 1.25;
-/// That is by this factor.
-const FARTHER: f64 = 1.5;
+/// A tolerance is above the noise where the motion is farther from the poses without it than they were, by this factor: they are known to a few hundredths.
+const FARTHER: f64 = 1.1;
+/// A tolerance of more deviations is meant for something else than noise, such as the rounding of poses.
+const MEANT: f64 = 100.0;
 /// Tolerances above this part of the extent of the path are wide.
 const WIDE: f64 = 0.12;
 /// Places that run beyond their poses by so many roundings of their coordinates do not.
@@ -44,19 +44,48 @@ const BEYOND: usize = 64;
 /// and over which closed values are smoothed before and after: a few times the length over which the strongest smoothing averages.
 const MEMORY: usize = 6000;
 
-/// How far a smoothed motion may be from its poses. What has no tolerance is interpolated.
+/// By what poses are smoothed.
 ///
 /// ```
-/// use cyclide::motion::MotionTolerance;
-/// let tolerance = MotionTolerance { place: Some(0.5), angle: Some(0.01) };
+/// use cyclide::motion::PoseLimit;
+/// assert_eq!(PoseLimit::from(0.5), PoseLimit::Within(0.5));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PoseLimit {
+    /// As much as is possible within this of every pose: a length, or radians.
+    Within(f64),
+    /// As much as their noise calls for, which is read from the poses: the expected distance from the poses without their noise is least.
+    ByNoise,
+}
+
+impl From<f64> for PoseLimit {
+    fn from(limit: f64) -> Self {
+        Self::Within(limit)
+    }
+}
+
+impl PoseLimit {
+    const fn bound(self) -> Option<f64> {
+        match self {
+            Self::Within(limit) => Some(limit),
+            Self::ByNoise => None,
+        }
+    }
+}
+
+/// How far a smoothed motion may be from its poses. What has no limit is interpolated.
+///
+/// ```
+/// use cyclide::motion::{MotionTolerance, PoseLimit};
+/// let tolerance = MotionTolerance { place: Some(0.5.into()), angle: Some(PoseLimit::ByNoise) };
 /// assert!(tolerance != MotionTolerance::default());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MotionTolerance {
     /// Of the origin of the body, a length.
-    pub place: Option<f64>,
+    pub place: Option<PoseLimit>,
     /// Of the turn, radians.
-    pub angle: Option<f64>,
+    pub angle: Option<PoseLimit>,
 }
 
 /// How far a smoothed motion is from its poses, at their times.
@@ -84,7 +113,7 @@ impl DecoupledMotion {
     /// let poses: Vec<TimedPose> = (0..60)
     ///     .map(|k| TimedPose { time: f64::from(k), pose: Pose::new(Quat::ONE, Vec3::new(f64::from(k), noise(k), 0.0)).unwrap() })
     ///     .collect();
-    /// let tolerance = MotionTolerance { place: Some(1.2), angle: None };
+    /// let tolerance = MotionTolerance { place: Some(1.2.into()), angle: None };
     /// let motion = DecoupledMotion::smoothed(&poses, tolerance)?;
     /// assert!(motion.deviation().is_some_and(|off| off.place <= 1.2));
     /// assert!((1..59).all(|k| motion.jet(f64::from(k), cyclide::Point3::ORIGIN).point.d2.length() < 0.1)); // those of the poses are about 2
@@ -92,7 +121,8 @@ impl DecoupledMotion {
     /// ```
     ///
     /// # Errors
-    /// `wrong-pose-count`, `not-finite`, `parameters-not-increasing`, `parameter-out-of-range` (a tolerance that is not positive, or an angle above a right one).
+    /// `wrong-pose-count` (also fewer than 20 for their noise), `not-finite`, `parameters-not-increasing`, `parameter-out-of-range` (a tolerance that is not
+    /// positive, or an angle above a right one).
     pub fn smoothed(poses: &[TimedPose], tolerance: MotionTolerance) -> Result<Self> {
         Self::smoothed_with(poses, None, tolerance, false)
     }
@@ -106,7 +136,7 @@ impl DecoupledMotion {
     /// let mut poses: Vec<TimedPose> =
     ///     (0..60).map(|k| TimedPose { time: f64::from(k), pose: Pose::new(Quat::ONE, at(k)).unwrap() }).collect();
     /// poses[20].pose = Pose::IDENTITY;
-    /// let tolerance = MotionTolerance { place: Some(1.0), angle: None };
+    /// let tolerance = MotionTolerance { place: Some(1.0.into()), angle: None };
     /// let motion = DecoupledMotion::smoothed_with(&poses, None, tolerance, true)?;
     /// assert!((motion.pose(20.0).translation() - at(20)).length() < 1.5);
     /// assert_eq!(motion.warnings()[0].reason(), "outlier");
@@ -121,14 +151,17 @@ impl DecoupledMotion {
         tolerance: MotionTolerance,
         drop_outliers: bool,
     ) -> Result<Self> {
-        let positive = |name, given: Option<f64>, max: f64| match given {
-            Some(value) if !(value > 0.0 && value <= max) => {
+        let checked = |name, given: Option<PoseLimit>, max: f64| match given {
+            Some(PoseLimit::Within(value)) if !(value > 0.0 && value <= max) => {
                 Err(Error::Number(NumberError::ParameterOutOfRange { name, value, min: 0.0, max }))
+            }
+            Some(PoseLimit::ByNoise) if poses.len() < TELLING => {
+                Err(Error::Pose(PoseError::WrongPoseCount { given: poses.len(), needed: TELLING, or_more: true }))
             }
             given => Ok(given),
         };
-        let place = positive(ErrorItem::Tolerance, tolerance.place, f64::MAX)?;
-        let angle = positive(ErrorItem::Angle, tolerance.angle, std::f64::consts::FRAC_PI_2)?;
+        let place = checked(ErrorItem::Tolerance, tolerance.place, f64::MAX)?;
+        let angle = checked(ErrorItem::Angle, tolerance.angle, std::f64::consts::FRAC_PI_2)?;
         let given = Given::new(poses, closing)?;
         let mut read = [Reading::of(&given, false, place), Reading::of(&given, true, angle)];
         let mut warnings: Vec<Warning> = read.iter().flat_map(|reading| reading.outliers(drop_outliers)).collect();
@@ -146,8 +179,8 @@ impl DecoupledMotion {
             given
         };
         let (places, turns) = (Values::places(&given), Values::turns(&given));
-        let smooth_places = places.within(place);
-        let smooth_turns = turns.within(angle);
+        let smooth_places = read[0].smoothed(&places);
+        let smooth_turns = read[1].smoothed(&turns);
         warnings.extend(read[0].doubts(&places, &smooth_places));
         warnings.extend(read[1].doubts(&turns, &smooth_turns));
         let place_spans = places.cubics(&smooth_places).into_iter();
@@ -211,7 +244,7 @@ impl DecoupledMotion {
 /// What the poses say of themselves, in place or in angle.
 struct Reading {
     turning: bool,
-    tolerance: Option<f64>,
+    limit: Option<PoseLimit>,
     noise: Option<Noise>,
     strays: Vec<Stray>,
     count: usize,
@@ -219,7 +252,7 @@ struct Reading {
 
 impl Reading {
     /// Of poses without the first one again; outliers matter where there is a tolerance.
-    fn of(given: &Given, turning: bool, tolerance: Option<f64>) -> Self {
+    fn of(given: &Given, turning: bool, limit: Option<PoseLimit>) -> Self {
         let count = given.places.len() - usize::from(given.closed);
         let places = |a: usize, b: usize| given.places[b] - given.places[a];
         let turns = |a: usize, b: usize| {
@@ -229,10 +262,10 @@ impl Reading {
         let period = given.closed.then(|| given.times[count] - given.times[0]);
         let between: &dyn Fn(usize, usize) -> Vec3 = if turning { &turns } else { &places };
         let track = Track { times: &given.times[..count], period, between };
-        let strays = tolerance.map_or_else(Vec::new, |limit| track.strays(limit));
+        let strays = limit.map_or_else(Vec::new, |limit| track.strays(limit.bound().unwrap_or(0.0)));
         let mut list = track.all();
         list.retain(|pose| strays.binary_search_by_key(pose, |stray| stray.pose).is_err());
-        Self { turning, tolerance, noise: track.noise(&list), strays, count }
+        Self { turning, limit, noise: track.noise(&list), strays, count }
     }
 
     /// The outliers by name.
@@ -256,12 +289,29 @@ impl Reading {
     /// Swings up to the tolerance and the noise are theirs; `None` where outliers are kept, which are named and throw the motion out.
     fn least_swing(&self) -> Option<f64> {
         let noise = self.noise.map_or(0.0, |noise| ROOM * noise.farthest(self.count));
-        self.strays.is_empty().then(|| self.tolerance.unwrap_or(0.0).max(noise))
+        let tolerance = self.limit.and_then(PoseLimit::bound);
+        self.strays.is_empty().then(|| tolerance.unwrap_or(0.0).max(noise))
+    }
+
+    /// The values smoothed by the limit; without one, as they are.
+    fn smoothed<const D: usize>(&self, values: &Values<'_, D>) -> Vec<[f64; D]> {
+        match (self.limit, self.noise) {
+            (Some(PoseLimit::Within(limit)), _) => values.within(Some(limit)),
+            (Some(PoseLimit::ByNoise), Some(noise)) => self.by_noise(values, noise),
+            (Some(PoseLimit::ByNoise), None) | (None, _) => values.values.clone(),
+        }
+    }
+
+    fn by_noise<const D: usize>(&self, values: &Values<'_, D>, noise: Noise) -> Vec<[f64; D]> {
+        // Without those that were left out.
+        let mut counts = vec![true; values.values.len() - usize::from(values.closed)];
+        self.strays.iter().for_each(|stray| counts[stray.pose] = false);
+        values.by_noise(noise, &counts)
     }
 
     /// What a tolerance does that is below the noise, or far above.
     fn doubts<const D: usize>(&self, values: &Values<'_, D>, smooth: &[[f64; D]]) -> Option<Warning> {
-        let (turning, tolerance, noise) = (self.turning, self.tolerance?, self.noise?);
+        let (turning, tolerance, noise) = (self.turning, self.limit?.bound()?, self.noise?);
         let needed = ROOM * noise.farthest(self.count);
         if tolerance < needed {
             return Some(Warning::PoseFit(PoseFitWarning::PosesNoisier {
@@ -272,7 +322,7 @@ impl Reading {
             }));
         }
         // The poses without their noise; those that are off by more have no part in it.
-        let all = if needed > 0.0 { values.within(Some(needed)) } else { values.values.clone() };
+        let all = self.by_noise(values, noise);
         let belongs = |i: &usize| self.strays.binary_search_by_key(i, |stray| stray.pose).is_err();
         let belonging: Vec<usize> = (0..all.len()).filter(belongs).collect();
         let denoised: Vec<[f64; D]> = belonging.iter().map(|i| all[*i]).collect();
@@ -290,21 +340,29 @@ impl Reading {
         let off = (squares / belonging.len() as f64).sqrt();
         let moves = noise.sigma * noise.rank.sqrt();
         // Outliers that are kept pull the motion, and are named.
-        let is_worse = self.strays.is_empty() && moves > 0.0 && off > FARTHER * moves && tolerance > ABOVE * needed;
-        is_worse.then_some(Warning::PoseFit(PoseFitWarning::WiderThanNoise { turning, tolerance, needed, off, moves }))
+        let is_worse = self.strays.is_empty() && off > FARTHER * moves && tolerance < MEANT * noise.sigma;
+        is_worse.then_some(Warning::PoseFit(PoseFitWarning::WiderThanNoise { turning, tolerance, off, moves }))
     }
 }
 
 /// What is smoothed: places or quaternions, the first of a closed motion again at the end, there perhaps with the other sign.
-struct Values<'a, const D: usize> {
-    values: Vec<[f64; D]>,
-    steps: Vec<f64>,
-    closed: bool,
+pub(super) struct Values<'a, const D: usize> {
+    pub(super) values: Vec<[f64; D]>,
+    pub(super) steps: Vec<f64>,
+    pub(super) closed: bool,
     /// By which the first one is multiplied where it comes again.
     sign: f64,
-    apart: &'a dyn Fn(&[f64; D], &[f64; D]) -> f64,
+    pub(super) apart: &'a dyn Fn(&[f64; D], &[f64; D]) -> f64,
     /// What was subtracted.
     centre: Vec3,
+}
+
+/// Closed values several times round.
+pub(super) struct Rounds<const D: usize> {
+    pub(super) values: Vec<[f64; D]>,
+    pub(super) steps: Vec<f64>,
+    /// The round that counts.
+    pub(super) middle: std::ops::Range<usize>,
 }
 
 /// Steps of time whose average is 1.
@@ -340,15 +398,22 @@ impl<const D: usize> Values<'_, D> {
         if !self.closed {
             return strongest(&self.values, &self.steps, &off, 0..self.values.len());
         }
-        // Several times round: the middle one does not know where the first begins. The spline through its values is closed however that is.
+        let Rounds { values, steps, middle } = self.several_rounds();
+        let count = self.steps.len();
+        self.closed_round(&strongest(&values, &steps, &|i, x| off(i % count, x), middle.clone())[middle])
+    }
+
+    /// Several times round: the middle one does not know where the first begins. The spline through its values is closed however that is.
+    pub(super) fn several_rounds(&self) -> Rounds<D> {
         let count = self.steps.len();
         let beyond = MEMORY.div_ceil(count) * count;
         let (values, steps) = self.rounds(&self.values, beyond);
-        let middle = beyond..beyond + count;
-        let smooth = strongest(&values, &steps, &|i, x| off(i % count, x), middle.clone());
-        let mut middle = smooth[middle].to_vec();
-        middle.push(middle[0].map(|x| x * self.sign));
-        middle
+        Rounds { values, steps, middle: beyond..beyond + count }
+    }
+
+    /// One round with its first value again.
+    pub(super) fn closed_round(&self, values: &[[f64; D]]) -> Vec<[f64; D]> {
+        values.iter().copied().chain([values[0].map(|x| x * self.sign)]).collect()
     }
 
     /// Closed values with so many of them before and behind, and the steps between. Every other round has the other sign.

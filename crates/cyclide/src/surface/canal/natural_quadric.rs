@@ -30,13 +30,7 @@ impl NaturalQuadric {
     /// # Errors
     /// `not-finite`, `zero-axis`, `radius-not-positive`, `parameter-out-of-range` (beyond 1e-150 to 1e150).
     pub fn cylinder(point: Point3, axis: Vec3, radius: f64) -> Result<Self> {
-        if !radius.is_finite() {
-            return Err(NumberError::NotFinite { what: ErrorItem::Radius, index: 0 }.into());
-        }
-        if radius <= 0.0 {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
-        }
-        range::check_distance(radius)?;
+        range::check_radius(ErrorItem::Radius, 0, radius)?;
         Ok(Self { frame: placed(point, axis)?, radius, half_angle: 0.0 })
     }
 
@@ -46,7 +40,13 @@ impl NaturalQuadric {
     /// `not-finite`, `zero-axis`, `angle-out-of-range` (unless between 0 and a right angle), `parameter-out-of-range`.
     pub fn cone(apex: Point3, axis: Vec3, half_angle: f64) -> Result<Self> {
         if !(half_angle > 0.0 && half_angle < FRAC_PI_2) {
-            return Err(NumberError::AngleOutOfRange { angle: half_angle, min: 0.0, max: FRAC_PI_2 }.into());
+            return Err(NumberError::AngleOutOfRange {
+                name: ErrorItem::Angle,
+                angle: half_angle,
+                min: 0.0,
+                max: FRAC_PI_2,
+            }
+            .into());
         }
         Ok(Self { frame: placed(apex, axis)?, radius: 0.0, half_angle })
     }

@@ -343,7 +343,7 @@ fn sharp_edges<'a>(normals: &VertexNormals<'a>, triangles: usize) -> Result<Shar
         VertexNormals::Creased { angle, .. } => {
             let max = std::f64::consts::PI;
             if !(0.0..=max).contains(&angle) {
-                return Err(NumberError::AngleOutOfRange { angle, min: 0.0, max }.into());
+                return Err(NumberError::AngleOutOfRange { name: ErrorItem::CreaseAngle, angle, min: 0.0, max }.into());
             }
             Ok(SharpEdges::Above(angle))
         }

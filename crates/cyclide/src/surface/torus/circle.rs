@@ -31,7 +31,7 @@ impl Torus {
     pub fn arc(&self, family: CircleFamily, place: Point2, step: f64) -> Result<Arc> {
         check_place(place)?;
         if !(step.abs() > 0.0 && step.abs() < PI) {
-            return Err(NumberError::AngleOutOfRange { angle: step, min: -PI, max: PI }.into());
+            return Err(NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle: step, min: -PI, max: PI }.into());
         }
         let direction = family.direction() * step;
         Arc::from_start_tangent(self.point(place), self.point(place + direction), self.tangent(place, direction))

@@ -25,8 +25,8 @@ table! {
         }
         reason "tolerance-below-noise";
         says "the {0} tolerance of {tolerance}{1} is too small for the noise of the poses, whose standard deviation \
-            is about {sigma}{1} in one direction, and single poses pull the motion back and forth; give {2}{1} or \
-            more",
+            is about {sigma}{1} in one direction, and single poses pull the motion back and forth; let the noise decide \
+            how much is smoothed, or give {2}{1} or more",
             of(*turning), unit(*turning), ShortNumber::no_less(*needed);
 
         /// A pose of a smoothed motion is an outlier: it is far from the path of the other poses.
@@ -107,17 +107,15 @@ table! {
             turning: bool,
             /// The tolerance.
             tolerance: f64,
-            /// The tolerance that the noise needs.
-            needed: f64,
             /// Root of the mean square of the distances from the poses without their noise.
             off: f64,
             /// The same of what the noise moves the poses by.
             moves: f64,
         }
         reason "wide-tolerance";
-        says "the {0} tolerance of {tolerance}{1} is far above the noise of the poses, which moves them by {moves}{1} \
-            (rms): the motion is {off}{1} (rms) from the poses without their noise, farther than they are; \
-            a tolerance of {needed}{1} is enough", of(*turning), unit(*turning);
+        says "the {0} tolerance of {tolerance}{1} is above the noise of the poses, which moves them by {moves}{1} (rms): \
+            the motion is about {off}{1} (rms) from the poses without their noise, farther than they are; let the \
+            noise decide how much is smoothed, or give a smaller tolerance", of(*turning), unit(*turning);
     }
 }
 

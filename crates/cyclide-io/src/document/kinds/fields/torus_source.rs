@@ -1,8 +1,7 @@
 //! The torus that a curve lies on: given in place, or another object.
 
 use cyclide::{
-    Error as E, Point2, ShortNumber,
-    error::{CurveError, ErrorItem as I, NumberError, NurbsError, PointError, TorusError},
+    Point2, ShortNumber,
     model::CurveObject,
     surface::{Torus, TorusSpline},
 };
@@ -15,7 +14,6 @@ use crate::document::forms::forms;
 use crate::document::kinds::fields::frame::frame_of_axes;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::Blame;
 use crate::error::{Error, Result};
 
 /// Distance within which points must be near the torus where nothing is said, as part of its major radius: more than the rounding
@@ -91,22 +89,6 @@ forms! {
     object TorusSpec => TorusSource::Here;
 }
 
-/// What the values of a curve on a torus are called.
-pub(in crate::document) struct TorusFields {
-    /// Its directions, and its places as angles.
-    pub directions: &'static str,
-    pub angles: &'static str,
-    /// Numbers of turns.
-    pub turns: &'static str,
-    /// It was given knots.
-    pub knots: bool,
-}
-
-impl TorusFields {
-    /// Those of a spline.
-    pub const SPLINE: Self = Self { directions: "tangents", angles: "angles", turns: "winding", knots: false };
-}
-
 impl Builder<'_> {
     /// The torus that a curve lies on.
     pub(in crate::document) fn torus(&self, source: &TorusSource) -> Result<Torus> {
@@ -172,41 +154,4 @@ impl Builder<'_> {
 /// The place at a longitude and a meridian angle; whole turns do not matter.
 pub(in crate::document) fn place(torus: &Torus, [longitude, meridian]: [Angle; 2]) -> Point2 {
     torus.place_of_angles(longitude.turn(), meridian.turn())
-}
-
-/// Which value of a curve on a torus an error of the kernel is about.
-pub(in crate::document) fn blame_on_torus(fields: &TorusFields, error: &cyclide::Error) -> Blame {
-    let TorusFields { directions, angles, turns, knots } = *fields;
-    match error {
-        E::Point(PointError::ZeroTangent { index }) | E::Number(NumberError::NotFinite { what: I::Tangent, index }) => {
-            Blame::Entry(directions, *index)
-        }
-        E::Number(NumberError::CountDiffers { what: I::Tangent, .. }) => Blame::Field(directions),
-        E::Number(NumberError::CountDiffers { what: I::Knot, .. }) => Blame::Field("knots"),
-        E::Number(NumberError::NotFinite { what: I::Knot, index }) => Blame::Entry("knots", *index),
-        E::Curve(CurveError::EmptyInterval { index, .. }) if knots => Blame::Entry("knots", index + 1),
-        E::Curve(CurveError::EmptyInterval { .. }) => Blame::Field(directions),
-        E::Curve(CurveError::Disconnected { .. }) | E::Nurbs(NurbsError::WeightNotPositive { .. }) => {
-            Blame::Field("torus")
-        }
-        E::Torus(TorusError::NotCoprime { .. }) => Blame::Field("turns"),
-        E::Number(NumberError::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. }) => {
-            Blame::Field(name.word())
-        }
-        E::Number(NumberError::RadiusNotPositive { .. })
-        | E::Torus(TorusError::SeamMeetsItself { .. } | TorusError::SeamTooWide { .. }) => Blame::Field("width"),
-        E::Torus(TorusError::NoTwoTypeSolution { .. }) => Blame::Field("method"),
-        E::Number(NumberError::ToleranceNotPositive { .. }) => Blame::Field("tolerance"),
-        E::Number(NumberError::CountDiffers { what: I::Winding, .. }) => Blame::Field("winding"),
-        E::Number(NumberError::ParameterOutOfRange { name: I::Winding, .. } | NumberError::TooManyPieces { .. }) => {
-            Blame::Field(turns)
-        }
-        E::Number(NumberError::ParameterOutOfRange { name: I::TangentOverSpan, .. }) => {
-            Blame::Field(if knots { "knots" } else { directions })
-        }
-        E::Number(
-            NumberError::ParameterOutOfRange { name: I::Angle, .. } | NumberError::NotFinite { what: I::Angle, .. },
-        ) => Blame::Field(angles),
-        _ => error.index().map_or(Blame::Object, Blame::Point),
-    }
 }

@@ -2,6 +2,7 @@
 
 mod poses;
 mod positions;
+mod tolerance;
 
 use cyclide::{
     Quat, ShortNumber, Vec3,
@@ -9,8 +10,8 @@ use cyclide::{
     curve::{CircleSpline, CircleSplineOptions},
     error::{ErrorItem, InterpolationError, MotionError, NumberError, PoseError},
     motion::{
-        BodyMesh, CubicMotions, DecoupledMotion, Motion, MotionTolerance, MovingBody, Pose, PoseTimes, RationalMotion,
-        ScrewMotion, TimeLaw, TimedPose,
+        BodyMesh, CubicMotions, DecoupledMotion, Motion, MovingBody, Pose, PoseTimes, RationalMotion, ScrewMotion,
+        TimeLaw, TimedPose,
     },
 };
 use schemars::JsonSchema;
@@ -28,6 +29,7 @@ use crate::document::objects::Builder;
 use crate::document::objects::idle::NO_EFFECT;
 use crate::document::objects::kind::{Kind, Reference, Shape};
 use crate::error::{Error, Result};
+pub use tolerance::{AngleTolerance, PoseTolerance, PoseTolerances};
 
 /// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
 pub(in crate::document) const AT_REST: f64 = 64.0 * f64::EPSILON;
@@ -73,7 +75,9 @@ pub struct MotionSpec {
     /// Instead of `kind`: the curve through the positions of the poses that the origin of the body follows, C1 in time
     /// (except for `polyline`). The rotation is a separate C1 spline that does not overshoot.
     pub positions: Option<PositionCurve>,
-    /// Instead of `kind`, for noisy poses: the smoothest motion within these tolerances of them, C2 in time.
+    /// Instead of `kind`, for noisy poses, C2 in time. `"auto"`, right for measured poses: it follows at least 20 poses as
+    /// closely as their noise requires, which is estimated from them. With numbers: the smoothest motion within these
+    /// tolerances of every pose.
     pub tolerance: Option<PoseTolerance>,
     /// With a `tolerance`: what happens to outliers, which are poses that do not agree with the others; they are named
     /// in any case. Default `keep`: the motion stays within the tolerance of them too.
@@ -149,24 +153,6 @@ pub enum PositionCurve {
     Fair,
     /// The circle spline of order 2.
     CircleSpline,
-}
-
-/// How far a motion may be from noisy poses. A part whose bound is omitted is interpolated.
-///
-/// ```
-/// use cyclide_io::document::kinds::PoseTolerance;
-/// let tolerance: PoseTolerance = serde_json::from_str(r#"{"place": 5, "angle": {"degrees": 1}}"#)?;
-/// assert_eq!(tolerance.place, Some(5.0));
-/// # Ok::<(), serde_json::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PoseTolerance {
-    /// For the positions, a length.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub place: Option<f64>,
-    /// For the rotations, an angle up to a right angle.
-    pub angle: Option<Angle>,
 }
 
 /// Where the poses of a motion come from.
@@ -316,10 +302,9 @@ impl Builder<'_> {
         let closing = if spec.closed { poses.pop().map(|pose| pose.time) } else { None };
         let motion = match path {
             Path::OnCurve(curve) => return self.on_positions(spec, curve, &poses, closing),
-            Path::Near(PoseTolerance { place, angle }) => {
-                let tolerance = MotionTolerance { place, angle: angle.map(Angle::radians) };
+            Path::Near(tolerance) => {
                 let drop = spec.outliers == Some(Outliers::Drop);
-                DecoupledMotion::smoothed_with(&poses, closing, tolerance, drop).map(Motion::from)
+                DecoupledMotion::smoothed_with(&poses, closing, tolerance.limits(), drop).map(Motion::from)
             }
             Path::Together(MotionKind::Spline) => match closing {
                 Some(closing) => RationalMotion::closed_spline(&poses, closing).map(Motion::from),

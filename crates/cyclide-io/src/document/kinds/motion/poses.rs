@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use cyclide::{
     Point3, Quat, ShortNumber,
     error::PoseError,
-    motion::{Pose, PoseTimes, TimedPose},
+    motion::{Pose, PoseLimit, PoseTimes, TimedPose},
 };
 
 use crate::document::angle::Angle;
@@ -109,11 +109,15 @@ impl Builder<'_> {
         let is_first = apart <= (SAME_POSE * extent).max(AT_REST * size) && last.angle_to(first) <= SAME_POSE;
         let timed = times.iter().any(Option::is_some);
         let is_near = timed
-            && spec.tolerance.is_some_and(|PoseTolerance { place, angle }| {
+            && spec.tolerance.map(PoseTolerance::limits).is_some_and(|tolerance| {
                 // Both are off by the noise.
+                let within = |limit: Option<PoseLimit>| match limit {
+                    Some(PoseLimit::Within(limit)) => limit,
+                    _ => 0.0,
+                };
                 let turned = last.angle_to(first);
-                apart <= 2.0 * place.unwrap_or(0.0).max(SAME_POSE * extent)
-                    && turned <= 2.0 * angle.map_or(0.0, Angle::radians).max(SAME_POSE)
+                apart <= 2.0 * within(tolerance.place).max(SAME_POSE * extent)
+                    && turned <= 2.0 * within(tolerance.angle).max(SAME_POSE)
             });
         if (is_first || is_near) && poses.len() > 2 {
             poses.pop();

@@ -11,12 +11,11 @@ use cyclide::{
     rational::{NurbsCurve, RationalBezierSurface},
 };
 
-use crate::document::kinds::nurbs::{blame_nurbs, knots_words};
+use crate::document::kinds::nurbs::knots_words;
 use crate::document::kinds::principal_grid::surface_sources::NurbsSurfaceSpec;
 use crate::document::kinds::smooth_mesh::Given;
 use crate::document::locate::Step;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::Blame;
 use crate::error::{Error, Result};
 use crate::input::polygon_mesh::PolygonMesh;
 
@@ -170,13 +169,15 @@ impl Builder<'_> {
     /// The message for what the kernel said of a row of control points, or of what goes from row to row.
     fn refused_spline(&self, direction: usize, row: usize, error: &KernelError) -> Error {
         let mut steps: Vec<Step> = vec!["nurbs".into()];
-        match (blame_nurbs(error), direction) {
-            (Blame::Field("degree"), d) => steps.extend(["degrees".into(), d.into()]),
-            (Blame::Field("knots"), d) => steps.extend(["knots".into(), d.into()]),
-            (Blame::Entry("knots", k), d) => steps.extend(["knots".into(), d.into(), k.into()]),
-            (Blame::Entry(field, k), 0) => steps.extend([field.into(), row.into(), k.into()]),
-            (Blame::Field(field), 0) => steps.extend([field.into(), row.into()]),
+        let path = error.path();
+        match (path.field, direction) {
+            (Some("degree"), d) => steps.extend(["degrees".into(), d.into()]),
+            (Some("knots"), d) => steps.extend(["knots".into(), d.into()]),
+            (Some(field), 0) => steps.extend([field.into(), row.into()]),
             _ => steps.push("control_points".into()),
+        }
+        if path.field.is_some_and(|field| field == "knots" || direction == 0) {
+            steps.extend(path.index.map(Step::from));
         }
         match knots_words(error) {
             Some(words) if !self.document.text.is_empty() => self.refused_in_words(steps, error.reason(), words),

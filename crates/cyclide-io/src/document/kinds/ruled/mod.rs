@@ -18,8 +18,7 @@ use crate::document::kinds::fields::comment::Comment;
 use crate::document::kinds::ruled::remedies::MOST_TRIED;
 use crate::document::kinds::ruled::sense::Rulings;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{Blame, Kind, Reference, Shape, rails};
-use crate::document::objects::refuse::blame_size;
+use crate::document::objects::kind::{FieldNames, Kind, Reference, Shape, main_field, rails};
 use crate::error::Result;
 
 /// Starts of a closed rail that are tried to see whether it runs the other way.
@@ -68,8 +67,8 @@ impl Kind for RuledSpec {
         rails(&self.rails)
     }
 
-    fn blame(&self, error: &cyclide::Error) -> Option<Blame> {
-        blame_size(error).or(Some(Blame::Field("rails")))
+    fn fields(&self) -> FieldNames {
+        main_field("rails")
     }
 
     fn words(&self, error: &cyclide::Error) -> Option<String> {

@@ -125,18 +125,13 @@ impl ContactBlend {
     /// # Errors
     /// `not-finite`, `radius-not-positive`, `zero-axis`, `parameter-out-of-range`.
     pub fn new(tube: BlendTube, base: BlendBase, ball: f64) -> Result<Self> {
-        let lengths = match base {
-            BlendBase::Plane(PlateShape::Disk(radius)) | BlendBase::Sphere { radius } => [radius, radius],
-            BlendBase::Plane(PlateShape::Rectangle(sides)) => sides,
+        let [first, second] = match base {
+            BlendBase::Sphere { radius } => [(ErrorItem::Sphere, radius); 2],
+            BlendBase::Plane(PlateShape::Disk(radius)) => [(ErrorItem::Plate, radius); 2],
+            BlendBase::Plane(PlateShape::Rectangle(sides)) => sides.map(|side| (ErrorItem::Plate, side)),
         };
-        for (index, radius) in [tube.radius, ball].into_iter().chain(lengths).enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+        for (what, radius) in [(ErrorItem::Tube, tube.radius), (ErrorItem::Blend, ball), first, second] {
+            range::check_radius(what, 0, radius)?;
         }
         if !(tube.direction.is_finite() && tube.length.is_finite()) {
             return Err(NumberError::NotFinite { what: ErrorItem::Direction, index: 0 }.into());

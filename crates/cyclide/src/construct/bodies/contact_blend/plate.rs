@@ -6,7 +6,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::PlateShape;
 use crate::construct::bodies::ellipse_ring::{Ellipse, Sector};
 use crate::curve::Arc;
-use crate::error::{BridgeError, ErrorItem, PipeError, Result};
+use crate::error::{BridgeError, Error, ErrorItem, PipeError, Result};
 use crate::topology::EdgeCurve;
 use std::f64::consts::TAU;
 
@@ -186,7 +186,8 @@ pub(super) fn check_lines(piece: usize, contact: &EdgeCurve, border: &EdgeCurve)
             let step = curve.point(next) - curve.point(s);
             let normal = line.cross(step).z;
             if !(normal > 0.0) {
-                return Err(BridgeError::RulingsCross { piece, at: [s, t], normal: normal.max(0.0), limit: 0.0 }.into());
+                let error = BridgeError::RulingsCross { piece, at: [s, t], normal: normal.max(0.0), limit: 0.0 };
+                return Err(Error::from(error).in_field("plate"));
             }
         }
     }

@@ -147,9 +147,13 @@ impl Setup {
     pub(super) fn beyond_apex(&self, depth: f64, height: f64) -> Error {
         let apex = (depth / self.cos - self.rho) / self.tan;
         if apex.is_finite() {
-            Error::Pipe(PipeError::ConeReachesApex { apex: apex - self.shift, reached: height - self.shift })
+            Error::Pipe(PipeError::ConeReachesApex { pipe: 0, apex: apex - self.shift, reached: height - self.shift })
         } else {
-            Error::Number(NumberError::RadiusNotPositive { radius: self.radius_at(depth, height) })
+            Error::Number(NumberError::RadiusNotPositive {
+                what: ErrorItem::Tube,
+                index: 0,
+                radius: self.radius_at(depth, height),
+            })
         }
     }
 

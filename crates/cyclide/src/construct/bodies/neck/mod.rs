@@ -116,20 +116,20 @@ impl NeckBlend {
     /// `not-finite`; `radius-not-positive`; `ball-does-not-fit` (inside, a ball as large as the pipe); `angle-out-of-range`
     /// (a slope of a right angle, or 2e-3 less); `parameter-out-of-range` (radii beyond 1e150).
     pub fn new(pipe_radius: f64, ball_radius: f64, slope: f64, side: NeckSide, variant: NeckVariant) -> Result<Self> {
-        for (index, radius) in [pipe_radius, ball_radius].into_iter().enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+        for (what, radius) in [(ErrorItem::PipeRadius, pipe_radius), (ErrorItem::BallRadius, ball_radius)] {
+            range::check_radius(what, 0, radius)?;
         }
         if side == NeckSide::Inside && ball_radius >= pipe_radius {
             return Err(PipeError::BallDoesNotFit { radius: ball_radius, limit: pipe_radius }.into());
         }
         if !(slope.abs() <= LARGEST_SLOPE) {
-            return Err(NumberError::AngleOutOfRange { angle: slope, min: -LARGEST_SLOPE, max: LARGEST_SLOPE }.into());
+            return Err(NumberError::AngleOutOfRange {
+                name: ErrorItem::Slope,
+                angle: slope,
+                min: -LARGEST_SLOPE,
+                max: LARGEST_SLOPE,
+            }
+            .into());
         }
         let sign = if side == NeckSide::Outside { 1.0 } else { -1.0 };
         let (sin, cos) = slope.sin_cos();
@@ -177,7 +177,13 @@ impl NeckBlend {
     /// `angle-out-of-range` unless `0 < to - from < π`.
     pub fn surface(&self, from: f64, to: f64) -> Result<RationalBezierSurface> {
         if !(to - from > 0.0 && to - from < std::f64::consts::PI) {
-            return Err(NumberError::AngleOutOfRange { angle: to - from, min: 0.0, max: std::f64::consts::PI }.into());
+            return Err(NumberError::AngleOutOfRange {
+                name: ErrorItem::Angle,
+                angle: to - from,
+                min: 0.0,
+                max: std::f64::consts::PI,
+            }
+            .into());
         }
         self.over(&Sector::new(from, to))
     }

@@ -74,7 +74,7 @@ impl Pipe {
             return Err(NumberError::NotFinite { what: ErrorItem::Radius, index: 0 }.into());
         }
         if radius <= 0.0 {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         Ok(Self { radius, bore: None, ends: PipeEnds::Flat })
     }

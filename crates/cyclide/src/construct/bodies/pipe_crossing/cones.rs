@@ -6,7 +6,7 @@ use super::contacts::{Contacts, PieceForms};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Vec3;
 use crate::construct::bodies::pierced::Mantle;
-use crate::error::{CrossingError, Error, NumberError, Result};
+use crate::error::{CrossingError, Error, ErrorItem, NumberError, Result};
 use crate::rational::Polynomial;
 use crate::surface::{BallLine, BallVector, CanalPatch, MovedCylinders, SkewCylinders, TorusPiece};
 use std::f64::consts::PI;
@@ -27,7 +27,8 @@ impl ConePair {
     /// `angle-out-of-range` (axes whose angle is not above the sum of the tapers, or its supplement is not: cones that meet without end), `crossing-axes-too-near`.
     pub(super) fn new(axes: &SkewCylinders, mantles: &[Mantle; 2]) -> Result<Self> {
         let (angle, least) = (axes.angle(), mantles[0].taper.abs() + mantles[1].taper.abs());
-        let out_of_range = Error::Number(NumberError::AngleOutOfRange { angle, min: least, max: PI - least });
+        let out_of_range =
+            Error::Number(NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle, min: least, max: PI - least });
         if !(angle > least && angle < PI - least) {
             return Err(out_of_range);
         }

@@ -169,20 +169,16 @@ impl PipeCrossing {
     /// # Errors
     /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`, `crossing-axes-too-near` (a distance not above 0).
     pub fn new(pipes: [CrossingPipe; 2], distance: f64, blend: f64) -> Result<Self> {
-        for (index, radius) in pipes.iter().map(|pipe| pipe.radius).chain([blend]).enumerate() {
-            if !radius.is_finite() {
-                return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-            }
-            if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { radius }.into());
-            }
-            range::check_distance(radius)?;
+        let radii = pipes.map(|pipe| pipe.radius).into_iter().enumerate();
+        let radii = radii.map(|(index, radius)| (ErrorItem::Pipe, index, radius));
+        for (what, index, radius) in radii.chain([(ErrorItem::Blend, 0, blend)]) {
+            range::check_radius(what, index, radius)?;
         }
         if let Some(index) = pipes.iter().flat_map(|pipe| pipe.ends).position(|end| !end.is_finite()) {
-            return Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into());
+            return Err(Error::from(NumberError::NotFinite { what: ErrorItem::Coordinate, index }).in_field("pipes"));
         }
         if let Some(index) = pipes.iter().position(|pipe| !pipe.taper.is_finite()) {
-            return Err(NumberError::NotFinite { what: ErrorItem::Taper, index }.into());
+            return Err(Error::from(NumberError::NotFinite { what: ErrorItem::Taper, index }).in_field("pipes"));
         }
         for (pipe, CrossingPipe { ends: [start, end], .. }) in pipes.into_iter().enumerate() {
             if start >= end {
@@ -213,7 +209,7 @@ impl PipeCrossing {
     /// # Errors
     /// `too-few-points`, `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `coincident-points`.
     pub fn with_radii(self, values: &[[f64; 2]]) -> Result<Self> {
-        let law = Law::new(values)?;
+        let law = Law::new(values).map_err(|error| error.in_field("blend"))?;
         values.iter().try_for_each(|[_, radius]| range::check_distance(*radius))?;
         Ok(Self { law, ..self })
     }
@@ -232,7 +228,7 @@ impl PipeCrossing {
         let axes = self.axes.with_angle(angle)?;
         let [min, max] = [LEAST_ANGLE, PI - LEAST_ANGLE];
         if !(angle.abs() >= min && angle.abs() <= max) {
-            return Err(NumberError::AngleOutOfRange { angle, min, max }.into());
+            return Err(NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle, min, max }.into());
         }
         Ok(Self { axes, ..self })
     }
@@ -425,18 +421,25 @@ impl PipeCrossing {
             return Err(CrossingError::NeedsCylinders { what, pipe, taper: self.pipes[pipe].taper }.into());
         }
         let depth = self.wall.unwrap_or(0.0);
-        for CrossingPipe { radius, taper, ends } in self.pipes {
+        for (pipe, CrossingPipe { radius, taper, ends }) in self.pipes.into_iter().enumerate() {
             let (sin, cos) = taper.sin_cos();
             let radius_at = |end: f64| radius - (end * sin + depth) / cos;
+            let none_at = |end: f64| {
+                Error::Number(NumberError::RadiusNotPositive {
+                    what: ErrorItem::Pipe,
+                    index: pipe,
+                    radius: radius_at(end),
+                })
+            };
             if !(cos > 0.0) {
-                return Err(NumberError::RadiusNotPositive { radius: radius_at(ends[1]) }.into());
+                return Err(none_at(ends[1]));
             }
             if let Some(reached) = ends.into_iter().find(|end| !(radius_at(*end) > 0.0)) {
                 let apex = (radius * cos - depth) / sin;
                 return Err(if apex.is_finite() {
-                    Error::Pipe(PipeError::ConeReachesApex { apex, reached })
+                    Error::Pipe(PipeError::ConeReachesApex { pipe, apex, reached })
                 } else {
-                    Error::Number(NumberError::RadiusNotPositive { radius: radius_at(reached) })
+                    none_at(reached)
                 });
             }
         }

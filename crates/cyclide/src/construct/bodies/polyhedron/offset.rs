@@ -83,7 +83,7 @@ impl ConvexPolyhedron {
 
     fn check_radius(&self, radius: f64) -> Result<()> {
         if !(radius > 0.0) {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         if !(radius <= range::MAX_COORDINATE) {
             let (min, max) = (0.0, range::MAX_COORDINATE);

@@ -125,7 +125,7 @@ impl SphericalPolygon {
     /// `radius-not-positive`; `parameter-out-of-range` (no such side); `not-finite`.
     pub fn fan(&self, center: Point3, radius: f64, side: usize) -> Result<RationalBezierSurface> {
         if !(radius > 0.0) {
-            return Err(NumberError::RadiusNotPositive { radius }.into());
+            return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius }.into());
         }
         let max = self.corners.len() as f64 - 1.0;
         let missing = Error::Number(NumberError::ParameterOutOfRange {

@@ -70,7 +70,7 @@ impl Revolution {
         }
         let axis = axis.unit().ok_or(Error::zero_axis(ErrorItem::Axis))?;
         if !(angle.abs() <= TAU * (1.0 + f64::EPSILON)) {
-            return Err(NumberError::AngleOutOfRange { angle, min: -TAU, max: TAU }.into());
+            return Err(NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle, min: -TAU, max: TAU }.into());
         }
         Ok(Self { origin, given: origin, axis, angle })
     }
@@ -95,7 +95,13 @@ impl Revolution {
     /// `angle-out-of-range` for a whole turn. An angle of 0 gives a surface that is constant in t.
     pub fn surface(&self, profile: &RationalBezier) -> Result<RationalBezierSurface> {
         if self.is_whole() {
-            return Err(NumberError::AngleOutOfRange { angle: self.angle, min: -TAU, max: TAU }.into());
+            return Err(NumberError::AngleOutOfRange {
+                name: ErrorItem::Angle,
+                angle: self.angle,
+                min: -TAU,
+                max: TAU,
+            }
+            .into());
         }
         let (sin, r) = (0.5 * self.angle).sin_cos();
         let (o, rotor) = (self.origin.to_vec(), Quat::from_parts(r, self.axis * sin));
@@ -220,7 +226,7 @@ impl Revolution {
 
     fn profile(&self, pieces: &[EdgeCurve], closed: bool) -> Result<Profile> {
         if self.angle == 0.0 {
-            return Err(NumberError::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU }.into());
+            return Err(NumberError::AngleOutOfRange { name: ErrorItem::Angle, angle: 0.0, min: -TAU, max: TAU }.into());
         }
         Profile::new(self, pieces, closed)
     }

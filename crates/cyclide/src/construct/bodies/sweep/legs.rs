@@ -62,6 +62,11 @@ impl Station {
         [self.x, self.axis.cross(self.x)]
     }
 
+    /// The plane of the miter, its normal along the path.
+    pub(super) fn mitre(&self) -> Option<Vec3> {
+        if self.mitred { (self.before + self.axis).unit() } else { None }
+    }
+
     /// From the center to where the line along the path meets the miter, for a way across the path as it is behind.
     pub(super) fn slanted(&self, v: Vec3) -> Vec3 {
         if !self.mitred {

@@ -13,6 +13,9 @@ const MOST_PLACES: f64 = 20_000.0;
 /// Boxes that overlap by less than this part of the reach touch.
 const TOUCHING: f64 = 1e-6;
 
+/// Normals whose cosine is above this are one.
+const ALIGNED: f64 = 1.0 - 1e-12;
+
 /// The section at a place of the path, with what lies halfway to its neighbors.
 struct Place {
     center: Point3,
@@ -20,6 +23,14 @@ struct Place {
     half: [f64; 3],
     /// Length before it.
     at: f64,
+    /// Miters at the ends of its leg: what is beyond their planes is not there. Their normals point out of the leg.
+    mitres: [Option<Mitre>; 2],
+}
+
+#[derive(Clone, Copy)]
+struct Mitre {
+    normal: Vec3,
+    through: Point3,
 }
 
 /// The first two places, by the length before them, of which the boxes about the section overlap, with a point between: those more than half a turn of the reach of the section
@@ -38,7 +49,11 @@ pub(super) fn meeting(
     };
     let [x, y] = [range(|p| p.x), range(|p| p.y)];
     let (mut places, mut before) = (Vec::new(), 0.0);
-    for (leg, station) in legs.iter().zip(stations) {
+    for (number, (leg, station)) in legs.iter().zip(stations).enumerate() {
+        let next = &stations[(number + 1) % stations.len()];
+        let mitre =
+            |at: &Station, side: f64| at.mitre().map(|normal| Mitre { normal: normal * side, through: at.center });
+        let mitres = [mitre(station, -1.0), mitre(next, 1.0)];
         let length = leg.arc.length();
         let count = (length / step).ceil().max(1.0);
         for k in 0..count as usize {
@@ -56,6 +71,7 @@ pub(super) fn meeting(
                 axes: [u, v, turn(station.axis)],
                 half,
                 at: before + length * (k as f64 + 0.5) / count,
+                mitres,
             });
         }
         before += length;
@@ -83,7 +99,7 @@ impl Place {
         Aabb::of_point(self.center + far).including(self.center - far)
     }
 
-    /// Separating axes: those of both boxes, and across one of each.
+    /// Separating axes: those of both boxes, and across one of each; and the normals of miters, which cut the boxes off.
     fn overlaps(&self, other: &Self, touching: f64) -> bool {
         let between = other.center - self.center;
         let crosses = self.axes.iter().flat_map(|a| other.axes.iter().filter_map(|b| a.cross(*b).unit()));
@@ -91,6 +107,19 @@ impl Place {
         let reach = |place: &Self, axis: Vec3| {
             place.axes.iter().zip(place.half).map(|(a, half)| a.dot(axis).abs() * half).sum::<f64>()
         };
+        // How far a box reaches along an axis from a point, as far as it is there.
+        let end = |place: &Self, from: Point3, axis: Vec3| {
+            let whole = (place.center - from).dot(axis) + reach(place, axis);
+            let cut = |mitre: &Mitre| (mitre.normal.dot(axis) > ALIGNED).then(|| (mitre.through - from).dot(axis));
+            place.mitres.iter().flatten().filter_map(cut).fold(whole, f64::min)
+        };
+        let mitres = self.mitres.iter().chain(&other.mitres).flatten();
+        let are_apart = |mitre: &Mitre| {
+            let [along, back] = [mitre.normal, -mitre.normal];
+            let gap = |a: &Self, b: &Self| -end(b, mitre.through, back) - end(a, mitre.through, along);
+            gap(self, other) > -touching || gap(other, self) > -touching
+        };
         all.all(|axis| between.dot(axis).abs() < reach(self, axis) + reach(other, axis) - touching)
+            && !{ mitres }.any(are_apart)
     }
 }

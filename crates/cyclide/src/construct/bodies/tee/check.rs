@@ -8,7 +8,7 @@ use super::partition::Partition;
 use super::{PipeTee, Placed, TeeMain};
 use crate::base::bernstein;
 use crate::construct::bodies::tight_place::TightPlace;
-use crate::error::{ErrorItem, NumberError, PipeError, Result, TeeError};
+use crate::error::{Error, ErrorItem, NumberError, PipeError, Result, TeeError};
 use std::f64::consts::FRAC_PI_2;
 
 /// Refuses a blend that folds. With centers m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
@@ -85,14 +85,18 @@ impl PipeTee {
         let TeeMain { radius, taper, ends } = self.main;
         if !(taper.abs() < FRAC_PI_2) {
             let (name, max) = (ErrorItem::Taper, FRAC_PI_2);
-            return Err(NumberError::ParameterOutOfRange { name, value: taper, min: -max, max }.into());
+            let error = Error::from(NumberError::ParameterOutOfRange { name, value: taper, min: -max, max });
+            return Err(error.in_field("main"));
         }
         let inside = radius - self.wall.unwrap_or(0.0) / taper.cos();
         match ends.into_iter().find(|end| !(inside - end * taper.tan() > 0.0)) {
             Some(reached) if inside > 0.0 => {
-                Err(PipeError::ConeReachesApex { apex: inside / taper.tan(), reached }.into())
+                let apex = inside / taper.tan();
+                Err(Error::from(PipeError::ConeReachesApex { pipe: 0, apex, reached }).in_field("main"))
             }
-            Some(_) => Err(NumberError::RadiusNotPositive { radius: inside }.into()),
+            Some(_) => {
+                Err(NumberError::RadiusNotPositive { what: ErrorItem::MainPipe, index: 0, radius: inside }.into())
+            }
             None => Ok(()),
         }
     }

@@ -129,18 +129,23 @@ impl Crossing {
             return Err(error.in_branch(index, ErrorItem::Taper));
         }
         if !(branch.angle >= least && branch.angle <= PI - least) {
-            let error =
-                Error::Number(NumberError::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least });
+            let error = Error::Number(NumberError::AngleOutOfRange {
+                name: ErrorItem::Angle,
+                angle: branch.angle,
+                min: least,
+                max: PI - least,
+            });
             return Err(error.in_branch(index, ErrorItem::Angle));
         }
         let end = branch.radius - branch.length * branch.taper.tan() - wall / taper_cos;
         if !(end > 0.0) && branch.taper > 0.0 && wall < branch.radius * taper_cos {
             let apex = (branch.radius - wall / taper_cos) / branch.taper.tan();
-            return Err(Error::from(PipeError::ConeReachesApex { apex, reached: branch.length })
+            return Err(Error::from(PipeError::ConeReachesApex { pipe: 0, apex, reached: branch.length })
                 .in_branch(index, ErrorItem::Taper));
         }
         if !(end > 0.0) {
-            return Err(Error::from(NumberError::RadiusNotPositive { radius: end }).in_branch(index, ErrorItem::Taper));
+            return Err(Error::from(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: 0, radius: end })
+                .in_branch(index, ErrorItem::Taper));
         }
         #[expect(
             clippy::float_cmp,

@@ -186,16 +186,6 @@ pub struct TeeBlendFacts {
     pub tightest_at: f64,
 }
 
-fn check_pipe(radius: f64) -> Result<()> {
-    if !radius.is_finite() {
-        return Err(NumberError::NotFinite { what: ErrorItem::Radius, index: 0 }.into());
-    }
-    if radius <= 0.0 {
-        return Err(NumberError::RadiusNotPositive { radius }.into());
-    }
-    range::check_distance(radius)
-}
-
 /// A branch placed, with its loop.
 struct Placed {
     crossing: Crossing,
@@ -230,20 +220,21 @@ impl PipeTee {
         if branches.is_empty() {
             return Err(PointError::TooFewPoints { given: 0, needed: 1 }.into());
         }
-        check_pipe(main.radius)?;
+        range::check_radius(ErrorItem::MainPipe, 0, main.radius)?;
         if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
-            return Err(NumberError::NotFinite { what: ErrorItem::Coordinate, index }.into());
+            return Err(Error::from(NumberError::NotFinite { what: ErrorItem::Coordinate, index }).in_field("main"));
         }
         if !main.taper.is_finite() {
-            return Err(NumberError::NotFinite { what: ErrorItem::Taper, index: 0 }.into());
+            return Err(Error::from(NumberError::NotFinite { what: ErrorItem::Taper, index: 0 }).in_field("main"));
         }
         if let [start, end] = main.ends
             && start >= end
         {
-            return Err(PipeError::EndsReversed { pipe: 0, start, end }.into());
+            return Err(Error::from(PipeError::EndsReversed { pipe: 0, start, end }).in_field("main"));
         }
         for (index, branch) in branches.iter().enumerate() {
-            check_pipe(branch.radius).map_err(|error| error.in_branch(index, ErrorItem::Radius))?;
+            range::check_radius(ErrorItem::Radius, 0, branch.radius)
+                .map_err(|error| error.in_branch(index, ErrorItem::Radius))?;
             let numbers = [
                 (ErrorItem::Height, branch.length),
                 (ErrorItem::Angle, branch.taper),
@@ -321,7 +312,11 @@ impl PipeTee {
         let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
         let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
         if !(radii[0] > 0.0) {
-            return Err(in_blend(Error::Number(NumberError::RadiusNotPositive { radius: radii[0] })));
+            return Err(in_blend(Error::Number(NumberError::RadiusNotPositive {
+                what: ErrorItem::Blend,
+                index: 0,
+                radius: radii[0],
+            })));
         }
         let place = self.main.ends.into_iter().fold(branch.at.abs() + branch.length, |most, end| most.max(end.abs()));
         let smallest = radii[0].min(branch.radius);

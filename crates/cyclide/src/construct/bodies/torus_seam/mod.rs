@@ -173,9 +173,8 @@ impl TorusSeam {
             let Some(halvings) = halvings.checked_sub(1) else {
                 let cap = 1_usize << HALVINGS;
                 let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
-                return Err(
-                    NumberError::TooManyPieces { what: "piece", segment: Some(piece), needed, cap, remedy }.into()
-                );
+                let error = NumberError::TooManyPieces { what: "piece", segment: Some(piece), needed, cap, remedy };
+                return Err(Error::from(error).in_field("tolerance"));
             };
             let middle = 0.5 * (from + to);
             ahead.extend([([middle, to], halvings), ([from, middle], halvings)]);

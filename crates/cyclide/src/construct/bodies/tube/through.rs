@@ -3,7 +3,7 @@
 use super::ball::{Ball, Way};
 use super::ball_arc::BallArc;
 use crate::base::range;
-use crate::error::{Error, ErrorItem, NumberError, PointError, Result, TubeError};
+use crate::error::{Error, ErrorItem, PointError, Result, TubeError};
 
 /// Refuses balls that are none.
 ///
@@ -12,13 +12,7 @@ use crate::error::{Error, ErrorItem, NumberError, PointError, Result, TubeError}
 pub(super) fn check(balls: &[Ball]) -> Result<()> {
     for (index, ball) in balls.iter().enumerate() {
         range::check_point(index, ball.center.to_vec())?;
-        if !ball.radius.is_finite() {
-            return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
-        }
-        if ball.radius <= 0.0 {
-            return Err(NumberError::RadiusNotPositive { radius: ball.radius }.into());
-        }
-        range::check_distance(ball.radius)?;
+        range::check_radius(ErrorItem::Ball, index, ball.radius)?;
     }
     Ok(())
 }

@@ -19,9 +19,15 @@ pub(super) struct StraightRuns {
     inside: Vec<bool>,
     /// The edges of the longest run that ends at each point.
     edges: Vec<usize>,
+    /// How far points may be off them.
+    off: f64,
 }
 
 impl StraightRuns {
+    pub fn off(&self) -> f64 {
+        self.off
+    }
+
     /// Of open points, or of closed ones from one of them on that is inside of none.
     pub fn of(points: &[Point3], closed_from: Option<usize>) -> Self {
         let n = points.len();
@@ -31,7 +37,7 @@ impl StraightRuns {
             None => points.to_vec(),
         };
         let number = |k: usize| (closed_from.unwrap_or(0) + k) % n;
-        let mut found = Self { inside: vec![false; n], edges: vec![0; n] };
+        let mut found = Self { inside: vec![false; n], edges: vec![0; n], off };
         let mut from = 0;
         while from + 1 < row.len() {
             let to = from + longest(&row[from..], off);

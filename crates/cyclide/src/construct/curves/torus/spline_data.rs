@@ -3,7 +3,7 @@
 use super::projective_biarc::within;
 use super::spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{CurveError, ErrorItem, NumberError, PointError, Result};
+use crate::error::{CurveError, Error, ErrorItem, NumberError, PointError, Result};
 use crate::surface::{Torus, within_a_turn};
 use std::f64::consts::PI;
 
@@ -139,7 +139,8 @@ fn check_way(steps: &[Vec2]) -> Result<()> {
         return Ok(());
     }
     let (what, remedy) = ("curve on the torus", "ask for fewer turns");
-    Err(NumberError::TooManyPieces { what, segment: None, needed, cap: MOST_WAY as usize, remedy }.into())
+    let error = Error::from(NumberError::TooManyPieces { what, segment: None, needed, cap: MOST_WAY as usize, remedy });
+    Err(error.in_field("winding"))
 }
 
 /// The step to the next place by the shortest way, each angle by half pi at most.
