@@ -324,7 +324,13 @@ fn found_without_names(
     numbers: &[usize],
     free: impl Iterator<Item = usize>,
 ) -> Result<Found, Box<Diagnostic>> {
-    if numbers.len() > 2 && sampled.numbers_points(numbers) {
+    if table.first.first().is_some_and(|field| is_sentence(field.text)) {
+        return Err(table.refused(
+            "these are sentences of a GPS receiver (NMEA), with latitudes and longitudes: convert them to a table of coordinates in a plane first",
+        ));
+    }
+    let numbers_points = sampled.numbers_points(numbers);
+    if numbers.len() > 2 && (numbers_points || sampled.may_be_times(numbers)) {
         let stand = sampled.without_numbers(numbers);
         let others = in_right_order(table, sampled, &stand);
         let both = if others == stand && others.len() > 1 {
@@ -336,9 +342,10 @@ fn found_without_names(
             String::new()
         };
         return Err(table.refused(format!(
-            "column {} seems to hold point numbers, and the file has no header line: choose the coordinates, x first \
+            "column {} seems to hold {}, and the file has no header line: choose the coordinates, x first \
              (`--columns {}`, in a document `columns`){both}; if it is x, `--columns {}`",
             numbers[0] + 1,
+            if numbers_points { "point numbers" } else { "times or stations" },
             example(table, &others),
             numbers_of(numbers.iter().copied().take(3)),
         )));
@@ -354,6 +361,11 @@ fn found_without_names(
         }
     };
     in_order(table, sampled, all, None, remark)
+}
+
+/// `$GPGGA` and the like.
+fn is_sentence(text: &str) -> bool {
+    text.strip_prefix('$').is_some_and(|rest| rest.len() == 5 && rest.bytes().all(|byte| byte.is_ascii_uppercase()))
 }
 
 /// Two or three columns of those that may be meant, as `--columns` takes them: of more than three the first two, with the height. Without names

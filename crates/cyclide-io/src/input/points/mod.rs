@@ -36,6 +36,7 @@ mod pose_entries;
 mod pose_names;
 mod pose_places;
 mod pose_proposal;
+mod pose_rows;
 #[cfg(test)]
 mod pose_tests;
 mod poses;

@@ -48,6 +48,14 @@ const STATE_PLANES: [f64; 2] = [5.5e6, 3e6];
 
 /// Which of two columns that are to be x and y stands first.
 pub(super) fn northing_first(table: &Table<'_>, sampled: &Sampled, [first, second]: [usize; 2]) -> Order {
+    // From the center of the earth.
+    let is_geocentric = |i: &usize| {
+        let name = table.header.get(*i).map(|field| field.text.to_lowercase()).unwrap_or_default();
+        name.contains("ecef") || name.contains("geocentric")
+    };
+    if [first, second].iter().any(is_geocentric) {
+        return Order::Plain;
+    }
     let in_metres =
         [first, second].iter().all(|i| table.unit(*i).is_none_or(|unit| unit == UnitWord::Known(Units::Metre)));
     let (Some(first), Some(second)) = (sampled.range(first), sampled.range(second)) else { return Order::Plain };

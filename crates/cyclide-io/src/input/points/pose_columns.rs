@@ -67,100 +67,15 @@ impl PoseColumns {
             }
             return Err(unknown(source, table, &meanings, other));
         }
-        let only = |what: &str, fits: &dyn Fn(Meaning) -> bool| -> Result<Option<usize>, Box<Diagnostic>> {
-            let all: Vec<usize> = (0..meanings.len()).filter(|&i| meanings[i].is_some_and(fits)).collect();
-            match all.as_slice() {
-                [] => Ok(None),
-                [column] => Ok(Some(*column)),
-                several => {
-                    let names = table.names(several.iter().copied());
-                    Err(table.header_refused(format!("several columns are {what}: {names}: keep only one of them")))
-                }
-            }
-        };
-        let needed = |name: &str, m: &dyn Fn(Meaning) -> bool| only(name, m)?.ok_or_else(|| table.no_column(name));
-        let any = |fits: &dyn Fn(Meaning) -> bool| meanings.iter().flatten().any(|m| fits(*m));
-        let is_quaternion = |m| matches!(m, Meaning::Quaternion(_));
-        let is_angle = |m| matches!(m, Meaning::Angle(..));
-        let is_vector = |m| matches!(m, Meaning::Vector(..));
-        let is_matrix = |m| matches!(m, Meaning::Matrix(..));
-        let from = usize::from(!from_zero);
-        let entry = |i: usize, j: usize| needed(&format!("m{}{}", i + from, j + from), &|m| m == Meaning::Matrix(i, j));
-        // Beside a quaternion a matrix says the same again.
-        let by_matrix = any(&is_matrix) && !any(&is_quaternion);
-        let placed = any(&|m| matches!(m, Meaning::Position(_)));
-        let is_of = |axis: &str| table.header.iter().any(|field| is_of(field, axis));
-        if by_matrix && is_of(AXES[0]) && !is_of(AXES[1]) {
-            return Err(table.header_refused(
-                "these are points of a curve with tangents, but poses need frames: `cyclide sample --frames KIND` writes them, and `along` moves a body along the curve itself",
-            ));
-        }
-        if by_matrix && placed && any(&|m| matches!(m, Meaning::Matrix(0..=2, 3))) {
-            return Err(table.header_refused(
-                "the positions are given twice, as x, y, z and as m14, m24, m34: keep the columns of one form",
-            ));
-        }
+        let read = Meanings { table, of: &meanings, from: usize::from(!from_zero) };
+        read.refuse_contradictions()?;
         let mut absent = Vec::new();
-        let is_coordinate = |i: usize| move |m: Meaning| m == Meaning::Position(i);
-        let coordinates = match by_matrix && !placed {
-            true => vec![entry(0, 3)?, entry(1, 3)?, entry(2, 3)?],
-            // In the plane.
-            false => {
-                let in_plane = [needed(POSITION[0], &is_coordinate(0))?, needed(POSITION[1], &is_coordinate(1))?];
-                let height = only(POSITION[2], &is_coordinate(2))?;
-                if height.is_none() {
-                    absent.push(POSITION[2]);
-                }
-                in_plane.into_iter().chain(height).collect()
-            }
-        };
-        let position = Chosen { coordinates, contour: None, corner: None, label: None, remark: None };
-        position.refuse_several_units(table)?;
+        let position = read.position(&mut absent)?;
         let (time, nanoseconds) = Self::time(table, &meanings)?;
-        if any(&is_vector) && (any(&is_quaternion) || any(&is_angle) || by_matrix) {
-            return Err(table.header_refused(
-                "the rotations are given twice, as rotation vectors and in another form: keep the columns of one form",
-            ));
+        if time.is_none() {
+            notes.extend(uneven_count(table, &meanings));
         }
-        let rotation = match (any(&is_quaternion), any(&is_angle)) {
-            (true, true) => {
-                return Err(table.header_refused(
-                    "the rotations are given twice, as quaternions and as angles: keep the columns of one form",
-                ));
-            }
-            (false, true) if by_matrix => {
-                return Err(table.header_refused(
-                    "the rotations are given twice, as angles and as a matrix: keep the columns of one form",
-                ));
-            }
-            (true, false) => {
-                let column = |i: usize| needed(QUATERNION[i], &|m| m == Meaning::Quaternion(i));
-                RotationColumns::Quaternion([column(0)?, column(1)?, column(2)?, column(3)?])
-            }
-            (false, true) => {
-                let column = |i: usize| only(ANGLES[i], &|m| matches!(m, Meaning::Angle(own, _) if own == i));
-                let columns = [column(0)?, column(1)?, column(2)?];
-                absent.extend((0..3).filter(|i| columns[*i].is_none()).map(|i| ANGLES[i]));
-                let given: Vec<usize> = columns.into_iter().flatten().collect();
-                RotationColumns::Angles(columns, common_unit(table, &meanings, &given)?)
-            }
-            (false, false) if any(&is_vector) => {
-                let column = |i: usize| {
-                    needed(
-                        ["rotvec_x", "rotvec_y", "rotvec_z"][i],
-                        &|m| matches!(m, Meaning::Vector(own, _) if own == i),
-                    )
-                };
-                let columns = [column(0)?, column(1)?, column(2)?];
-                RotationColumns::Vector(columns, common_unit(table, &meanings, &columns)?)
-            }
-            (false, false) if by_matrix => {
-                let row = |i: usize| Ok::<_, Box<Diagnostic>>([entry(i, 0)?, entry(i, 1)?, entry(i, 2)?]);
-                let last = |j: usize| only(&format!("m4{}", j + 1), &|m| m == Meaning::Matrix(3, j));
-                RotationColumns::Matrix([row(0)?, row(1)?, row(2)?], [last(0)?, last(1)?, last(2)?, last(3)?])
-            }
-            (false, false) => RotationColumns::None,
-        };
+        let rotation = read.rotation(&mut absent)?;
         Ok(Self { position, time, nanoseconds, rotation, absent, notes })
     }
 
@@ -193,6 +108,157 @@ impl PoseColumns {
         }
     }
 }
+
+/// What the columns of a table are.
+struct Meanings<'a> {
+    table: &'a Table<'a>,
+    of: &'a [Option<Meaning>],
+    /// The number of the first row and column of matrices.
+    from: usize,
+}
+
+impl Meanings<'_> {
+    fn any(&self, fits: impl Fn(Meaning) -> bool) -> bool {
+        self.of.iter().flatten().any(|meaning| fits(*meaning))
+    }
+
+    /// The only column of a meaning, if there is one.
+    fn only(&self, what: &str, fits: impl Fn(Meaning) -> bool) -> Result<Option<usize>, Box<Diagnostic>> {
+        let all: Vec<usize> = (0..self.of.len()).filter(|&i| self.of[i].is_some_and(&fits)).collect();
+        match all.as_slice() {
+            [] => Ok(None),
+            [column] => Ok(Some(*column)),
+            several => {
+                let names = self.table.names(several.iter().copied());
+                Err(self.table.header_refused(format!("several columns are {what}: {names}: keep only one of them")))
+            }
+        }
+    }
+
+    fn needed(&self, name: &str, meaning: Meaning) -> Result<usize, Box<Diagnostic>> {
+        self.only(name, |own| own == meaning)?.ok_or_else(|| self.table.no_column(name))
+    }
+
+    fn entry(&self, row: usize, column: usize) -> Result<usize, Box<Diagnostic>> {
+        let name = format!("m{}{}", row + self.from, column + self.from);
+        self.needed(&name, Meaning::Matrix(row, column))
+    }
+
+    fn has_quaternion(&self) -> bool {
+        self.any(|m| matches!(m, Meaning::Quaternion(_)))
+    }
+
+    fn has_angles(&self) -> bool {
+        self.any(|m| matches!(m, Meaning::Angle(..)))
+    }
+
+    fn has_vector(&self) -> bool {
+        self.any(|m| matches!(m, Meaning::Vector(..)))
+    }
+
+    /// Beside a quaternion a matrix says the same again.
+    fn is_by_matrix(&self) -> bool {
+        self.any(|m| matches!(m, Meaning::Matrix(..))) && !self.has_quaternion()
+    }
+
+    fn is_placed(&self) -> bool {
+        self.any(|m| matches!(m, Meaning::Position(_)))
+    }
+
+    /// Refuses what is given twice, and what is no pose.
+    fn refuse_contradictions(&self) -> Result<(), Box<Diagnostic>> {
+        let is_of = |axis: &str| self.table.header.iter().any(|field| is_of(field, axis));
+        let by_matrix = self.is_by_matrix();
+        let fault = if by_matrix && is_of(AXES[0]) && !is_of(AXES[1]) {
+            "these are points of a curve with tangents, but poses need frames: `cyclide sample --frames KIND` writes them, and `along` moves a body along the curve itself"
+        } else if by_matrix && self.is_placed() && self.any(|m| matches!(m, Meaning::Matrix(0..=2, 3))) {
+            "the positions are given twice, as x, y, z and as m14, m24, m34: keep the columns of one form"
+        } else if self.has_vector() && (self.has_quaternion() || self.has_angles() || by_matrix) {
+            "the rotations are given twice, as rotation vectors and in another form: keep the columns of one form"
+        } else if self.has_quaternion() && self.has_angles() {
+            "the rotations are given twice, as quaternions and as angles: keep the columns of one form"
+        } else if self.has_angles() && by_matrix {
+            "the rotations are given twice, as angles and as a matrix: keep the columns of one form"
+        } else {
+            return Ok(());
+        };
+        Err(self.table.header_refused(fault))
+    }
+
+    /// The columns of the place; in the plane without a height.
+    fn position(&self, absent: &mut Vec<&'static str>) -> Result<Chosen, Box<Diagnostic>> {
+        let coordinates = if self.is_by_matrix() && !self.is_placed() {
+            vec![self.entry(0, 3)?, self.entry(1, 3)?, self.entry(2, 3)?]
+        } else {
+            let in_plane = [0, 1].map(|axis| self.needed(POSITION[axis], Meaning::Position(axis)));
+            let [x, y] = in_plane;
+            let height = self.only(POSITION[2], |m| m == Meaning::Position(2))?;
+            if height.is_none() {
+                absent.push(POSITION[2]);
+            }
+            [x?, y?].into_iter().chain(height).collect()
+        };
+        let position = Chosen { coordinates, contour: None, corner: None, label: None, remark: None };
+        position.refuse_several_units(self.table)?;
+        Ok(position)
+    }
+
+    /// The columns of the rotation.
+    fn rotation(&self, absent: &mut Vec<&'static str>) -> Result<RotationColumns, Box<Diagnostic>> {
+        if self.has_quaternion() {
+            let column = |i: usize| self.needed(QUATERNION[i], Meaning::Quaternion(i));
+            return Ok(RotationColumns::Quaternion([column(0)?, column(1)?, column(2)?, column(3)?]));
+        }
+        if self.has_angles() {
+            let column = |i: usize| self.only(ANGLES[i], |m| matches!(m, Meaning::Angle(own, _) if own == i));
+            let columns = [column(0)?, column(1)?, column(2)?];
+            absent.extend((0..3).filter(|i| columns[*i].is_none()).map(|i| ANGLES[i]));
+            let given: Vec<usize> = columns.into_iter().flatten().collect();
+            return Ok(RotationColumns::Angles(columns, common_unit(self.table, self.of, &given)?));
+        }
+        if self.has_vector() {
+            let column = |i: usize| {
+                let name = ["rotvec_x", "rotvec_y", "rotvec_z"][i];
+                let found = self.only(name, |m| matches!(m, Meaning::Vector(own, _) if own == i))?;
+                found.ok_or_else(|| self.table.no_column(name))
+            };
+            let columns = [column(0)?, column(1)?, column(2)?];
+            return Ok(RotationColumns::Vector(columns, common_unit(self.table, self.of, &columns)?));
+        }
+        if self.is_by_matrix() {
+            let row = |i: usize| Ok::<_, Box<Diagnostic>>([self.entry(i, 0)?, self.entry(i, 1)?, self.entry(i, 2)?]);
+            let last = |j: usize| self.only(&format!("m4{}", j + 1), |m| m == Meaning::Matrix(3, j));
+            return Ok(RotationColumns::Matrix([row(0)?, row(1)?, row(2)?], [last(0)?, last(1)?, last(2)?, last(3)?]));
+        }
+        Ok(RotationColumns::None)
+    }
+}
+
+/// The sentence about a column that counts with gaps, where no other is a time.
+fn uneven_count(table: &Table<'_>, meanings: &[Option<Meaning>]) -> Option<String> {
+    let counts = |i: &usize| meanings[*i] == Some(Meaning::Label) && has_gaps(table, *i);
+    let column = (0..table.header.len()).find(counts)?;
+    let name = quoted(table.header[column].text);
+    Some(format!(
+        "the poses have no time and are spaced evenly, but `{name}` rises in unequal steps: if it counts the time, give its column the name `t` (in the document `columns`)"
+    ))
+}
+
+/// True if the numbers of a column rise, and not by equal steps.
+fn has_gaps(table: &Table<'_>, column: usize) -> bool {
+    let mut numbers: Vec<Option<f64>> = Vec::new();
+    table.for_first_rows(|fields| {
+        numbers.push(fields.get(column).and_then(|field| field.text.parse().ok()));
+        numbers.len() < LOOKED_AT
+    });
+    let Some(numbers) = numbers.into_iter().collect::<Option<Vec<f64>>>() else { return false };
+    let steps: Vec<f64> = numbers.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let is_uneven = steps.windows(2).any(|pair| (pair[1] - pair[0]).abs() > 1e-9 * pair[0].abs());
+    is_uneven && steps.iter().all(|step| *step > 0.0)
+}
+
+/// Lines that are looked at for gaps.
+const LOOKED_AT: usize = 1000;
 
 /// A column of times and its unit.
 type TimeColumn = (usize, TimeUnit);

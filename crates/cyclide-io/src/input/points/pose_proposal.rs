@@ -39,6 +39,10 @@ impl Proposal {
             )
         };
         let mut rotation = meanings.iter().any(turned);
+        for column in euler_angles(table) {
+            words[column] = Some(UNTOLD.to_owned());
+            rotation = true;
+        }
         for guess in [quaternion, named_vector, robot_angles, copied_names] {
             if let Some(found) = guess(table, meanings).filter(|_| !rotation) {
                 rotation = true;
@@ -234,6 +238,16 @@ fn robot_angles(table: &Table<'_>, _: &[Option<Meaning>]) -> Guess {
         .or_else(|| columns(table, ["a", "b", "c"], [UNTOLD; 3]))
 }
 
+/// Phi, theta and psi, by which people mean roll, pitch and yaw, or Euler angles of any order: theta alone is a heading, beside one of the others it is not.
+fn euler_angles(table: &Table<'_>) -> Vec<usize> {
+    let named =
+        |name: &str| table.header.iter().position(|f| words_of(f.text).0.first().is_some_and(|word| word == name));
+    match [named("theta"), named("phi"), named("psi")] {
+        [Some(theta), phi, psi] if phi.or(psi).is_some() => [Some(theta), phi, psi].into_iter().flatten().collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// A second x, y, z with a w, as tables have them that lost the path before their names: `x.1, y.1, z.1, w`.
 fn copied_names(table: &Table<'_>, meanings: &[Option<Meaning>]) -> Guess {
     let w = column(table, "w")?;
@@ -274,6 +288,7 @@ mod tests {
                 r#"["t", "x", "y", "z", "?", "?", "?", "?"]"#,
             ),
             ("X,Y,Z,W,P,R\n1,2,3,0,15,0\n", r#"["X", "Y", "Z", "roll_deg", "pitch_deg", "yaw_deg"]"#),
+            ("t,x,y,z,phi,theta,psi\n0,1,2,3,0,0.1,1\n", r#"["t", "x", "y", "z", "?", "?", "?"]"#),
             ("X,Y,Z,A,B,C\n1,2,3,0,15,0\n", r#"["X", "Y", "Z", "?", "?", "?"]"#),
             ("x,y,z,rx,ry,rz\n1,2,3,0,15,0\n", r#"["x", "y", "z", "?", "?", "?"]"#),
             ("x,y,z,rx,ry,rz\n1,2,3,0,1.5,0\n", r#"["x", "y", "z", "rotvec_x", "rotvec_y", "rotvec_z"]"#),

@@ -1,14 +1,14 @@
 //! Tables of poses: columns by their names.
 
-use cyclide::{Error, Quat, Vec3, error::PoseError, model::Units, motion::Pose};
+use cyclide::{model::Units, motion::Pose};
 use std::f64::consts::{PI, TAU};
 
 use super::clock::Clock;
-use super::decimals::Decimals;
 use super::fields::Field;
 use super::headless::Headless;
 use super::pose_columns::{PoseColumns, RotationColumns};
 use super::pose_names::{LEFT_ASIDE, NAMES, is_of_pose};
+use super::pose_rows::PoseRows;
 use super::table::Table;
 use crate::text::encoding::decode_table;
 use crate::text::place::{Diagnostic, Source};
@@ -48,13 +48,19 @@ pub(crate) struct PoseTable {
 }
 
 /// What six decimals leave unknown of the difference of two angles, radians: as much as for half a turn.
-const TURN_DIGITS: f64 = 2e-6;
+pub(super) const TURN_DIGITS: f64 = 2e-6;
 
-/// Which of three angles, in radians, differs by a turn or more from that of the pose before, and by how much: turns that no pose can say. Angles within half
-/// a turn of 0 that do so come round there, as headings do.
+/// Angles that differ by less than this either come round or go the longer way, which nobody can tell: the shorter way is a right angle or more.
+const LONGER_WAY: f64 = 1.5 * PI;
+
+/// Which of three angles, in radians, differs by more than half a turn from that of the pose before, and by how much: turns that no pose can say. Angles within
+/// half a turn of 0 that do so come round there, as headings do, and so do those that differ by almost a turn.
 pub(crate) fn whole_turns(before: [f64; 3], angles: [f64; 3]) -> Option<(usize, f64)> {
-    let differs =
-        |k: &usize| angles[*k].abs() > PI + TURN_DIGITS && (angles[*k] - before[*k]).abs() >= TAU - TURN_DIGITS;
+    let differs = |k: &usize| {
+        let change = (angles[*k] - before[*k]).abs();
+        let is_longer = change > PI + TURN_DIGITS && change < LONGER_WAY || change >= TAU - TURN_DIGITS;
+        angles[*k].abs() > PI + TURN_DIGITS && is_longer
+    };
     (0..3).find(differs).map(|k| (k, angles[k] - before[k]))
 }
 
@@ -76,113 +82,34 @@ pub(crate) fn read_poses(
     let mut notes: Vec<String> =
         decoded.encoding.map(|name| format!("the text is read as {name}")).into_iter().collect();
     let columns_taken = name_columns(&mut table, columns, &mut notes)?;
-    let PoseColumns { position, time, nanoseconds, rotation, absent, notes: names } = PoseColumns::new(source, &table)?;
-    notes.extend(names);
-    let mut decimals = Decimals::of(source, &table, None)?;
-    let mut clock = time.map(|(_, unit)| Clock::new(unit));
-    let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
-    let (mut turned, mut turns): (Option<[f64; 3]>, Option<(usize, f64)>) = (None, None);
-    let mut rounded: Option<(usize, usize, f64)> = None;
-    let [x, y] = [0, 1].map(|axis| position.coordinates[axis]);
-    let z = position.coordinates.get(2).copied();
-    let exact = |made: cyclide::Result<Pose>| made.map(|pose| (pose, 0.0));
+    let mut columns_read = PoseColumns::new(source, &table)?;
+    notes.append(&mut columns_read.notes);
+    let mut rows = PoseRows::new(source, &table, &columns_read, limit)?;
+    let mut poses: Vec<TablePose> = Vec::new();
     table.for_each_row(|row| {
         if poses.len() == MOST_POSES {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POSES} poses")));
         }
-        let at = time;
-        let time = match (time, &mut clock) {
-            (Some((column, _)), Some(clock)) => {
-                let parts = nanoseconds.map(|column| row.field(source, column, "number")).transpose()?;
-                Some(clock.read(source, &mut decimals, &row.field(source, column, "number")?, parts.as_ref())?)
-            }
-            _ => None,
-        };
-        let mut value = |column: usize| decimals.read(source, &row.field(source, column, "number")?);
-        let translation = Vec3::new(value(x)?, value(y)?, z.map_or(Ok(0.0), &mut value)?);
-        let before = poses.last().and_then(|pose: &TablePose| pose.time);
-        if let (Some(time), Some(before), Some((column, _)), true) = (time, before, at, rising)
-            && time <= before
-        {
-            let hint = clock.as_ref().map_or("", Clock::past_midnight);
-            let message = format!("the times do not increase: {time} seconds, after {before}{hint}");
-            return Err(row.fields[column].refused(source, message).with_reason("parameters-not-increasing"));
-        }
-        // Lines are counted where they are told.
-        let line = || source.line_of(row.fields[0].start);
-        let made = match &rotation {
-            RotationColumns::Quaternion([w, x, y, z]) => {
-                exact(Pose::new(Quat::new(value(*w)?, value(*x)?, value(*y)?, value(*z)?), translation))
-            }
-            RotationColumns::Angles([roll, pitch, yaw], unit) => {
-                let mut angle = |column: Option<usize>| column.map_or(Ok(0.0), &mut value);
-                let angles = [angle(*roll)?, angle(*pitch)?, angle(*yaw)?];
-                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > TAU);
-                if let (Some(angle), None) = (wide, more_than_a_turn) {
-                    more_than_a_turn = Some((line(), angle));
-                }
-                let angles = angles.map(|angle| angle * unit);
-                if let (Some((_, change)), None) = (turned.and_then(|before| whole_turns(before, angles)), turns) {
-                    turns = Some((line(), change));
-                }
-                turned = Some(angles);
-                exact(Pose::from_roll_pitch_yaw(translation, angles))
-            }
-            RotationColumns::Vector(columns, unit) => {
-                let vector = Vec3::new(value(columns[0])?, value(columns[1])?, value(columns[2])?) * *unit;
-                let angle = vector.length();
-                if *unit >= 1.0 && angle > TAU + TURN_DIGITS && more_than_a_turn.is_none() {
-                    more_than_a_turn = Some((line(), angle));
-                }
-                let rotation = if angle > 0.0 { Quat::from_axis_angle(vector / angle, angle) } else { Quat::ONE };
-                exact(Pose::new(rotation, translation))
-            }
-            RotationColumns::Matrix(rows, last) => {
-                let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
-                for ((to, columns), at) in matrix.iter_mut().zip(rows).zip(translation.to_array()) {
-                    *to = [value(columns[0])?, value(columns[1])?, value(columns[2])?, at];
-                }
-                for (to, column) in matrix[3].iter_mut().zip(last) {
-                    if let Some(column) = column {
-                        *to = value(*column)?;
-                    }
-                }
-                Pose::nearest_to_matrix(matrix, limit)
-            }
-            RotationColumns::None => exact(Pose::new(Quat::ONE, translation)),
-        };
-        let index = poses.len();
-        let of_row = |e| {
-            if let Error::Pose(PoseError::ZeroRotation { .. }) = e {
-                Error::Pose(PoseError::ZeroRotation { index })
-            } else {
-                e
-            }
-        };
-        let (pose, off) = made
-            .map_err(of_row)
-            .map_err(|e: Error| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
-        if off > SIX_DECIMALS {
-            let (count, start, most) = rounded.unwrap_or((0, row.fields[0].start, off));
-            let worst = if off > most { (row.fields[0].start, off) } else { (start, most) };
-            rounded = Some((count + 1, worst.0, worst.1));
-        }
+        let before = if rising { poses.last().and_then(|pose| pose.time) } else { None };
+        let time = rows.time(row, before)?;
+        let pose = rows.pose(row, poses.len())?;
         poses.push(TablePose { time, pose });
         Ok(())
     })?;
+    let PoseRows { clock, more_than_a_turn, whole_turns, rounded, .. } = rows;
+    let PoseColumns { position, rotation, absent, .. } = columns_read;
     let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
     let seconds_assumed = clock.as_ref().and_then(Clock::seconds_assumed);
     notes.extend(clock.and_then(|clock| clock.note));
     let not_turned = columns.is_some_and(|columns| columns.iter().any(|name| name == LEFT_ASIDE))
         && matches!(rotation, RotationColumns::None);
-    let taken_as_zero = zeros(&absent, not_turned);
-    let rounded_matrices = rounded.map(|(count, start, off)| (count, source.line_of(start), off));
+    let rounded_matrices = rounded.map(|found| (found.count, source.line_of(found.start), found.off));
     Ok(PoseTable {
         poses,
         more_than_a_turn,
-        whole_turns: turns,
+        whole_turns,
         rounded_matrices,
-        taken_as_zero,
+        taken_as_zero: zeros(&absent, not_turned),
         columns_taken,
         seconds_assumed,
         unit_hints,

@@ -21,6 +21,10 @@ const SHORTEST_RUN: usize = 3;
 pub(super) const GRID: f64 = 1e5;
 /// What is measured there is far smaller than its distance from the origin.
 pub(super) const PART_OF_GRID: f64 = 0.1;
+/// Steps of decimals are one to this part of them and of the number.
+const SAME_STEP: f64 = 1e-9;
+/// Seconds since 1970, from 2001 on.
+const SECONDS: f64 = 1e9;
 /// Coordinates on a grid of whole numbers range about as far as the numbers of their points.
 const SAME_RANGE: f64 = 10.0;
 
@@ -34,6 +38,8 @@ struct Column {
     last: Option<f64>,
     step: Option<f64>,
     even: bool,
+    /// The same but for the rounding of decimals.
+    regular: bool,
     rises: bool,
     range: Option<[f64; 2]>,
     /// Most figures behind the point of a number.
@@ -61,7 +67,7 @@ pub(super) struct Sampled {
 
 impl Sampled {
     pub(super) fn of(table: &Table<'_>) -> Self {
-        let start = Column { even: true, rises: true, ..Column::default() };
+        let start = Column { even: true, regular: true, rises: true, ..Column::default() };
         let mut columns = vec![start; table.width];
         let groups = groups_of(table);
         let mut left = LOOKED_AT;
@@ -95,6 +101,18 @@ impl Sampled {
         let counts = first.even && first.step.is_some_and(|step| step != 0.0);
         let numbers = first.rises || !first.repeats && first.lines >= ENOUGH;
         counts && (fractions > 0 || farther && first.step == Some(1.0)) || numbers && fractions > 1
+    }
+
+    /// True if the first of these columns may be times or stations: it rises in equal steps, and there are three more or those are
+    /// coordinates of a map grid; or it holds seconds since 1970.
+    pub(super) fn may_be_times(&self, columns: &[usize]) -> bool {
+        let [first, others @ ..] = columns else { return false };
+        let Some(Column { all_numbers: Some([low, high]), rises: true, regular, lines, .. }) = self.columns.get(*first)
+        else {
+            return false;
+        };
+        let of_map = || *high < GRID && others.windows(2).any(|pair| self.are_on_a_grid([pair[0], pair[1]]));
+        *lines >= FEWEST && others.len() > 1 && (*low > SECONDS || *regular && (others.len() > 2 || of_map()))
     }
 
     /// True if equal values of a column stand together, and more than one of them: it tells the parts of a drawing apart.
@@ -158,10 +176,10 @@ impl Sampled {
         })
     }
 
-    /// The columns but for those that number the points.
+    /// The columns but for those that number the points, or may be times.
     pub(super) fn without_numbers(&self, columns: &[usize]) -> Vec<usize> {
         let mut rest = columns;
-        if self.numbers_points(rest) {
+        if self.numbers_points(rest) || self.may_be_times(rest) {
             rest = &rest[1..];
         }
         rest.to_vec()
@@ -199,6 +217,8 @@ impl Column {
             let step = number - last;
             self.rises &= step > 0.0;
             self.even &= self.step.is_none_or(|before| before.total_cmp(&step).is_eq());
+            let rounding = SAME_STEP * (step.abs() + number.abs());
+            self.regular &= self.step.is_none_or(|before| (step - before).abs() <= rounding);
             self.step = Some(step);
         }
         self.last = Some(number);
@@ -247,6 +267,26 @@ fn number_of(text: &str) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::text::place::Source;
+
+    #[test]
+    fn times_and_stations_are_told_from_coordinates() {
+        let may_be_times = |text: &str| {
+            let table = Table::parse(Source { name: "t", text }, &[]).unwrap();
+            Sampled::of(&table).may_be_times(&(0..table.width).collect::<Vec<_>>())
+        };
+        for (text, found) in [
+            ("0.0 600.1 200.2 43.1\n0.1 610.6 214.4 43.2\n0.2 620.6 227.7 43.1\n0.3 630 240 43\n", true),
+            ("0,00;600,1;200,2;43,1\n25,00;610,6;214,4;43,2\n50,00;620,6;227,7;43,1\n", true),
+            ("12.00;4468600.5;5334200.1\n12.02;4468610.6;5334214.4\n12.04;4468620.6;5334227.7\n", true),
+            ("1700000000.0 600.1 200.2\n1700000001.5 610.6 214.4\n1700000002.0 620.6 227.7\n", true),
+            // A curve in space over equal steps of x.
+            ("0.0 0.5 0.2\n0.1 0.6 0.4\n0.2 0.6 0.7\n", false),
+            ("0.0 600.1 200.2 43.1\n0.1 610.6 214.4 43.2\n0.3 620.6 227.7 43.1\n", false),
+            ("12.0;4468600.5\n12.1;4468610.6\n12.2;4468620.6\n", false),
+        ] {
+            assert_eq!(may_be_times(text), found, "{text:?}");
+        }
+    }
 
     fn numbers_points(text: &str) -> bool {
         let table = Table::parse(Source { name: "t", text }, &[]).unwrap();

@@ -28,20 +28,25 @@ pub(super) fn turned_patch(
     along_s: [Option<&Arc>; 2],
     along_t: [Option<&Arc>; 2],
 ) -> Option<CyclidePatch> {
-    let (first, left) = (along_s[0].or(along_s[1])?, along_t[0].or(along_t[1])?);
-    let (u, w) = (first.weight_ratio(), left.weight_ratio());
-    // Of short arcs beside long ones the points alone do not tell: shells want the ratios of their edges.
-    let far = [(along_s, u), (along_t, u * w * u.inverse()?)];
-    if far.iter().any(|(edges, ratio)| matches!(edges, [Some(_), Some(far)] if !has_ratio(far, *ratio))) {
-        return None;
-    }
-    let (v1, v2) = (first.start_tangent()?, left.start_tangent()?);
-    let patch = CyclidePatch::from_weights(corners, [Quat::ONE, u, w, u * w], v1, across(v1, v2)?).ok()?;
-    let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
-    let limit = SAME * (size + corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max));
-    let places = || (0..=PLACES).map(|k| k as f64 / PLACES as f64);
-    let same = || places().all(|s| places().all(|t| is_same_at(&patch, surface, [s, t], limit)));
-    (on_one_circle(corners, size, limit) && same()).then_some(patch)
+    // The lines along s are turned copies of each other, or those along t.
+    [true, false].into_iter().find_map(|turned_along_s| {
+        let (first, left) = (along_s[0].or(along_s[1])?, along_t[0].or(along_t[1])?);
+        let (u, w) = (first.weight_ratio(), left.weight_ratio());
+        let (last, far_s, far_t) =
+            if turned_along_s { (u * w, u, u * w * u.inverse()?) } else { (w * u, w * u * w.inverse()?, w) };
+        // Of short arcs beside long ones the points alone do not tell: shells want the ratios of their edges.
+        let far = [(along_s, far_s), (along_t, far_t)];
+        if far.iter().any(|(edges, ratio)| matches!(edges, [Some(_), Some(far)] if !has_ratio(far, *ratio))) {
+            return None;
+        }
+        let (v1, v2) = (first.start_tangent()?, left.start_tangent()?);
+        let patch = CyclidePatch::from_weights(corners, [Quat::ONE, u, w, last], v1, across(v1, v2)?).ok()?;
+        let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
+        let limit = SAME * (size + corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max));
+        let places = || (0..=PLACES).map(|k| k as f64 / PLACES as f64);
+        let same = || places().all(|s| places().all(|t| is_same_at(&patch, surface, [s, t], limit)));
+        (on_one_circle(corners, size, limit) && same()).then_some(patch)
+    })
 }
 
 /// Whether both have the same point and normal there, and the lines of the face are perpendicular.
