@@ -107,6 +107,27 @@ fn a_seam_cut_on_purpose_stays_open() {
     assert!(!reasons(&open).contains(&"vertices-merged"), "{open}");
 }
 
+/// Corners that nearly coincide are named with their distance, where parts that are far apart are components.
+#[test]
+fn vertices_that_nearly_coincide_are_named_with_their_distance() {
+    let net =
+        r#"{"cyclide": 1, "objects": {"net": {"type": "cyclidic-net", "grid": {"obj": "m.obj"}, "frame": "auto"}}}"#;
+    for (gap, says) in [(1e-6, "within 1e-6 of those of other faces"), (3.0, "join the components")] {
+        let mut obj = String::new();
+        for k in 0..4 {
+            let (from, to) = (f64::from(k) + gap * f64::from(k), f64::from(k + 1) + gap * f64::from(k));
+            obj += &format!("v {from} 0 0\nv {to} 0 0\nv {to} 1 0\nv {from} 1 0\nf -4 -3 -2 -1\n");
+        }
+        let folder = Folder::with(&[("m.json", net), ("m.obj", &obj)]);
+        let run = folder.run("report m.json");
+        assert!(
+            run.code == 1 && run.stderr.contains("[several-components]") && run.stderr.contains(says),
+            "{}",
+            run.stderr
+        );
+    }
+}
+
 #[test]
 fn a_face_that_is_there_twice_is_named_with_both_lines() {
     let mut text = roof([4, 4], |_| false, |_| false);

@@ -53,6 +53,24 @@ fn a_pipe_of_three_legs_and_two_bends_has_seven_faces_and_hollow_twelve() {
     assert_eq!(File::of(&pipe(&LEGS, 8.0, None), "--step-edges rational").faces()[1], 2);
 }
 
+/// A round section on bends is a pipe, and a section with rounded corners has one torus for each of them on a bend.
+#[test]
+fn a_sweep_of_three_legs_and_two_bends_has_a_face_for_each_surface() {
+    let swept = |section: Value| {
+        let run = json!({"type": "polyline", "points": LEGS, "radius": 20.0, "construction": true});
+        File::of(
+            &json!({"run": run, "section": section, "bar": {"type": "sweep", "of": "run", "section": "section"}}),
+            "",
+        )
+    };
+    let round = swept(json!({"type": "circle", "center": [0, 0], "radius": 8, "construction": true}));
+    assert_eq!(round.faces(), [7, 2, 3, 2]);
+    let corners = [[-8, -4], [8, -4], [8, 4], [-8, 4]];
+    let slot = swept(json!({"type": "polyline", "points": corners, "radius": 3, "closed": true, "construction": true}));
+    assert_eq!(slot.count("TOROIDAL_SURFACE"), 8);
+    assert_eq!(slot.count("B_SPLINE_SURFACE_WITH_KNOTS"), 0);
+}
+
 /// Numbers that are the same in every run.
 struct Random(u64);
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use cyclide::{
-    Error,
+    Error, ShortNumber,
     error::{GridError, LayoutFault},
     surface::{QuadGrid, QuadLayout},
 };
@@ -13,6 +13,9 @@ use crate::input::exported_faces::{Doubled, turned_over};
 use crate::input::triangle_mesh::distinct;
 use crate::text::lines::LineStarts;
 use crate::text::place::{Diagnostic, Source, decode};
+
+/// Vertices nearer to each other than this part of the edges beside them are probably meant to be one.
+const NEARLY: f64 = 0.01;
 
 /// A quad grid read from a file.
 ///
@@ -277,6 +280,19 @@ impl<'a> Mesh<'a> {
         }
     }
 
+    /// How far the corners of a face are from the nearest vertices of others, if that is next to nothing beside its edges.
+    fn gap_beside(&self, face: usize) -> Option<f64> {
+        let (points, corners) = (&self.polygons.points, self.quads[face]);
+        let shortest =
+            sides_of(corners).into_iter().map(|[a, b]| points[a].distance(points[b])).fold(f64::INFINITY, f64::min);
+        let others = || self.quads.iter().flatten().filter(|vertex| !corners.contains(vertex));
+        let nearest =
+            |corner: usize| others().map(|v| points[*v].distance(points[corner])).fold(f64::INFINITY, f64::min);
+        let near: Vec<f64> = corners.map(nearest).into_iter().filter(|gap| *gap < NEARLY * shortest).collect();
+        // An edge at least.
+        (near.len() > 1).then(|| near.into_iter().fold(0.0, f64::max))
+    }
+
     fn check_connected(&self) -> Result<(), Box<Diagnostic>> {
         let mut reached = vec![false; self.quads.len()];
         let mut open = vec![0];
@@ -290,7 +306,14 @@ impl<'a> Mesh<'a> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(face) => {
-                let message = "this face is not connected to the first one through edges: join the components, or use a separate file and net for each (coincident vertices count as one)";
+                let message = match self.gap_beside(face) {
+                    Some(gap) => format!(
+                        "this face is not connected to the first one through edges, but its corners are within {} of those of other faces: they are probably the same points; merge vertices within {} of each other in the program that has written the mesh (only coincident vertices count as one here)",
+                        ShortNumber(gap),
+                        ShortNumber(2.0 * gap)
+                    ),
+                    None => "this face is not connected to the first one through edges: join the components, or use a separate file and net for each (coincident vertices count as one)".to_owned(),
+                };
                 Err(self.refused(face, "several-components", message))
             }
             None => Ok(()),

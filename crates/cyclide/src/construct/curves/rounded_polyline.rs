@@ -37,7 +37,7 @@ impl ArcPath {
                 return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius < 0.0 {
-                return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: index, radius }.into());
+                return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index, radius }.into());
             }
         }
         let legs = if closed { n } else { n - 1 };

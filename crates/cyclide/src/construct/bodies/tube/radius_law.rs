@@ -42,7 +42,7 @@ impl RadiusLaw {
                 return Err(NumberError::NotFinite { what: ErrorItem::Radius, index }.into());
             }
             if radius <= 0.0 {
-                return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index: index, radius }.into());
+                return Err(NumberError::RadiusNotPositive { what: ErrorItem::Radius, index, radius }.into());
             }
             range::check_distance(radius)?;
             if !(0.0..=1.0).contains(&at) {

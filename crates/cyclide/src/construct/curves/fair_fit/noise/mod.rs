@@ -5,6 +5,7 @@ mod beside;
 mod bursts;
 mod chords;
 mod directions;
+mod jumps;
 mod neighbors;
 mod outliers;
 mod predicted;

@@ -4,6 +4,7 @@
 use super::beside::{self, Beside, around};
 use super::bursts::{bursts, bursts_of_heights};
 use super::chords::{chords, median};
+use super::jumps::jumps;
 use super::predicted::unpredicted;
 use super::smoother::{Series, Smoothed, smoothed};
 use crate::base::vector::Point3;
@@ -43,19 +44,31 @@ pub(super) struct Cleaned {
     pub outliers: Vec<(usize, f64)>,
 }
 
+/// Points that need no other proof than their neighbors, which do not predict them, or from which they jump along the way and back.
+#[derive(Default)]
+struct Certain {
+    unpredicted: Vec<usize>,
+    jumps: Vec<usize>,
+}
+
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
     let laid = Laid::of(data);
     // What their neighbors do not predict needs no other proof.
-    let unpredicted = if laid.heights { Vec::new() } else { unpredicted(data.points, data.closed, protected) };
+    let certain = if laid.heights {
+        Certain::default()
+    } else {
+        let [unpredicted, jumps] = [unpredicted, jumps].map(|of| of(data.points, data.closed, protected));
+        Certain { unpredicted, jumps }
+    };
     let mut flagged = laid.spikes(protected);
-    flagged.extend(&unpredicted);
+    flagged.extend(certain.unpredicted.iter().chain(&certain.jumps));
     flagged.sort_unstable();
     flagged.dedup();
     let mut seen: Vec<Vec<usize>> = Vec::new();
     for _ in 0..REFINEMENTS {
         let (kept, smooth) = without(data, &flagged)?;
-        let found = confirmed(data, &laid, &kept, &smooth, [&flagged, &unpredicted], protected);
+        let found = confirmed(data, &laid, &kept, &smooth, (&flagged, &certain), protected);
         let next: Vec<usize> = found.iter().map(|f| f.0).collect();
         if next == flagged {
             return Some(Cleaned { kept, smoothed: smooth, outliers: found });
@@ -68,7 +81,7 @@ pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> O
         seen.push(std::mem::replace(&mut flagged, next));
     }
     let (kept, smooth) = without(data, &flagged)?;
-    let found = confirmed(data, &laid, &kept, &smooth, [&flagged, &unpredicted], protected);
+    let found = confirmed(data, &laid, &kept, &smooth, (&flagged, &certain), protected);
     let outliers: Vec<(usize, f64)> = found.into_iter().filter(|f| flagged.contains(&f.0)).collect();
     if outliers.len() == flagged.len() {
         return Some(Cleaned { kept, smoothed: smooth, outliers });
@@ -99,7 +112,7 @@ fn confirmed(
     laid: &Laid,
     kept: &[usize],
     smooth: &Smoothed,
-    [flagged, unpredicted]: [&[usize]; 2],
+    (flagged, certain): (&[usize], &Certain),
     protected: &dyn Fn(usize) -> bool,
 ) -> Vec<(usize, f64)> {
     let far = FAR[data.directions - 1];
@@ -118,7 +131,7 @@ fn confirmed(
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
         let distance = if laid.heights {
             laid.off_heights(*i, kept, &smooth.points)
-        } else if let ([a, b, c, d], Ok(_)) = (&places[..], unpredicted.binary_search(i)) {
+        } else if let ([a, b, c, d], Ok(_)) = (&places[..], certain.unpredicted.binary_search(i)) {
             // Among points far apart the curve is not where their polyline is.
             off_neighbors(&[*a, *b, data.points[*i], *c, *d], &[0, 1, 3, 4]).0
         } else {
@@ -134,7 +147,7 @@ fn confirmed(
     let base: Vec<Point3> = innocent.iter().map(|e| laid.points[*e]).collect();
     let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, laid.closed).off(base[j]).0).collect();
     candidates.retain(|(i, _)| {
-        if unpredicted.binary_search(i).is_ok() {
+        if certain.unpredicted.binary_search(i).or(certain.jumps.binary_search(i)).is_ok() {
             return true;
         }
         let at = innocent.partition_point(|e| *e < i + laid.margin);
