@@ -126,3 +126,37 @@ fn schedules_are_the_same_scaled() {
         }
     }
 }
+
+/// A solid of revolution of a rational curve has the same area and volume by any parameter of the curve.
+#[test]
+fn revolutions_are_the_same_by_other_parameters() {
+    let mut random = Random(73);
+    for member in 0..6 {
+        let degree = 2 + member % 3;
+        // From the axis, outside, and back to it.
+        let point = |k: usize, random: &mut Random| {
+            let x = if k == 0 || k == degree { 0.0 } else { random.between(15.0, 40.0) };
+            [x, 0.0, 10.0 * k as f64]
+        };
+        let points: Vec<[f64; 3]> = (0..=degree).map(|k| point(k, &mut random)).collect();
+        let weights: Vec<f64> = (0..=degree).map(|_| random.between(0.5, 2.0)).collect();
+        let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
+        let figures = |factor: f64| {
+            let weights: Vec<f64> = weights.iter().enumerate().map(|(i, w)| w * factor.powi(i as i32)).collect();
+            let curve = json!({"type": "nurbs", "degree": degree, "knots": knots, "control_points": points,
+                "weights": weights, "construction": true});
+            let objects = json!({"curve": curve, "body": {"type": "revolution", "of": "curve"}});
+            let folder = Folder::with(&[("m.json", &json!({"cyclide": 1, "objects": objects}).to_string())]);
+            let found = folder.json("report m.json --json");
+            ["area", "volume"].map(|figure| found["objects"]["body"][figure].as_f64())
+        };
+        let first = figures(1.0);
+        assert!(first.iter().all(Option::is_some), "{member}: {first:?}");
+        for factor in [1e-6, 1e-3, 0.03, 40.0, 1e3, 1e6] {
+            for (own, first) in figures(factor).into_iter().zip(first) {
+                let (own, first) = (own.unwrap_or(f64::NAN), first.unwrap_or(f64::NAN));
+                assert!((own - first).abs() <= 1e-8 * first.abs(), "{member}, by {factor}: {own} and {first}");
+            }
+        }
+    }
+}

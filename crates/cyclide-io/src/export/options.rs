@@ -189,7 +189,7 @@ pub enum PictureColour {
     Field,
 }
 
-/// Default limit of the pieces in a file of a small model: about half a gigabyte of memory and a minute.
+/// Default limit of the pieces in a file of a small model: about a quarter of a gigabyte of memory and some seconds.
 ///
 /// ```
 /// assert_eq!(cyclide_io::export::DEFAULT_MOST_PIECES, 1_000_000);

@@ -14,7 +14,7 @@ const MOST_GROWTH: f64 = 1e9;
 /// Largest ratio of any two weights: their products with coordinates stay in the range of doubles.
 const MOST_RATIO_OF_ALL: f64 = 1e150;
 /// Weights of a span that grow by more than this factor from one to the next on average are evened.
-const EVEN_RATIO: f64 = 1e3;
+const EVEN_RATIO: f64 = 30.0;
 
 /// Refuses curves that leave an end of a span in so short a part of its parameter that it has no digits. Small weights
 /// between larger ones do no harm.
@@ -66,7 +66,7 @@ pub(super) fn scaled_rows(points: &[Point3], weights: &[f64]) -> Vec<[f64; 4]> {
 
 impl NurbsCurve {
     /// Curve as [`clamped`](Self::clamped), over another parameter where weights are very uneven: if those of a span grow by
-    /// more than a factor of 1000 from one to the next on average, they are divided by `1, c, c², …` so that both ends have
+    /// more than a factor of 30 from one to the next on average, they are divided by `1, c, c², …` so that both ends have
     /// the same weight. The points are the same; knots of several spans are as many then as the degree.
     ///
     /// ```

@@ -26,7 +26,7 @@ use crate::error::Result;
 /// of control points.
 ///
 /// From an end of a span weights may grow by a factor of 1e9 with each step (`weights-uneven`). Weights that grow by
-/// more than a factor of 1000 from one to the next over a whole span are evened out: the points are the same, the
+/// more than a factor of 30 from one to the next over a whole span are evened out: the points are the same, the
 /// parameter is another.
 ///
 /// A `transform` maps the curve exactly by similarities, and by inversions and any other Möbius map. The latter double

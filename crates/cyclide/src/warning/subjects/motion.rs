@@ -130,7 +130,7 @@ table! {
             span(s), most from pose {span} to the next, by {distance} over a distance of {chord}: use the kind \
             `linear`, which goes straight from pose to pose, or add poses in between";
 
-        /// Blends at the poses of a motion are shorter than the given radius: they take at most half of the path to the next pose.
+        /// Blends at the poses of a motion are shorter than the given radius: they take at most half of the time to the next pose.
         BlendsShortened {
             /// The pose where the blend is the shortest, from 0.
             pose: usize,
@@ -144,7 +144,7 @@ table! {
         reason "blends-shortened";
         at *pose;
         says "the blends at {count} pose(s) are shorter than the radius of {asked}, since a blend takes at most half \
-            of the path to the next pose: radius {radius} at pose {pose}; give a smaller radius, or move the poses \
+            of the time to the next pose: radius {radius} at pose {pose}; give a smaller radius, or move the poses \
             apart";
 
         /// A pose differs from the previous one by half a turn, for which both directions are equally short.

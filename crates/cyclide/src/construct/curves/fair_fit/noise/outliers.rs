@@ -51,6 +51,16 @@ struct Certain {
     jumps: Vec<usize>,
 }
 
+impl Certain {
+    fn has(&self, i: usize) -> bool {
+        self.unpredicted.binary_search(&i).or(self.jumps.binary_search(&i)).is_ok()
+    }
+
+    fn is_unpredicted_only(&self, i: usize) -> bool {
+        self.unpredicted.binary_search(&i).is_ok() && self.jumps.binary_search(&i).is_err()
+    }
+}
+
 /// Finds the outliers of a run and smooths the rest. `protected`: points that are none in any case.
 pub(super) fn cleaned(data: &Series<'_>, protected: &dyn Fn(usize) -> bool) -> Option<Cleaned> {
     let laid = Laid::of(data);
@@ -131,7 +141,7 @@ fn confirmed(
         let places: Vec<Point3> = (at - 2..at + 2).filter_map(|k| around(&smooth.points, k, data.closed)).collect();
         let distance = if laid.heights {
             laid.off_heights(*i, kept, &smooth.points)
-        } else if let ([a, b, c, d], Ok(_)) = (&places[..], certain.unpredicted.binary_search(i)) {
+        } else if let ([a, b, c, d], true) = (&places[..], certain.is_unpredicted_only(*i)) {
             // Among points far apart the curve is not where their polyline is.
             off_neighbors(&[*a, *b, data.points[*i], *c, *d], &[0, 1, 3, 4]).0
         } else {
@@ -147,7 +157,7 @@ fn confirmed(
     let base: Vec<Point3> = innocent.iter().map(|e| laid.points[*e]).collect();
     let usual: Vec<f64> = (0..base.len()).map(|j| Beside::one(&base, j, laid.closed).off(base[j]).0).collect();
     candidates.retain(|(i, _)| {
-        if certain.unpredicted.binary_search(i).or(certain.jumps.binary_search(i)).is_ok() {
+        if certain.has(*i) {
             return true;
         }
         let at = innocent.partition_point(|e| *e < i + laid.margin);
