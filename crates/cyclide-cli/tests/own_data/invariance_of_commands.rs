@@ -73,7 +73,7 @@ fn curves_of_tables_are_the_same_scaled_reversed_and_turned() {
         by(&|_| String::new());
         by(&|factor| format!("--kind arc-fit --tolerance {}", 0.5 * factor));
         by(&|factor| format!("--smooth {}", 0.5 * factor));
-        let kind = ["circle-spline", "moebius-spline", "arc-spline", "polyline"][member % 4];
+        let kind = ["circle-spline", "moebius-spline", "arc-spline", "fair-spline"][member % 4];
         by(&|_| format!("--kind {kind}"));
     }
 }

@@ -210,7 +210,7 @@ fn noisy_motions_close_and_name_lost_poses() {
     let document = |fields: &str, lost: bool| {
         let poses = noisy_ring(lost);
         format!(
-            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 2.5, "angle": {{"degrees": 0.5}}}},
+            r#"{{"cyclide": 1, "units": "mm", "objects": {{"m": {{"type": "motion", "tolerance": {{"place": 2.2, "angle": {{"degrees": 0.4}}}},
                 {fields} "poses": [{poses}]}}}}}}"#
         )
     };
@@ -223,7 +223,7 @@ fn noisy_motions_close_and_name_lost_poses() {
     assert!(gap(&found) < 1e-9 && found["acceleration_jump"].as_f64().unwrap_or(0.0) < 1e-6, "{found}");
     assert!(text.contains("in its initial rotation\n") && reasons(&found).is_empty(), "{text}");
     assert!((found["length"].as_f64().unwrap() - 510.5).abs() < 6.0, "{found}");
-    assert!(found["deviation"]["place"].as_f64().unwrap() <= 2.5);
+    assert!(found["deviation"]["place"].as_f64().unwrap() <= 2.2);
     // Kept, it pulls the motion; left out, it does not.
     for (fields, dropped) in
         [("", false), (r#""outliers": "keep","#, false), (r#""outliers": "drop", "closed": true,"#, true)]
@@ -248,7 +248,9 @@ fn wide_tolerances_of_motions_are_said() {
         )
     };
     for (poses, place, expected) in [
-        (&ring, 2.5, None),
+        // The poses are .86 (rms) from the path, and these motions .91 and 1.16.
+        (&ring, 2.2, None),
+        (&ring, 2.5, Some("wide-tolerance")),
         (&ring, 40.0, Some("shape-smoothed-away")),
         (&ring, 400.0, Some("shape-smoothed-away")),
         (&line, 2.5, None),

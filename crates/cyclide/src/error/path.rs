@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::error::{Error, PartError};
+use crate::error::{CurveError, Error, PartError};
 
 /// Where in the input of a construction a fault is, as the constructions name their input: `weights[3]`, `branches[2].radius`,
 /// `tolerance`; `[4]` is an entry of its main list, the points of a curve.
@@ -45,6 +45,10 @@ impl Error {
             && let path @ FieldPath { field: Some(_), index: None, .. } = cause.path()
         {
             return path;
+        }
+        if let Self::Curve(CurveError::EmptyInterval { index, .. }) = self {
+            // The knot at its end.
+            return FieldPath { field: Some("knots"), index: Some(index + 1), part: None };
         }
         let (field, is_list) = self.field();
         FieldPath { part: None, field, index: self.index().filter(|_| is_list) }

@@ -8,7 +8,7 @@ use crate::document::coordinates::Coordinates;
 use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
-use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// A full circle: by its center and radius, or through three points.
@@ -54,7 +54,7 @@ impl Kind for CircleSpec {
     }
 
     fn fields(&self) -> FieldNames {
-        main_field("through")
+        vec![("", "through")]
     }
 }
 

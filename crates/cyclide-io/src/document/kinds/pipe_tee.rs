@@ -15,7 +15,7 @@ use crate::document::kinds::TypeWord;
 use crate::document::kinds::fields::comment::Comment;
 use crate::document::objects::Builder;
 use crate::document::objects::facts::{BlendFacts, Facts};
-use crate::document::objects::kind::{FieldNames, Kind, Shape, main_field};
+use crate::document::objects::kind::{FieldNames, Kind, Shape};
 use crate::error::Result;
 
 /// A main pipe about the x axis with branches, each joined to it by a rolling-ball fillet; solid, or with a `wall`.
@@ -224,7 +224,7 @@ impl Kind for PipeTeeSpec {
     }
 
     fn fields(&self) -> FieldNames {
-        main_field("branches")
+        vec![("[]", "branches"), ("pipes[]", "main")]
     }
 }
 

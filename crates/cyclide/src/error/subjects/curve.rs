@@ -83,7 +83,7 @@ table! {
             limit: f64,
         }
         reason "empty-interval";
-        at *index + 1;
+        at *index;
         entry "knots";
         says "interval {index} of the parameter has length {length}, must be above {limit}";
     }

@@ -6,7 +6,7 @@ use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::curve::{Correspondence, CurvePlace, ParamCurve, PieceHull, Span};
-use crate::error::{CurveError, Result};
+use crate::error::{CurveError, Error, NurbsError, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
 impl TorusSpline {
@@ -50,7 +50,14 @@ impl TorusSpline {
             let ends = [0.0, 1.0].map(|s| curve.point(s));
             *curve = curve.multiplied(&vec![1.0; degree - curve.degree() + 1]).with_ends(Some(ends[0]), Some(ends[1]));
         }
-        let curve = NurbsCurve::from_beziers(&curves, &intervals)?;
+        // What rounding tears apart, the torus is too narrow for.
+        let of_torus = |error: Error| match error {
+            Error::Curve(CurveError::Disconnected { .. }) | Error::Nurbs(NurbsError::WeightNotPositive { .. }) => {
+                error.in_field("torus")
+            }
+            other => other,
+        };
+        let curve = NurbsCurve::from_beziers(&curves, &intervals).map_err(of_torus)?;
         // A point times its weight and divided by it again is rounded: joints are put in as they are.
         let mut points = curve.control_points().to_vec();
         let mut span = 0;

@@ -92,7 +92,7 @@ impl PipeTee {
         match ends.into_iter().find(|end| !(inside - end * taper.tan() > 0.0)) {
             Some(reached) if inside > 0.0 => {
                 let apex = inside / taper.tan();
-                Err(Error::from(PipeError::ConeReachesApex { pipe: 0, apex, reached }).in_field("main"))
+                Err(PipeError::ConeReachesApex { pipe: 0, apex, reached }.into())
             }
             Some(_) => {
                 Err(NumberError::RadiusNotPositive { what: ErrorItem::MainPipe, index: 0, radius: inside }.into())

@@ -230,7 +230,7 @@ impl PipeTee {
         if let [start, end] = main.ends
             && start >= end
         {
-            return Err(Error::from(PipeError::EndsReversed { pipe: 0, start, end }).in_field("main"));
+            return Err(PipeError::EndsReversed { pipe: 0, start, end }.into());
         }
         for (index, branch) in branches.iter().enumerate() {
             range::check_radius(ErrorItem::Radius, 0, branch.radius)

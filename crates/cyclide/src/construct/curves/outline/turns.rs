@@ -11,10 +11,12 @@ use std::f64::consts::PI;
 const PROMINENCE: f64 = 3.0;
 /// A kink turns by more than this, six degrees,
 const LEAST_KINK: f64 = PI / 30.0;
-/// and by so many times what a smooth curve would: at the end of a straight run or side, where that is half of what it turns over the edge beyond,
-const SIDE_KINK: f64 = 2.0;
-/// and elsewhere.
+/// and by so many times what a smooth curve would: at the end of a straight run,
+const RUN_KINK: f64 = 2.0;
+/// and elsewhere: an edge that is a chord of a curve, as others are, makes twice as much of it.
 const KINK: f64 = 3.0;
+/// Points of an arc turn alike, over edges alike, to this factor.
+const STEADY: f64 = 1.3;
 /// It is as many times as far off as rounding explains.
 const ROUNDINGS: f64 = 4.0;
 /// With so few turning points between two corners or straight sides there is no curve.
@@ -71,21 +73,36 @@ impl Reader<'_> {
         is_bent || (self.runs.ends_at(vertex) && self.is_beyond_rounding(vertex) && self.is_kink(vertex))
     }
 
-    /// Whether a turn is far more than what a smooth curve makes of it by its curvature at the neighbors: half of what it turns over
-    /// both edges, and nothing over a straight side.
+    /// Whether an arc meets a straight side or another arc there: a turn far more than what a smooth curve makes of it by the curvature
+    /// of the arcs, which is half of what they turn over their edges.
     pub(super) fn is_kink(&self, vertex: usize) -> bool {
-        let (before, after) = (self.before(vertex), self.after(vertex));
-        if !(self.is_inside(vertex) && self.is_inside(before) && self.is_inside(after)) {
+        if !self.is_inside(vertex) {
             return false;
         }
-        let over = |edge: usize, neighbor: usize, beyond: usize| {
-            let [own, beyond] = [edge, beyond].map(|edge| self.lengths[edge]);
-            if self.straight[edge] { 0.0 } else { self.turn(neighbor) * own / (own + beyond) }
-        };
-        let smooth = over(before, before, self.before(before)) + over(vertex, after, after);
-        let ends_side = self.runs.ends_at(vertex) || self.straight[before] || self.straight[vertex];
-        let times = if ends_side { SIDE_KINK } else { KINK };
-        self.turn(vertex) > LEAST_KINK && self.turn(vertex) > times * smooth
+        let sides = [false, true].map(|forward| self.bend_beside(vertex, forward));
+        let [Some(before), Some(after)] = sides else { return false };
+        let (smooth, times) = (before + after, if self.runs.ends_at(vertex) { RUN_KINK } else { KINK });
+        self.turn(vertex) > LEAST_KINK && smooth > 0.0 && self.turn(vertex) > times * smooth
+    }
+
+    /// What an arc that begins at a vertex turns over half of its first edge, by the points beyond; 0 of a straight run or side, `None` of anything else.
+    fn bend_beside(&self, vertex: usize, forward: bool) -> Option<f64> {
+        let step = |i: usize| if forward { self.after(i) } else { self.before(i) };
+        let edge = |i: usize| if forward { i } else { self.before(i) };
+        let ahead = [step(vertex), step(step(vertex)), step(step(step(vertex)))];
+        if self.straight[edge(vertex)] || self.runs.is_inside(ahead[0]) {
+            return Some(0.0);
+        }
+        let is_near = |a: f64, b: f64| a.max(b) <= STEADY * a.min(b);
+        let [one, two, three] = ahead.map(|i| self.turns[i]);
+        let is_arc = ahead.iter().all(|i| self.is_inside(*i) && self.does_turn(*i))
+            && one.dot(two) > 0.0
+            && two.dot(three) > 0.0
+            && is_near(one.length(), two.length())
+            && is_near(two.length(), three.length());
+        let lengths = [vertex, ahead[0], ahead[1]].map(|i| self.lengths[edge(i)]);
+        let is_even = is_near(lengths[0], lengths[1]) && is_near(lengths[1], lengths[2]);
+        (is_arc && is_even).then(|| self.turn(ahead[0]) * lengths[0] / (lengths[0] + lengths[1]))
     }
 
     /// Whether the rounding of coordinates is no reason for it.
