@@ -28,7 +28,7 @@ pub(super) struct PoseRows<'a> {
     pub(super) rounded: Option<Rounded>,
 }
 
-/// Matrices with few decimals: how many, and where the worst stands and how far it is off.
+/// Matrices with few decimals: how many, where the worst one is, and how far it is off.
 pub(super) struct Rounded {
     pub(super) count: usize,
     pub(super) start: usize,
@@ -155,7 +155,7 @@ impl<'a> PoseRows<'a> {
         })
     }
 
-    /// Remembers the first angle of more than a turn; lines are counted where they are told.
+    /// Remembers the first angle of more than a turn, with its line.
     fn note_angle(&mut self, row: &Row<'_, '_>, angle: Option<f64>) {
         if let (Some(angle), None) = (angle, self.more_than_a_turn) {
             self.more_than_a_turn = Some((self.source.line_of(row.fields[0].start), angle));

@@ -38,7 +38,7 @@ struct Column {
     last: Option<f64>,
     step: Option<f64>,
     even: bool,
-    /// The same but for the rounding of decimals.
+    /// The same, apart from the rounding of decimals.
     regular: bool,
     rises: bool,
     range: Option<[f64; 2]>,
@@ -176,7 +176,7 @@ impl Sampled {
         })
     }
 
-    /// The columns but for those that number the points, or may be times.
+    /// The columns except those that number the points or may be times.
     pub(super) fn without_numbers(&self, columns: &[usize]) -> Vec<usize> {
         let mut rest = columns;
         if self.numbers_points(rest) || self.may_be_times(rest) {

@@ -30,7 +30,7 @@ pub(super) struct Reader<'a> {
     pub(super) lengths: Vec<f64>,
     pub(super) corner: Vec<bool>,
     pub(super) straight: Vec<bool>,
-    /// Edges between points that are no samples, whatever stands beside them.
+    /// Edges between points that are no samples, whatever is beside them.
     pub(super) held: Vec<bool>,
     pub(super) runs: StraightRuns,
 }

@@ -21,7 +21,7 @@ const STEADY: f64 = 1.3;
 const ROUNDINGS: f64 = 4.0;
 /// With so few turning points between two corners or straight sides there is no curve.
 pub(super) const FEW: usize = 2;
-/// Noise is told by pairs of neighbors that turn by more than this, up to a sample's largest turn,
+/// Noise is recognized by pairs of neighbors that turn by more than this, up to a sample's largest turn,
 const ROUGH: f64 = 5.0 * PI / 180.0;
 /// of which at least so many,
 const ROUGH_PAIRS: u32 = 16;
