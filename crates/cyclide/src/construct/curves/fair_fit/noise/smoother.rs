@@ -38,8 +38,9 @@ const CLIPPED: f64 = 3.0;
 const NONE: f64 = 1e-6;
 /// Weight of an end that stays.
 const FIXED: f64 = 1e8;
-/// Largest ratio of the stiffness between calm and lively places.
-const CALM: f64 = 100.0;
+/// How the stiffness follows what varies: even for bends all along, sharper for straight runs and corners. What cross-validation
+/// prefers is taken.
+const ADAPTIONS: [Adaption; 2] = [Adaption { calm: 1e2, reach: 1.0 }, Adaption { calm: 1e5, reach: 0.3 }];
 
 /// Data of one smooth piece.
 #[derive(Clone, Copy)]
@@ -70,6 +71,41 @@ pub(super) struct Smoothed {
     pub residuals: Vec<Residual>,
 }
 
+/// How the stiffness follows what varies.
+#[derive(Clone, Copy)]
+struct Adaption {
+    /// Its largest ratio between calm and lively places.
+    calm: f64,
+    /// It is looked at round about as far as this part of the smoother's length.
+    reach: f64,
+}
+
+impl Adaption {
+    /// Stiffness for each third difference: the less it varies round about, the stiffer. Their geometric mean is 1.
+    fn stiffness(self, variations: &[f64], length: f64, closed: bool) -> Vec<f64> {
+        let n = variations.len();
+        let reach = ((self.reach * length) as usize).clamp(1, (n / 2).saturating_sub(1).max(1));
+        let at = |k: isize| {
+            let k = if closed { k.rem_euclid(n as isize) } else { k.clamp(0, n as isize - 1) };
+            variations[k as usize]
+        };
+        let mut sum: f64 = (-(reach as isize)..=reach as isize).map(at).sum();
+        let mut means = Vec::with_capacity(n);
+        for k in 0..n as isize {
+            means.push((sum / (2 * reach + 1) as f64).max(0.0));
+            sum += at(k + 1 + reach as isize) - at(k - reach as isize);
+        }
+        let mean = means.iter().sum::<f64>() / n as f64;
+        if !(mean > 0.0 && mean.is_finite()) {
+            return vec![1.0; n];
+        }
+        let mut stiffness: Vec<f64> = means.iter().map(|m| mean / (m + mean / self.calm)).collect();
+        let level = (stiffness.iter().map(|s| s.ln()).sum::<f64>() / n as f64).exp();
+        stiffness.iter_mut().for_each(|s| *s /= level);
+        stiffness
+    }
+}
+
 /// One strength tried.
 struct Choice {
     exponent: f64,
@@ -77,6 +113,20 @@ struct Choice {
     freedom: f64,
     squares: f64,
     residuals: Vec<Residual>,
+}
+
+impl Choice {
+    /// What the choices for the same data are compared by, the less the better: generalized cross-validation, with distances that
+    /// stand out clipped; where the noise is known all leave as much, and the least free is best.
+    fn validation(&self, data: &Series<'_>) -> f64 {
+        if data.noise.is_some() {
+            return self.freedom;
+        }
+        let limit = CLIPPED * scale(self.residuals.iter().map(|r| r.across), data.directions);
+        let given = |i: usize| data.weights.map_or(1.0, |w| w[i]);
+        let squares: f64 = self.residuals.iter().enumerate().map(|(i, r)| given(i) * r.across.min(limit).powi(2)).sum();
+        squares / (self.points.len() as f64 - self.freedom).powi(2)
+    }
 }
 
 /// Smooths the data as their noise asks; `None` where they are too few.
@@ -88,7 +138,8 @@ pub(super) fn smoothed(data: &Series<'_>) -> Option<Smoothed> {
         let (points, weights) = averaged(data, &groups);
         let lengths = (group == 1).then_some(data.chords).flatten();
         let coarse = Series { points: &points, weights: Some(&weights), chords: lengths, ..*data };
-        let choice = rounds(&coarse)?;
+        let choices = ADAPTIONS.iter().filter_map(|adaption| rounds(&coarse, *adaption));
+        let choice = choices.min_by(|a, b| a.validation(&coarse).total_cmp(&b.validation(&coarse)))?;
         if choice.exponent > DENSE && n / (2 * group) >= FEWEST_GROUPS && data.chords.is_none() {
             group *= 2;
             continue;
@@ -122,7 +173,7 @@ fn averaged(data: &Series<'_>, groups: &[Range<usize>]) -> (Vec<Point3>, Vec<f64
 }
 
 /// The data smoothed in rounds: each takes lengths, stiffness and weights from the one before.
-fn rounds(data: &Series<'_>) -> Option<Choice> {
+fn rounds(data: &Series<'_>, adaption: Adaption) -> Option<Choice> {
     let (n, closed) = (data.points.len(), data.closed);
     if n < FEWEST {
         return None;
@@ -141,7 +192,7 @@ fn rounds(data: &Series<'_>) -> Option<Choice> {
         if data.chords.is_none() {
             lengths = above_shortest(chords(&choice.points, closed));
         }
-        stiffness = calm(&smoother.variations(&choice.points), n as f64 / choice.freedom, closed);
+        stiffness = adaption.stiffness(&smoother.variations(&choice.points), n as f64 / choice.freedom, closed);
         weights.clone_from(&given);
         if round + 1 < ROBUST {
             for (w, far) in weights.iter_mut().zip(standing_out(&choice, data)) {
@@ -225,30 +276,6 @@ fn standing_out(choice: &Choice, data: &Series<'_>) -> Vec<f64> {
         (r.alone[0] / across).hypot(r.alone[1] / along.max(across))
     };
     choice.residuals.iter().map(|r| if across > 0.0 { far(r) } else { 0.0 }).collect()
-}
-
-/// Stiffness for each third difference: the less it varies round about, the stiffer. Their geometric mean is 1.
-fn calm(variations: &[f64], reach: f64, closed: bool) -> Vec<f64> {
-    let n = variations.len();
-    let reach = (reach as usize).clamp(1, (n / 2).saturating_sub(1).max(1));
-    let at = |k: isize| {
-        let k = if closed { k.rem_euclid(n as isize) } else { k.clamp(0, n as isize - 1) };
-        variations[k as usize]
-    };
-    let mut sum: f64 = (-(reach as isize)..=reach as isize).map(at).sum();
-    let mut means = Vec::with_capacity(n);
-    for k in 0..n as isize {
-        means.push((sum / (2 * reach + 1) as f64).max(0.0));
-        sum += at(k + 1 + reach as isize) - at(k - reach as isize);
-    }
-    let mean = means.iter().sum::<f64>() / n as f64;
-    if !(mean > 0.0 && mean.is_finite()) {
-        return vec![1.0; n];
-    }
-    let mut stiffness: Vec<f64> = means.iter().map(|m| mean / (m + mean / CALM)).collect();
-    let level = (stiffness.iter().map(|s| s.ln()).sum::<f64>() / n as f64).exp();
-    stiffness.iter_mut().for_each(|s| *s /= level);
-    stiffness
 }
 
 /// The places of all data on what was found for their groups.
