@@ -251,7 +251,7 @@ struct Reading {
 }
 
 impl Reading {
-    /// Of poses without the first one again; outliers matter where there is a tolerance.
+    /// Of poses without the first one again. Where nothing is smoothed the motion passes through outliers, which are named all the more.
     fn of(given: &Given, turning: bool, limit: Option<PoseLimit>) -> Self {
         let count = given.places.len() - usize::from(given.closed);
         let places = |a: usize, b: usize| given.places[b] - given.places[a];
@@ -262,7 +262,7 @@ impl Reading {
         let period = given.closed.then(|| given.times[count] - given.times[0]);
         let between: &dyn Fn(usize, usize) -> Vec3 = if turning { &turns } else { &places };
         let track = Track { times: &given.times[..count], period, between };
-        let strays = limit.map_or_else(Vec::new, |limit| track.strays(limit.bound().unwrap_or(0.0)));
+        let strays = track.strays(limit.and_then(PoseLimit::bound).unwrap_or(0.0));
         let mut list = track.all();
         list.retain(|pose| strays.binary_search_by_key(pose, |stray| stray.pose).is_err());
         Self { turning, limit, noise: track.noise(&list), strays, count }

@@ -51,8 +51,8 @@ table! {
             of(*turning),
             unit(*turning);
         says "pose {pose} is an outlier in {0} ({count} in all): it is {distance}{1} from the path of the poses \
-            around it, whose noise has a standard deviation of {noise}{1}; kept: the motion follows it within a \
-            tolerance, and hardly at all where the noise decides", of(*turning), unit(*turning);
+            around it, whose noise has a standard deviation of {noise}{1}; kept: the motion hardly follows it \
+            where the noise decides, within the tolerance where there is one, and else passes through it", of(*turning), unit(*turning);
 
         /// A smoothed motion starts or ends a span much faster than it moves there on average: it overshoots the poses, as where two of
         /// them are close together in time and farther apart than the tolerance.

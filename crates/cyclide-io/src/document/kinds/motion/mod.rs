@@ -80,7 +80,8 @@ pub struct MotionSpec {
     /// tolerances of every pose.
     pub tolerance: Option<PoseTolerance>,
     /// With a `tolerance`: what happens to outliers, which are poses that do not agree with the others; they are named
-    /// in any case. Default `keep`: the motion stays within the tolerance of them too.
+    /// in any case. Default `keep`: with `auto` they have next to no influence, with a number the motion stays within it
+    /// of them too, and it passes through them in place or in angle if no tolerance is given for that.
     pub outliers: Option<Outliers>,
     /// Name of a curve of one contour that the origin of the body follows, turned by the quaternions of the curve:
     /// arcs, segments, `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, a `fair-fit`, or a rational
