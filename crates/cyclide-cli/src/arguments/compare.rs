@@ -3,21 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use clap::{ArgAction, Args as ClapArgs, ValueEnum as _};
-use cyclide::model::Units;
 use cyclide_io::{
-    Document,
     document::{
-        ObjectSpec, PointFile, PointSource,
+        ObjectSpec, PointSource,
         kinds::{Comment, PolylineSpec, RadiiSpec, TypeWord},
     },
     file::{WriteOptions, same_file},
-    input::PointColumns,
 };
 
 use super::curve::{CLOSED_KINDS, CurveArgs, Kind};
 use super::files::{Input, WriteArgs, refuse_folder_name, refuse_overwriting};
 use super::numbers::{positive, up_to_half_a_turn};
-use super::words::word;
+use super::table::TableArgs;
 use crate::output::failure::Failure;
 
 pub const EXAMPLES: &str = "\
@@ -43,17 +40,8 @@ pub struct CompareArgs {
     /// the diagonal of the points].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// Unit of the coordinates, which are labeled and never rescaled [default: the unit in the column names, as in
-    /// x_m, otherwise mm].
-    #[arg(long, value_parser = word::<Units>())]
-    pub units: Option<Units>,
-    /// The two or three coordinate columns, x first, by name or by number from 1 [default: columns named x, y and z, or
-    /// easting, northing and height; never those with numbers or names of points].
-    #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
-    pub columns: Option<Vec<String>>,
-    /// The column that separates contours [default: 'contour', otherwise blank lines].
-    #[arg(long, value_name = "NAME")]
-    pub contour_column: Option<String>,
+    #[command(flatten)]
+    pub table: TableArgs,
     /// Turns above this angle, in degrees, are corners, for kinds that support corners [default: as in 'cyclide curve'].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]
     pub corner_angle_deg: Option<f64>,
@@ -93,11 +81,7 @@ impl CompareArgs {
             }
             outputs.push((path.clone(), file_of(path)?));
         }
-        let Some(csv) = self.points.to_str().map(str::to_owned) else {
-            return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
-        };
-        let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
-        let source = PointSource::File(file);
+        let source = self.table.source(&self.points)?;
         let polygon = ObjectSpec::Polyline(PolylineSpec {
             r#type: TypeWord,
             comment: Comment,
@@ -106,13 +90,8 @@ impl CompareArgs {
             closed: self.closed,
             radius: RadiiSpec::default(),
         });
-        let name = self.points.display().to_string();
-        let document =
-            Document::from_objects(&name, self.units.unwrap_or_default(), vec![("points".to_owned(), polygon)]);
-        let document = if self.units.is_some() { document } else { document.assuming_units() };
-        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         Ok(ComparePlan {
-            input: Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() },
+            input: self.table.input(&self.points, ("points".to_owned(), polygon)),
             points: self.points,
             outputs,
             tolerance: self.tolerance,

@@ -6,7 +6,6 @@ use clap::{Args as ClapArgs, ValueEnum};
 use cyclide::{
     construct::{BiarcRule, Effort, FitTarget, Outliers},
     curve::BlendVariant,
-    model::Units,
 };
 use cyclide_io::document::{
     Angle, ObjectSpec, PointSource,
@@ -19,6 +18,7 @@ use cyclide_io::document::{
 
 use super::make::OutputArgs;
 use super::numbers::{positive, up_to_half_a_turn};
+use super::table::TableArgs;
 use super::words::word;
 use crate::output::failure::Failure;
 
@@ -70,17 +70,8 @@ pub struct CurveArgs {
     /// and its approximation in a file, if the format requires one [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// Unit of the coordinates, which are labeled and never rescaled [default: the unit in the column names, as in
-    /// x_m, otherwise mm].
-    #[arg(long, value_parser = word::<Units>())]
-    pub units: Option<Units>,
-    /// The two or three coordinate columns, x first, by name or by number from 1 [default: columns named x, y and z, or
-    /// easting, northing and height; never those with numbers or names of points].
-    #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
-    pub columns: Option<Vec<String>>,
-    /// The column that separates contours [default: 'contour', otherwise blank lines].
-    #[arg(long, value_name = "NAME")]
-    pub contour_column: Option<String>,
+    #[command(flatten)]
+    pub table: TableArgs,
     /// Turns above this angle, in degrees, are corners, and others are not [default: no corners for splines and a fair fit;
     /// for an arc fit, turns above 30 that samples of a smooth curve cannot explain].
     #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_hyphen_values = true)]

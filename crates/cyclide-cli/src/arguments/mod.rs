@@ -13,4 +13,5 @@ pub mod plan;
 pub mod sample;
 pub mod schedule;
 pub mod starters;
+mod table;
 mod words;

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use cyclide_io::{
-    Document, ExportOptions, Format,
-    document::{PointFile, PointSource},
+    ExportOptions, Format,
     file::{WriteOptions, same_file},
-    input::PointColumns,
     report::SpeedLimits,
 };
 
@@ -206,20 +204,11 @@ impl CurveArgs {
         effect::refuse_options_of_other_kinds(&self, kind)?;
         let stem = self.points.file_stem().and_then(OsStr::to_str);
         let name = stem.filter(|s| !s.trim().is_empty() && *s != "-").unwrap_or("curve");
-        let Some(csv) = self.points.to_str().map(str::to_owned) else {
-            return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
-        };
-        let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
-        let spec = self.spec(kind, PointSource::File(file))?;
-        let objects = vec![(name.to_owned(), spec)];
+        let spec = self.spec(kind, self.table.source(&self.points)?)?;
         for path in &self.output.output {
             refuse_overwriting(Some(path), &self.points)?;
         }
-        let units = self.units.unwrap_or_default();
-        let document = Document::from_objects(&self.points.display().to_string(), units, objects);
-        let document = if self.units.is_some() { document } else { document.assuming_units() };
-        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
-        let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
+        let input = self.table.input(&self.points, (name.to_owned(), spec));
         let plan = self.output.plan(input, self.tolerance)?;
         Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, kind_by_default, ..plan })
     }

@@ -35,9 +35,9 @@ impl Caption {
             return None;
         }
         let unit = match job.units() {
-            Units::Millimetre => "millimetres",
-            Units::Centimetre => "centimetres",
-            Units::Metre => "metres",
+            Units::Millimetre => "millimeters",
+            Units::Centimetre => "centimeters",
+            Units::Metre => "meters",
             Units::Inch => "inches",
             Units::Foot => "feet",
             Units::UsSurveyFoot => "US survey feet",

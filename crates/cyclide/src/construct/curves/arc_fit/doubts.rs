@@ -7,7 +7,7 @@ use super::piece::Piece;
 use super::trace::Trace;
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::construct::curves::outline::SAMPLE_SAGITTA;
+use crate::construct::curves::outline::{Outline, SAMPLE_SAGITTA};
 use crate::warning::{FitWarning, NoiseWarning, Warning};
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
@@ -24,8 +24,32 @@ const NOISE_FRACTION: f64 = 0.5;
 /// Fewer arcs than this say nothing about noise.
 const MIN_ARCS: usize = 8;
 
+/// What was fitted: how far it is from the polyline, and whether it lies in a plane.
+pub(super) struct Fitted<'a> {
+    pub pieces: &'a [Piece],
+    pub trace: &'a Trace,
+    pub distance: f64,
+    pub is_planar: bool,
+}
+
+impl Fitted<'_> {
+    /// All doubts, in the order in which they are told.
+    pub fn doubts(&self, data: &[Point3], outline: &Outline, options: &ArcFitOptions) -> Vec<Warning> {
+        let Self { pieces, trace, distance, is_planar } = *self;
+        let swing = swing(data, &outline.corners, options, distance)
+            .or_else(|| swing_over_edge(pieces, trace, options, is_planar))
+            .or_else(|| {
+                let is_read = options.target == FitTarget::Points;
+                let curve = || outline.read_as_curve(data, options.closed, options.tolerance, distance, true);
+                is_read.then(curve).flatten()
+            });
+        let others = [noise(pieces, trace, options.target), wide(data, options.tolerance)];
+        coarse_samples(data, options).into_iter().chain(swing).chain(others.into_iter().flatten()).collect()
+    }
+}
+
 /// The edges are meant, but their sagittas say that the points are samples of something smooth.
-pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Option<Warning> {
+fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Option<Warning> {
     if options.target != FitTarget::Polyline {
         return None;
     }
@@ -35,12 +59,7 @@ pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Opti
 }
 
 /// Points are meant, and between them the curve is farther from their polyline than their turns explain.
-pub(super) fn swing(
-    points: &[Point3],
-    corners: &[(usize, f64)],
-    options: &ArcFitOptions,
-    distance: f64,
-) -> Option<Warning> {
+fn swing(points: &[Point3], corners: &[(usize, f64)], options: &ArcFitOptions, distance: f64) -> Option<Warning> {
     if options.target != FitTarget::Points {
         return None;
     }
@@ -57,12 +76,7 @@ pub(super) fn swing(
 }
 
 /// The same edge by edge: no smooth curve leaves an edge by more than a part of its length.
-pub(super) fn swing_over_edge(
-    pieces: &[Piece],
-    trace: &Trace,
-    options: &ArcFitOptions,
-    planar: bool,
-) -> Option<Warning> {
+fn swing_over_edge(pieces: &[Piece], trace: &Trace, options: &ArcFitOptions, planar: bool) -> Option<Warning> {
     if options.target != FitTarget::Points {
         return None;
     }
@@ -72,13 +86,13 @@ pub(super) fn swing_over_edge(
 }
 
 /// A tolerance of the size of the figure's own bends keeps no shape.
-pub(super) fn wide(points: &[Point3], tolerance: f64) -> Option<Warning> {
+fn wide(points: &[Point3], tolerance: f64) -> Option<Warning> {
     let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
     (tolerance > WIDE * size).then_some(Warning::Fit(FitWarning::WideTolerance { tolerance, used: tolerance }))
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbor: they follow noise.
-pub(super) fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Option<Warning> {
+fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Option<Warning> {
     // Edges that are meant themselves may well turn to and fro.
     if pieces.len() < MIN_ARCS || target == FitTarget::Polyline {
         return None;

@@ -45,6 +45,7 @@ use beam::ChainJoint;
 use certificate::certify;
 use input::{Distinct, Seam};
 use piece::{Piece, Place, Span};
+use symmetric::Symmetric;
 use trace::{Chain, Trace};
 use way_round::WayRound;
 
@@ -294,29 +295,10 @@ impl ArcFit {
             Some(frame) => {
                 match planar::fit(data, outline, frame, room, options, effort) {
                     Ok((trace, chains)) => {
-                        let mut found = planar_pieces(&trace, &chains, frame)?;
-                        let mut pieces = found.clone();
-                        straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
-                        let pieces = if options.limits_kept(&pieces) {
-                            pieces
-                        } else {
-                            straighten::sides_only(&mut found, &trace, room);
-                            found
-                        };
-                        let polished = polish::polished(pieces.clone(), &trace, frame, room, options);
-                        let judged = turning::Data::new(data, outline, options);
-                        let does = |found: &[Piece], instead_of: &[Piece]| {
-                            let sheet = certify(found, &trace, options.target, true);
-                            let turning = turning::of_pieces(found, options.closed);
-                            let turns_on = turning <= judged.limit(found, &trace)
-                                || turning <= turning::of_pieces(instead_of, options.closed);
-                            sheet.deviation <= tolerance && sheet.monotone && turns_on && options.limits_kept(found)
-                        };
-                        let pieces = if does(&polished, &pieces) { polished } else { pieces };
+                        let pieces = planar_pieces(&trace, &chains, frame)?;
                         let corners = trace.positions_of(&indices);
-                        let symmetric =
-                            symmetric::Symmetric { trace: &trace, corners, frame, tolerance: room, options, effort };
-                        let pieces = symmetric.path(&pieces, |found| does(found, &pieces)).unwrap_or(pieces);
+                        let reader = Symmetric { trace: &trace, corners, frame, tolerance: room, options, effort };
+                        let pieces = Self::finished(pieces, distinct, outline, &reader);
                         (trace, pieces)
                     }
                     // Wild samples: biarcs through the points take more arcs but nearly always exist.
@@ -346,24 +328,47 @@ impl ArcFit {
         let judged = turning::Data::new(data, outline, options);
         certificate.turning = turning::of_pieces(&pieces, options.closed);
         certificate.turning_limit = judged.limit(&pieces, &trace);
-        let mut warnings: Vec<Warning> = distinct.warnings.clone();
+        let mut warnings = distinct.warnings.clone();
         warnings.extend(kept_corners(corners, &distinct.source));
-        warnings.extend(doubts::coarse_samples(data, options));
         let distance = certificate.polyline_deviation;
-        let swing = doubts::swing(data, corners, options, distance)
-            .or_else(|| doubts::swing_over_edge(&pieces, &trace, options, plane.is_some()));
-        warnings.extend(swing.or_else(|| {
-            let is_read = options.target == FitTarget::Points;
-            is_read.then(|| outline.read_as_curve(data, options.closed, tolerance, distance, true)).flatten()
-        }));
-        warnings.extend(doubts::noise(&pieces, &trace, options.target));
-        warnings.extend(doubts::wide(data, tolerance));
+        let fitted = doubts::Fitted { pieces: &pieces, trace: &trace, distance, is_planar: plane.is_some() };
+        warnings.extend(fitted.doubts(data, outline, options));
         let mut tight = judged.tight_arcs(&pieces, &trace, &distinct.source);
         if let Some(Warning::Fit(FitWarning::TightArc { piece, .. })) = &mut tight {
             *piece = place_in_path(*piece);
         }
         warnings.extend(tight);
         Ok(Self { path, certificate, warnings })
+    }
+
+    /// The least pieces of a plane outline with straight sides straight, the deviation as small as it can be and symmetric data
+    /// symmetric: each as long as it keeps to the tolerance, the limits and the turns.
+    fn finished(
+        mut found: Vec<Piece>,
+        distinct: &Distinct,
+        outline: &Outline,
+        symmetric: &Symmetric<'_>,
+    ) -> Vec<Piece> {
+        let Symmetric { trace, frame, tolerance: room, options, .. } = *symmetric;
+        let mut straight = found.clone();
+        straighten::straighten(&mut straight, trace, frame.z(), room, options.target);
+        let pieces = if options.limits_kept(&straight) {
+            straight
+        } else {
+            straighten::sides_only(&mut found, trace, room);
+            found
+        };
+        let judged = turning::Data::new(&distinct.points, outline, options);
+        let does = |found: &[Piece], instead_of: &[Piece]| {
+            let sheet = certify(found, trace, options.target, true);
+            let turning = turning::of_pieces(found, options.closed);
+            let turns_on =
+                turning <= judged.limit(found, trace) || turning <= turning::of_pieces(instead_of, options.closed);
+            sheet.deviation <= options.tolerance && sheet.monotone && turns_on && options.limits_kept(found)
+        };
+        let polished = polish::polished(pieces.clone(), trace, frame, room, options);
+        let pieces = if does(&polished, &pieces) { polished } else { pieces };
+        symmetric.path(&pieces, |found| does(found, &pieces)).unwrap_or(pieces)
     }
 
     /// The arcs and lines.
