@@ -6,8 +6,8 @@
 //!
 //! | topic | names |
 //! |---|---|
-//! | quads made circular | [`make_circular`]: [`CircularMesh`], [`CircularMeshOptions`], [`Border`], [`CircularMeshStep`], [`CircularMeshReport`], [`ClosingChange`], [`LineAngles`], [`VertexMoves`]; of meshes with extraordinary vertices [`make_layout_circular`]: [`CircularLayout`], [`RoundChange`] |
-//! | grids along lines of curvature | [`principal_grids`], [`covering_principal_grids`]: [`PrincipalGrids`], [`FreeLayout`], [`PrincipalGridOptions`], [`UmbilicRule`], [`GridBorder`], [`PrincipalStage`], [`PrincipalField`], [`PrincipalGridReport`], [`GridPiece`], [`Umbilic`] |
+//! | quads made circular | [`make_circular`]: [`CircularMesh`], [`CircularMeshOptions`], [`Border`], [`CircularMeshStep`], [`CircularMeshReport`], [`ClosingChange`], [`LineAngles`], [`VertexMoves`]; of meshes with extraordinary vertices [`make_layout_circular`]: [`CircularLayout`], [`RoundChange`]; with progress [`make_circular_watched`], [`make_layout_circular_watched`] |
+//! | grids along lines of curvature | [`principal_grids`], [`covering_principal_grids`]: [`PrincipalGrids`], [`FreeLayout`], [`PrincipalGridOptions`], [`UmbilicRule`], [`GridBorder`], [`PrincipalStage`], [`PrincipalField`], [`PrincipalGridReport`], [`GridPiece`], [`Umbilic`]; with progress [`principal_grids_watched`], [`covering_principal_grids_watched`] |
 //!
 //! Errors and warnings are those of the kernel: [`cyclide::Error`], [`cyclide::Warning`].
 
@@ -18,11 +18,12 @@ mod sparse_solver;
 
 pub use circular_mesh::{
     Border, CircularLayout, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, ClosingChange,
-    LineAngles, RoundChange, VertexMoves, make_circular, make_layout_circular,
+    LineAngles, RoundChange, VertexMoves, make_circular, make_circular_watched, make_layout_circular,
+    make_layout_circular_watched,
 };
 pub use principal::{
     FreeLayout, GridPiece, PrincipalField, PrincipalGridOptions, PrincipalGridReport, PrincipalGrids, PrincipalStage,
-    Umbilic, covering_principal_grids, principal_grids,
+    Umbilic, covering_principal_grids, covering_principal_grids_watched, principal_grids, principal_grids_watched,
 };
 pub use principal_rules::{GridBorder, UmbilicRule};
 

@@ -8,7 +8,7 @@ use cyclide::{
     error::{GridError, PointError},
     surface::QuadGrid,
 };
-use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular};
+use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular, make_circular_watched};
 use std::f64::consts::TAU;
 
 /// A surface over `[-1, 1]²`.
@@ -59,7 +59,7 @@ fn grid(surface: Surface, faces: usize, noisy: f64) -> QuadGrid {
 /// Whatever becomes of the shape: `shape_guard.rs` is about that.
 fn circular(grid: &QuadGrid, border: Border<'_>) -> cyclide::Result<CircularMesh> {
     let options = CircularMeshOptions { border, allow_shape_change: true, ..Default::default() };
-    make_circular(grid, &options, &mut |_| {})
+    make_circular(grid, &options)
 }
 
 fn edges(grid: &QuadGrid) -> Vec<f64> {
@@ -173,7 +173,8 @@ fn noise_is_named_as_zigzag() {
 #[test]
 fn every_step_is_reported_and_ends_below_the_target() {
     let mut steps = Vec::new();
-    let mesh = make_circular(&grid(saddle, 8, 0.0), &CircularMeshOptions::default(), &mut |s| steps.push(*s)).unwrap();
+    let mesh =
+        make_circular_watched(&grid(saddle, 8, 0.0), &CircularMeshOptions::default(), &mut |s| steps.push(*s)).unwrap();
     assert_eq!(steps.len(), mesh.report.steps);
     assert!(steps.iter().enumerate().all(|(k, s)| s.step == k + 1));
     let last = steps.last().unwrap();
@@ -399,7 +400,7 @@ fn quads_that_still_cross_after_the_search_are_named() {
         points.swap(vertex, vertex + 1);
         let before = QuadGrid::new(points, [9, 9], [false; 2]).unwrap();
         let mut steps = 0;
-        let mesh = make_circular(&before, &CircularMeshOptions::default(), &mut |_| steps += 1).unwrap();
+        let mesh = make_circular_watched(&before, &CircularMeshOptions::default(), &mut |_| steps += 1).unwrap();
         let report = &mesh.report;
         assert_eq!(report.rejected_quads, quads);
         assert!(report.steps > 0 && report.steps == steps, "{} {steps}", report.steps);
@@ -430,10 +431,10 @@ fn wrong_input_is_refused_by_name() {
     );
 
     let options = CircularMeshOptions { max_steps: 2, ..Default::default() };
-    let early = make_circular(&grid(canopy, 8, 0.0), &options, &mut |_| {}).unwrap_err();
+    let early = make_circular(&grid(canopy, 8, 0.0), &options).unwrap_err();
     assert!(matches!(early, Error::Grid(GridError::NotConverged { step: 2, .. })), "{early}");
     let options = CircularMeshOptions { max_steps: 0, ..Default::default() };
-    let none = make_circular(&grid(canopy, 8, 0.0), &options, &mut |_| {}).unwrap_err();
+    let none = make_circular(&grid(canopy, 8, 0.0), &options).unwrap_err();
     assert_eq!(none.reason(), "parameter-out-of-range");
 
     let ring = (0..8).map(|k| {

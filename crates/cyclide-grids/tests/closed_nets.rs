@@ -10,7 +10,7 @@ use cyclide::{
     surface::{CyclidicNet, NetFrame, QuadGrid},
     topology::surface_joints,
 };
-use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular};
+use cyclide_grids::{Border, CircularMesh, CircularMeshOptions, make_circular, make_circular_watched};
 use std::f64::consts::{PI, TAU};
 
 /// A surface over two parameters from 0 to 1, closed along the first or along both.
@@ -93,7 +93,7 @@ fn grid(surface: Surface, ring: bool, [m, n]: [usize; 2]) -> QuadGrid {
 /// Whatever becomes of the shape: `shape_guard.rs` is about that.
 fn circular(grid: &QuadGrid, border: Border<'_>) -> cyclide::Result<CircularMesh> {
     let options = CircularMeshOptions { border, allow_shape_change: true, ..Default::default() };
-    make_circular(grid, &options, &mut |_| {})
+    make_circular(grid, &options)
 }
 
 /// What is measured on a net over a grid made circular.
@@ -320,7 +320,7 @@ fn pinned_rows_close_if_they_can() {
             let before = QuadGrid::new(points, [m, 8], [true, false]).unwrap();
             let mut steps = 0;
             let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
-            let error = make_circular(&before, &options, &mut |_| steps += 1).unwrap_err();
+            let error = make_circular_watched(&before, &options, &mut |_| steps += 1).unwrap_err();
             // The row that is to blame is named: the first one that turns them.
             let row = if first > 0.0 { 0 } else { 7 };
             let named = |line, angle| line == Some(row) && angle > 1e-3;

@@ -15,7 +15,7 @@ use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 use cyclide_testkit::layouts::{ball, cap, pair};
 
 fn made(layout: &QuadLayout) -> NetLayout {
-    let made = make_layout_circular(layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+    let made = make_layout_circular(layout, &CircularMeshOptions::default()).unwrap();
     assert!(made.report.residual_after < 1e-12 && made.report.rejected_quads.is_empty());
     let round = made.report.round.unwrap();
     // A product of unit quaternions along a walk of less than 100 edges.
@@ -32,7 +32,7 @@ fn crease(net: &NetLayout) -> f64 {
 fn caps_close_without_a_crease() {
     for sectors in [3, 5, 6, 7] {
         let dome = cap(sectors, 5, |x, y| -0.3 * (x * x + y * y));
-        let report = make_layout_circular(&dome, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+        let report = make_layout_circular(&dome, &CircularMeshOptions::default()).unwrap().report;
         // Some tenths of an edge: the sectors are bent squares.
         assert!(report.moves.max < 0.5 * report.median_edge, "{sectors}: {report:?}");
         assert!(report.round.unwrap().angle_before > 0.1);
@@ -51,7 +51,7 @@ fn caps_close_without_a_crease() {
 fn monkey_saddle_follows_its_lines_of_curvature() {
     // Its umbilic has index -1/2: six sectors are its lines of curvature.
     let saddle = cap(6, 6, |x, y| 0.2 * (x * x * x - 3.0 * x * y * y));
-    let report = make_layout_circular(&saddle, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+    let report = make_layout_circular(&saddle, &CircularMeshOptions::default()).unwrap().report;
     // At the corners of the border, along the surface.
     assert!(report.moves.max < 0.5 * report.median_edge, "{report:?}");
     assert!(report.moves.max_off_surface < 0.02 * report.median_edge, "{report:?}");
@@ -123,7 +123,7 @@ fn similar_meshes_have_similar_nets() {
 #[test]
 fn what_is_circular_stays() {
     let net = made(&cap(5, 4, |x, y| -0.3 * (x * x + y * y)));
-    let again = make_layout_circular(net.layout(), &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+    let again = make_layout_circular(net.layout(), &CircularMeshOptions::default()).unwrap();
     assert_eq!((again.report.steps, &again.layout), (0, net.layout()));
 }
 
@@ -158,7 +158,7 @@ fn threes_and_fives_together() {
     for height in heights {
         let layout = pair(height);
         assert_eq!((layout.round().len(), layout.quads().len()), (4, 1600 - 16));
-        let report = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap().report;
+        let report = make_layout_circular(&layout, &CircularMeshOptions::default()).unwrap().report;
         assert!(report.moves.max < 1.5 * report.median_edge, "{report:?}");
         let net = made(&layout);
         assert!(crease(&net) < 1e-9, "{}", crease(&net));

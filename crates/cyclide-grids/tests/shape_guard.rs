@@ -51,12 +51,12 @@ const TUBE: [bool; 2] = [true, false];
 const RING: [bool; 2] = [true; 2];
 
 fn guarded(grid: &QuadGrid) -> cyclide::Result<CircularMesh> {
-    make_circular(grid, &CircularMeshOptions::default(), &mut |_| {})
+    make_circular(grid, &CircularMeshOptions::default())
 }
 
 fn allowed(grid: &QuadGrid) -> CircularMesh {
     let options = CircularMeshOptions { allow_shape_change: true, ..Default::default() };
-    make_circular(grid, &options, &mut |_| {}).unwrap()
+    make_circular(grid, &options).unwrap()
 }
 
 fn reasons(mesh: &CircularMesh) -> Vec<&'static str> {

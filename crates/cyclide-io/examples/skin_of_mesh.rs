@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // 7 by 5 points, s fastest.
     let points = (0..35).map(|k| shell(k % 7, k / 7)).collect();
     let grid = QuadGrid::new(points, [7, 5], [false, false])?;
-    let circular = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| {})?;
+    let circular = make_circular(&grid, &CircularMeshOptions::default())?;
     println!("vertices moved by {:.4} m at most", circular.report.moves.max);
 
     let outer = CyclidicNet::new(circular.grid, NetFrame::Auto)?;

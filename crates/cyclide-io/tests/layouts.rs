@@ -22,7 +22,7 @@ use cyclide_io::{
 use cyclide_testkit::layouts::{ball, cap};
 
 fn net_of(layout: &QuadLayout) -> NetLayout {
-    NetLayout::new(make_layout_circular(layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap().layout).unwrap()
+    NetLayout::new(make_layout_circular(layout, &CircularMeshOptions::default()).unwrap().layout).unwrap()
 }
 
 /// Five sectors of 4 x 4 quads, of which one is open.

@@ -20,7 +20,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// let tube = (0..17 * 9).map(|k| (0.1 * f64::from(k % 17), 0.1 * f64::from(k / 17)));
 /// let tube = tube.map(|(angle, z)| Point3::new(angle.cos(), angle.sin(), z)).collect();
 /// let grid = QuadGrid::new(tube, [17, 9], [false; 2])?; // its quads have circles as they are
-/// let made = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?;
+/// let made = make_circular(&grid, &CircularMeshOptions::default())?;
 /// assert!(made.report.shape.is_some_and(|change| !change.is_lost() && change.turn < 1e-12));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -207,7 +207,7 @@ mod circular {
     }
 
     fn made(options: &CircularMeshOptions<'_>) -> cyclide_grids::CircularMesh {
-        make_circular(&saddle(), options, &mut |_| ()).unwrap()
+        make_circular(&saddle(), options).unwrap()
     }
 
     #[test]
@@ -222,14 +222,14 @@ mod circular {
         assert_eq!(free.grid.point(0, 0), saddle().point(0, 0));
         // Less is asked for than of the whole, which moves no less.
         let whole = QuadGrid::new(saddle().points().to_vec(), SIZE.map(|n| n + 1), [false; 2]).unwrap();
-        let whole = make_circular(&whole, &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+        let whole = make_circular(&whole, &CircularMeshOptions::default()).unwrap();
         assert!(free.report.moves.max < 1.2 * whole.report.moves.max);
     }
 
     #[test]
     fn a_border_in_steps_may_be_held() {
         let options = CircularMeshOptions { border: Border::Pinned, allow_shape_change: true, ..Default::default() };
-        match make_circular(&saddle(), &options, &mut |_| ()) {
+        match make_circular(&saddle(), &options) {
             Ok(mesh) => {
                 // The inward corner of the steps at the first row, and one of its border.
                 for (i, j) in [(3, 0), (3, 1), (1, 1), (9, 4), (5, 0)] {
@@ -243,7 +243,7 @@ mod circular {
         let curve = cyclide::curve::Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)).unwrap();
         let border = Border::OnCurves([Some(&curve), None, None, None]);
         let options = CircularMeshOptions { border, ..CircularMeshOptions::default() };
-        let refused = make_circular(&saddle(), &options, &mut |_| ()).unwrap_err();
+        let refused = make_circular(&saddle(), &options).unwrap_err();
         assert_eq!(refused, Error::Grid(GridError::CellsUnfit { fault: GridCellFault::Curves, index: 0 }));
     }
 }

@@ -78,7 +78,7 @@ fn a_surface_that_closes_has_neither_gap_nor_angle_at_its_seam() {
 #[test]
 fn gaps_and_angles_are_those_of_dense_samples() {
     let before = grid(&tower, [24, 20]);
-    let mesh = make_circular(&before, &CircularMeshOptions::default(), &mut |_| {}).unwrap();
+    let mesh = make_circular(&before, &CircularMeshOptions::default()).unwrap();
     let net = CyclidicNet::new(mesh.grid, NetFrame::Auto).unwrap();
     let measure = net.measure_seam(before.seams()[0]).unwrap();
     // Cut open, the sides of the seam go their own ways: by about half a meter of 120.

@@ -27,7 +27,7 @@ use std::cmp::Ordering;
 /// use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
-/// let made = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ())?;
+/// let made = make_layout_circular(&layout, &CircularMeshOptions::default())?;
 /// assert_eq!((made.report.steps, &made.layout), (0, &layout)); // circular as given
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -77,7 +77,7 @@ impl CircularLayout {
 ///     }));
 /// }
 /// let layout = QuadLayout::new(points, &quads)?;
-/// let made = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ())?;
+/// let made = make_layout_circular(&layout, &CircularMeshOptions::default())?;
 /// assert!(made.report.moves.max < 0.3 * made.report.median_edge);
 /// assert_eq!(NetLayout::new(made.layout)?.to_shell()?.faces().len(), n * (k * k - 1));
 /// # Ok::<(), cyclide::Error>(())
@@ -85,7 +85,15 @@ impl CircularLayout {
 ///
 /// # Errors
 /// Those of [`make_circular`](super::make_circular); `ring-does-not-close`; `cells-unfit` for border curves, which need a single grid.
-pub fn make_layout_circular(
+pub fn make_layout_circular(layout: &QuadLayout, options: &CircularMeshOptions<'_>) -> Result<CircularLayout> {
+    make_layout_circular_watched(layout, options, &mut |_| ())
+}
+
+/// [`make_layout_circular`] whose `progress` is called after each step.
+///
+/// # Errors
+/// Those of [`make_layout_circular`].
+pub fn make_layout_circular_watched(
     layout: &QuadLayout,
     options: &CircularMeshOptions<'_>,
     progress: &mut dyn FnMut(&CircularMeshStep),

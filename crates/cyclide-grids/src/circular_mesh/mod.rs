@@ -19,7 +19,7 @@ mod report;
 mod residual;
 mod search;
 
-pub use layout::{CircularLayout, make_layout_circular};
+pub use layout::{CircularLayout, make_layout_circular, make_layout_circular_watched};
 pub use options::{Border, CircularMeshOptions};
 pub use report::{CircularMeshReport, ClosingChange, LineAngles, RoundChange, VertexMoves};
 pub use search::CircularMeshStep;
@@ -52,7 +52,7 @@ const COINCIDENT_LIMIT: f64 = 1e-12;
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
-/// let made = make_circular(&QuadGrid::new(saddle, [5, 5], [false; 2])?, &CircularMeshOptions::default(), &mut |_| ())?;
+/// let made = make_circular(&QuadGrid::new(saddle, [5, 5], [false; 2])?, &CircularMeshOptions::default())?;
 /// assert!(made.report.residual_after < 1e-10 && made.grid.size() == [5, 5]);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -93,7 +93,7 @@ impl CircularMesh {
 /// Where quads are left out ([`QuadGrid::with_cells`]) the border in steps is the border, and vertices that belong to no quad stay.
 ///
 /// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes some
-/// hundredths of a second. `progress` is called after each step.
+/// hundredths of a second.
 ///
 /// ```
 /// use cyclide::{Point3, surface::QuadGrid};
@@ -103,7 +103,7 @@ impl CircularMesh {
 ///     Point3::new(u, v, 0.4 * (u * u - v * v))
 /// };
 /// let grid = QuadGrid::new((0..81).map(saddle).collect(), [9, 9], [false, false])?;
-/// let mesh = make_circular(&grid, &CircularMeshOptions::default(), &mut |_step| {})?;
+/// let mesh = make_circular(&grid, &CircularMeshOptions::default())?;
 /// assert!(mesh.report.residual_after < 1e-12 && mesh.report.rejected_quads.is_empty());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -116,7 +116,15 @@ impl CircularMesh {
 /// step and the residual reached: the border is held too tightly, or the grid is folded), `net-does-not-close` (a pinned
 /// closed row that turns the frame, which nothing can close; or the quads have circles and a direction does not close),
 /// `shape-lost` (unless allowed, or quads cross: those are named in the report).
-pub fn make_circular(
+pub fn make_circular(grid: &QuadGrid, options: &CircularMeshOptions<'_>) -> Result<CircularMesh> {
+    make_circular_watched(grid, options, &mut |_| ())
+}
+
+/// [`make_circular`] whose
+///
+/// # Errors
+/// Those of [`make_circular`].
+pub fn make_circular_watched(
     grid: &QuadGrid,
     options: &CircularMeshOptions<'_>,
     progress: &mut dyn FnMut(&CircularMeshStep),

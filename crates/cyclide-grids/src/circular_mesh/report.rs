@@ -25,7 +25,7 @@ const ZIGZAG: f64 = 0.0;
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
 /// let grid = QuadGrid::new(saddle, [5, 5], [false; 2])?;
-/// let report = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?.report;
+/// let report = make_circular(&grid, &CircularMeshOptions::default())?.report;
 /// assert!(report.residual_after < report.residual_before && report.rejected_quads.is_empty());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -67,7 +67,7 @@ pub struct CircularMeshReport {
 ///     Point3::new(3.0 * a.cos(), 2.0 * a.sin(), z)
 /// };
 /// let tube = QuadGrid::new((0..32).map(at).collect(), [8, 4], [true, false])?;
-/// let [along_s, along_t] = make_circular(&tube, &CircularMeshOptions::default(), &mut |_| ())?.report.closing;
+/// let [along_s, along_t] = make_circular(&tube, &CircularMeshOptions::default())?.report.closing;
 /// let closing = along_s.expect("it is closed along s");
 /// assert!(closing.angle_before > 1e-3 && closing.angle_after < 1e-12 && along_t.is_none());
 /// # Ok::<(), cyclide::Error>(())
@@ -93,7 +93,7 @@ pub struct ClosingChange {
 /// use cyclide_grids::{CircularMeshOptions, make_layout_circular};
 /// let points: Vec<_> = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let layout = QuadLayout::new(points, &[[0, 1, 4, 3], [1, 2, 5, 4]])?;
-/// let made = make_layout_circular(&layout, &CircularMeshOptions::default(), &mut |_| ())?;
+/// let made = make_layout_circular(&layout, &CircularMeshOptions::default())?;
 /// assert!(made.report.round.is_none()); // there are none
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -134,7 +134,7 @@ pub(super) fn closing(before: [Option<GridClosing>; 2], made: &QuadGrid) -> Resu
 /// use cyclide_grids::{CircularMeshOptions, make_circular};
 /// let plane = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
 /// let grid = QuadGrid::new(plane, [3, 3], [false; 2])?;
-/// let moves = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?.report.moves;
+/// let moves = make_circular(&grid, &CircularMeshOptions::default())?.report.moves;
 /// assert_eq!(moves.max, 0.0); // its quads have circles as they are
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -168,7 +168,7 @@ pub struct VertexMoves {
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v, u * u - v * v)).collect();
 /// let grid = QuadGrid::new(saddle, [9, 9], [false; 2])?;
 /// let options = CircularMeshOptions { allow_shape_change: true, ..Default::default() };
-/// let report = make_circular(&grid, &options, &mut |_| ())?.report;
+/// let report = make_circular(&grid, &options)?.report;
 /// assert!(report.angle_after.is_some_and(|angles| angles.median <= angles.max && angles.max < 0.8));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

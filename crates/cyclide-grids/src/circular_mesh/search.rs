@@ -43,12 +43,12 @@ const TAIL: usize = 30;
 ///
 /// ```
 /// use cyclide::{Point3, surface::QuadGrid};
-/// use cyclide_grids::{CircularMeshOptions, make_circular};
+/// use cyclide_grids::{CircularMeshOptions, make_circular_watched};
 /// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
 /// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
 /// let mut residuals = Vec::new();
 /// let grid = QuadGrid::new(saddle, [5, 5], [false; 2])?;
-/// make_circular(&grid, &CircularMeshOptions::default(), &mut |step| residuals.push(step.residual))?;
+/// make_circular_watched(&grid, &CircularMeshOptions::default(), &mut |step| residuals.push(step.residual))?;
 /// assert!(residuals.last() < residuals.first());
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -1,6 +1,6 @@
 //! Which layout of grids covers most of a surface, where nobody asked for one.
 
-use super::{PrincipalGridOptions, PrincipalGrids, PrincipalStage, principal_grids};
+use super::{PrincipalGridOptions, PrincipalGrids, PrincipalStage, principal_grids_watched};
 use crate::principal_rules::{GridBorder, UmbilicRule};
 use cyclide::Point3;
 use cyclide::Result;
@@ -23,7 +23,7 @@ pub struct FreeLayout {
     pub umbilics: bool,
 }
 
-/// As [`principal_grids`], by the layout that covers most of the surface among those that are free: the one of the options where that
+/// As [`principal_grids`](super::principal_grids), by the layout that covers most of the surface among those that are free: the one of the options where that
 /// covers 90 %, else a border in steps if that covers more, and one mesh joined round umbilics if there are any and that covers more.
 /// Warns with `partly-covered` where less than 90 % is covered then. The report says which layout was taken.
 ///
@@ -36,21 +36,34 @@ pub struct FreeLayout {
 /// let quads = (0..24).flat_map(|j| (0..24).map(move |i| 25 * j + i));
 /// let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 26], [a, a + 26, a + 25]]).collect();
 /// let free = FreeLayout { border: true, umbilics: true };
-/// let laid = covering_principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5), free, &mut |_| ())?;
+/// let laid = covering_principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5), free)?;
 /// assert!(laid.report.border == GridBorder::Staircase && laid.report.coverage > 0.8);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///
 /// # Errors
-/// Those of [`principal_grids`] with the options as they are.
+/// Those of [`principal_grids`](super::principal_grids) with the options as they are.
 pub fn covering_principal_grids(
+    points: &[Point3],
+    triangles: &[[usize; 3]],
+    options: &PrincipalGridOptions,
+    free: FreeLayout,
+) -> Result<PrincipalGrids> {
+    covering_principal_grids_watched(points, triangles, options, free, &mut |_| ())
+}
+
+/// [`covering_principal_grids`] whose `progress` hears of every stage.
+///
+/// # Errors
+/// Those of [`covering_principal_grids`].
+pub fn covering_principal_grids_watched(
     points: &[Point3],
     triangles: &[[usize; 3]],
     options: &PrincipalGridOptions,
     free: FreeLayout,
     progress: &mut dyn FnMut(PrincipalStage),
 ) -> Result<PrincipalGrids> {
-    let mut best = principal_grids(points, triangles, options, progress)?;
+    let mut best = principal_grids_watched(points, triangles, options, progress)?;
     let steps = PrincipalGridOptions { border: GridBorder::Staircase, ..*options };
     let joined = PrincipalGridOptions { umbilics: UmbilicRule::Joined, ..steps };
     let may_step = free.border && options.border == GridBorder::Inside;
@@ -61,7 +74,7 @@ pub fn covering_principal_grids(
             continue;
         }
         // A layout that cannot be laid is none to choose.
-        if let Ok(other) = principal_grids(points, triangles, &trial, progress)
+        if let Ok(other) = principal_grids_watched(points, triangles, &trial, progress)
             && other.report.coverage > best.report.coverage
         {
             best = other;

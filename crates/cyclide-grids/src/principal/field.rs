@@ -16,7 +16,7 @@ use cyclide::{Point3, Vec3};
 /// let points: Vec<Point3> = (0..625).map(at).map(point).collect();
 /// let quads = (0..24).flat_map(|j| (0..24).map(move |i| 25 * j + i));
 /// let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 26], [a, a + 26, a + 25]]).collect();
-/// let field = principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5), &mut |_| ())?.field;
+/// let field = principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5))?.field;
 /// // Fits at the border see one side: cubics miss the circle by its fourth order there.
 /// assert!(field.along.iter().all(|d| d.y.abs() < 1e-3 || d.y.abs() > 1.0 - 1e-6));
 /// assert!(field.normals.iter().all(|n| n.y.abs() < 1e-3));

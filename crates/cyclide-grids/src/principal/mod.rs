@@ -28,7 +28,7 @@ mod staircase;
 mod unknowns;
 mod walker;
 
-pub use choice::{FreeLayout, covering_principal_grids};
+pub use choice::{FreeLayout, covering_principal_grids, covering_principal_grids_watched};
 pub use field::PrincipalField;
 pub use options::PrincipalGridOptions;
 pub use report::{GridPiece, PrincipalGridReport, Umbilic};
@@ -111,8 +111,8 @@ pub enum PrincipalStage {
 /// let points: Vec<Point3> = (0..625).map(at).map(|(x, y)| Point3::new(x, y, 0.1 * x * y)).collect();
 /// let quads = (0..24).flat_map(|j| (0..24).map(move |i| 25 * j + i));
 /// let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 26], [a, a + 26, a + 25]]).collect();
-/// let laid = principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5), &mut |_| ())?;
-/// let made = make_circular(&laid.grids[0], &CircularMeshOptions::default(), &mut |_| ())?;
+/// let laid = principal_grids(&points, &triangles, &PrincipalGridOptions::new(0.5))?;
+/// let made = make_circular(&laid.grids[0], &CircularMeshOptions::default())?;
 /// assert!(made.report.moves.max < 0.03 * 0.5 && made.warnings().is_empty());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -162,14 +162,25 @@ impl PrincipalGrids {
 /// `docs/math/principal-grids.md`.
 ///
 /// The mesh is one piece with a border: a roof, with holes or without, or a tube, which gets a grid closed along s. The same input
-/// gives the same bits on the same kind of processor. Time and memory grow a little faster than the mesh. `progress` hears of every
-/// stage.
+/// gives the same bits on the same kind of processor. Time and memory grow a little faster than the mesh.
 ///
 /// # Errors
 /// `no-triangles`, `no-such-vertex`, `not-finite`, `parameter-out-of-range`, `not-a-surface`; `flat-surface` (a plane or a sphere has no
 /// lines of curvature), `umbilics-remain`, `field-not-orientable`, `spiral-lines`, `no-grid` (no 3 × 3 cells of this size find room),
 /// `not-converged` (a system of equations without a solution in doubles).
 pub fn principal_grids(
+    points: &[Point3],
+    triangles: &[[usize; 3]],
+    options: &PrincipalGridOptions,
+) -> Result<PrincipalGrids> {
+    principal_grids_watched(points, triangles, options, &mut |_| ())
+}
+
+/// [`principal_grids`] whose `progress` hears of every stage.
+///
+/// # Errors
+/// Those of [`principal_grids`].
+pub fn principal_grids_watched(
     points: &[Point3],
     triangles: &[[usize; 3]],
     options: &PrincipalGridOptions,

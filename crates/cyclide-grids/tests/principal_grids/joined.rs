@@ -61,7 +61,7 @@ fn grids_round_umbilics_share_borders() {
         }
         let coverage = found.report.coverage;
         assert!(coverage > 0.75 && coverage < 1.0, "{name}: covers {coverage}");
-        let made = make_layout_circular(layout, &CircularMeshOptions::default(), &mut |_| ()).unwrap();
+        let made = make_layout_circular(layout, &CircularMeshOptions::default()).unwrap();
         let (report, shape) = (&made.report, made.report.shape.unwrap());
         let (moves, bending) = (report.moves.max / report.median_edge, shape.bending.unwrap());
         assert!(moves <= 0.3 && (0.97..=1.03).contains(&bending), "{name}: {moves} {bending}");

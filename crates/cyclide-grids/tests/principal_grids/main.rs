@@ -23,11 +23,11 @@ fn edge(length: f64) -> PrincipalGridOptions {
 }
 
 fn laid(mesh: &Mesh, options: &PrincipalGridOptions) -> cyclide::Result<PrincipalGrids> {
-    principal_grids(&mesh.points, &mesh.triangles, options, &mut |_| ())
+    principal_grids(&mesh.points, &mesh.triangles, options)
 }
 
 fn circular(grids: &PrincipalGrids, k: usize) -> CircularMesh {
-    make_circular(&grids.grids[k], &CircularMeshOptions::default(), &mut |_| ()).unwrap()
+    make_circular(&grids.grids[k], &CircularMeshOptions::default()).unwrap()
 }
 
 /// The largest move over the median edge.

@@ -100,7 +100,7 @@ fn strips(case: &Case, check: &mut Check) -> Result<(), Fault> {
 fn net(case: &Case, check: &mut Check) -> Result<(), Fault> {
     let grid = grid(case)?;
     let options = CircularMeshOptions { allow_shape_change: true, ..Default::default() };
-    let made = make_circular(&grid, &options, &mut |_| ())?;
+    let made = make_circular(&grid, &options)?;
     let report = &made.report;
     check.at_most("residual_max", report.residual_after);
     let closing = [made.grid.closing(0)?, made.grid.closing(1)?].into_iter().flatten();

@@ -6,7 +6,7 @@
 /// use cyclide::{Error, Point3, error::{PrincipalGridError, SurfaceFault}};
 /// use cyclide_grids::{PrincipalGridOptions, principal_grids};
 /// let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [5.0, 0.0], [6.0, 0.0], [5.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
-/// let error = principal_grids(&points, &[[0, 1, 2], [3, 4, 5]], &PrincipalGridOptions::new(0.1), &mut |_| ());
+/// let error = principal_grids(&points, &[[0, 1, 2], [3, 4, 5]], &PrincipalGridOptions::new(0.1));
 /// assert_eq!(error.unwrap_err(), Error::PrincipalGrid(PrincipalGridError::NotASurface { fault: SurfaceFault::Apart, index: 1 }));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -139,7 +139,7 @@
 //! use cyclide_grids::{PrincipalGridOptions, principal_grids};
 //! let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
 //! let options = PrincipalGridOptions::new(0.1);
-//! let error = principal_grids(&points, &[[0, 1, 2], [0, 3, 4]], &options, &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&points, &[[0, 1, 2], [0, 3, 4]], &options).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-surface");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -156,7 +156,7 @@
 //! let quads = (0..16).flat_map(|j| (0..16).map(move |i| 17 * j + i));
 //! let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 18], [a, a + 18, a + 17]]).collect();
 //! let plane = roof(|x, y| 0.1 * x + 0.2 * y);
-//! let error = principal_grids(&plane, &triangles, &PrincipalGridOptions::new(0.4), &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&plane, &triangles, &PrincipalGridOptions::new(0.4)).unwrap_err();
 //! assert_eq!(error.reason(), "flat-surface");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -175,7 +175,7 @@
 //! let dome = roof(|x, y| (16.0 - x * x - y * y + 0.1 * (x * x + y * y).powi(2)).sqrt());
 //! let mut options = PrincipalGridOptions::new(0.4);
 //! options.umbilics = cyclide_grids::UmbilicRule::Smooth;
-//! let error = principal_grids(&dome, &triangles, &options, &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&dome, &triangles, &options).unwrap_err();
 //! assert_eq!(error.reason(), "umbilics-remain");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -194,7 +194,7 @@
 //! let quads = (0..24 * 48).map(|k| [k, k / 48 * 48 + (k + 1) % 48]);
 //! let triangles: Vec<[usize; 3]> = quads.flat_map(|[a, b]| [[a, b, b + 48], [a, b + 48, a + 48]]).collect();
 //! let tube: Vec<Point3> = tube.collect();
-//! let error = principal_grids(&tube, &triangles, &PrincipalGridOptions::new(0.3), &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&tube, &triangles, &PrincipalGridOptions::new(0.3)).unwrap_err();
 //! assert_eq!(error.reason(), "spiral-lines");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -211,7 +211,7 @@
 //! let quads = (0..16).flat_map(|j| (0..16).map(move |i| 17 * j + i));
 //! let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 18], [a, a + 18, a + 17]]).collect();
 //! let saddle = roof(|x, y| 0.1 * (x * x - y * y));
-//! let error = principal_grids(&saddle, &triangles, &PrincipalGridOptions::new(1.5), &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&saddle, &triangles, &PrincipalGridOptions::new(1.5)).unwrap_err();
 //! assert_eq!(error.reason(), "no-grid");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -227,7 +227,7 @@
 //! let quads = (0..16).flat_map(|j| (0..16).map(move |i| 17 * j + i)).filter(|a| *a != 3 * 17 + 3);
 //! let triangles: Vec<[usize; 3]> = quads.flat_map(|a| [[a, a + 1, a + 18], [a, a + 18, a + 17]]).collect();
 //! let options = PrincipalGridOptions { umbilics: UmbilicRule::Joined, ..PrincipalGridOptions::new(0.4) };
-//! let error = principal_grids(&points, &triangles, &options, &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&points, &triangles, &options).unwrap_err();
 //! assert_eq!(error.reason(), "umbilics-not-joined");
 //! ```
 //! # `field-not-orientable`
@@ -248,7 +248,7 @@
 //! }).collect();
 //! let mut options = PrincipalGridOptions::new(0.4);
 //! options.umbilics = cyclide_grids::UmbilicRule::Smooth;
-//! let error = principal_grids(&monkey, &triangles, &options, &mut |_| ()).unwrap_err();
+//! let error = principal_grids(&monkey, &triangles, &options).unwrap_err();
 //! assert_eq!(error.reason(), "field-not-orientable");
 //! # Ok::<(), cyclide::Error>(())
 //! ```

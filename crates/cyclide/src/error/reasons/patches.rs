@@ -134,7 +134,7 @@
 //! let points = points.map(|(u, v)| Point3::new(u, v + 0.2 * u * u, u * v * v)).collect();
 //! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
 //! let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
-//! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "not-converged");
+//! assert_eq!(make_circular(&grid, &options).unwrap_err().reason(), "not-converged");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -147,7 +147,7 @@
 //! let places = (0..25 * 17).map(|k| (0.5 * f64::from(k % 25), 0.5 * f64::from(k / 25)));
 //! let wave = places.map(|(x, y)| Point3::new(x, y, 0.5 * (0.4 * x).sin() * (0.5 * y).cos())).collect();
 //! let grid = QuadGrid::new(wave, [25, 17], [false, false])?;
-//! let error = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ()).unwrap_err();
+//! let error = make_circular(&grid, &CircularMeshOptions::default()).unwrap_err();
 //! assert_eq!(error.reason(), "shape-lost");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -162,7 +162,7 @@
 //! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
 //! let behind = Arc::segment(Point3::new(-9.0, 0.0, 0.0), Point3::new(-8.0, 0.0, 0.0))?;
 //! let options = CircularMeshOptions { border: Border::OnCurves([Some(&behind), None, None, None]), ..Default::default() };
-//! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "collapsed-on-curve");
+//! assert_eq!(make_circular(&grid, &options).unwrap_err().reason(), "collapsed-on-curve");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -177,7 +177,7 @@
 //! let row = Arc::segment(Point3::new(-1.0, 0.0, 0.0), Point3::new(3.0, 0.0, 0.0))?;
 //! let column = Arc::segment(Point3::new(0.0, -1.0, 9.0), Point3::new(0.0, 3.0, 9.0))?;
 //! let border = Border::OnCurves([Some(&row), None, Some(&column), None]);
-//! let error = make_circular(&grid, &CircularMeshOptions { border, ..Default::default() }, &mut |_| ()).unwrap_err();
+//! let error = make_circular(&grid, &CircularMeshOptions { border, ..Default::default() }).unwrap_err();
 //! assert_eq!(error.reason(), "border-curves-apart");
 //! # Ok::<(), cyclide::Error>(())
 //! ```

@@ -6,7 +6,8 @@ use cyclide::{
     surface::{QuadGrid, QuadLayout},
 };
 use cyclide_grids::{
-    Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, make_circular, make_layout_circular,
+    Border, CircularMeshOptions, CircularMeshReport, CircularMeshStep, make_circular_watched,
+    make_layout_circular_watched,
 };
 
 use super::build::ROW_BY_ROW;
@@ -29,7 +30,7 @@ impl<'a> Builder<'a> {
         let curves = self.border_curves(spec)?;
         let options = options(given, curves);
         let progress = &mut *self.progress;
-        let mesh = make_circular(grid, &options, &mut |step| progress(words(step)));
+        let mesh = make_circular_watched(grid, &options, &mut |step| progress(words(step)));
         let mesh = mesh.map_err(|e| self.refused_in_grid(spec, grid, &e))?;
         self.remarks.extend(mesh.warnings().iter().cloned().map(Remark::from));
         if let [first, ..] = mesh.report.rejected_quads[..] {
@@ -49,7 +50,7 @@ impl<'a> Builder<'a> {
     ) -> Result<QuadLayout> {
         let options = options(given, [None; 4]);
         let progress = &mut *self.progress;
-        let made = make_layout_circular(layout, &options, &mut |step| progress(words(step)));
+        let made = make_layout_circular_watched(layout, &options, &mut |step| progress(words(step)));
         let made = made.map_err(|e| self.refused_in_layout(spec, layout, &e))?;
         for warning in made.warnings() {
             let mut remark = Remark::from(warning.clone());

@@ -7,7 +7,7 @@ use cyclide::{
 };
 use cyclide_grids::{
     FreeLayout, GridBorder, PrincipalField, PrincipalGridOptions, PrincipalGrids, PrincipalStage,
-    covering_principal_grids,
+    covering_principal_grids_watched,
 };
 
 use crate::document::kinds::principal_grid::PrincipalGridSpec;
@@ -42,7 +42,7 @@ impl Builder<'_> {
         let free = FreeLayout { border: spec.border.is_none(), umbilics: spec.umbilics.is_none() };
         let progress = &mut *self.progress;
         let tell = &mut |stage| progress(words(stage));
-        let laid = covering_principal_grids(&mesh.points, &mesh.triangles, &options, free, tell);
+        let laid = covering_principal_grids_watched(&mesh.points, &mesh.triangles, &options, free, tell);
         let laid = laid.map_err(|e| self.refused_grid(&given, &mesh, e))?;
         self.remarks.extend(laid.warnings().iter().cloned().map(Remark::from));
         let closed = laid.grids.iter().any(|grid| grid.closed()[0]);
