@@ -212,10 +212,10 @@
 //! No curve follows the points without their noise: here waves that are hardly longer than their noise is wide.
 //! ```
 //! use cyclide::{Point3, construct::{FairFit, FairFitOptions, Noise}};
-//! let noise = |k: f64, f: f64| 2.0 * (f * k * k).sin();
-//! let wave = |k: f64| 12.0 * (120.0 * (k / 500.0).powi(2)).sin();
-//! let at = |k: f64| Point3::new(0.2 * k + noise(k, 9.1), wave(k) + noise(k, 5.3), 0.0);
-//! let points: Vec<Point3> = (0..500).map(|k| at(f64::from(k))).collect();
+//! let noise = |k: f64, f: f64| (f * k * k).sin();
+//! let wave = |k: f64| 30.0 * (60.0 * (k / 120.0).powi(2)).sin();
+//! let at = |k: f64| Point3::new(0.5 * k + noise(k, 9.1), wave(k) + noise(k, 5.3), 0.0);
+//! let points: Vec<Point3> = (0..120).map(|k| at(f64::from(k))).collect();
 //! let error = FairFit::new(&points, &FairFitOptions::by_noise(Noise::Estimated)).unwrap_err();
 //! assert_eq!(error.reason(), "noise-not-smoothed");
 //! ```
