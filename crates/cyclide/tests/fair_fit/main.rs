@@ -3,6 +3,7 @@
 
 mod data;
 mod degenerate;
+mod dense_corners;
 mod figures;
 mod laws;
 mod plates;

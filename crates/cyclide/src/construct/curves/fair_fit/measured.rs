@@ -81,13 +81,21 @@ pub(super) fn prepared(points: &[Point3], options: &FairFitOptions) -> Result<Pr
 
 /// What the points say about their noise and about outliers among them; `None` of too few.
 pub(super) fn read(distinct: &Distinct, options: &FairFitOptions, edged: &Edged) -> Option<Denoised> {
+    denoised(&distinct.points, &edged.runs(options), reading(options))
+}
+
+/// How the points are read.
+pub(super) fn reading(options: &FairFitOptions) -> Reading {
     let noise = match options.noise {
         Some(Noise::Known(noise)) => Some(noise),
         _ => None,
     };
-    let reading =
-        Reading { noise, heights: options.heights == Heights::ByNoise, drop: options.outliers == Outliers::Drop };
-    denoised(&distinct.points, &edged.runs(options), reading)
+    Reading {
+        noise,
+        common: None,
+        heights: options.heights == Heights::ByNoise,
+        drop: options.outliers == Outliers::Drop,
+    }
 }
 
 /// The points that belong to the others alone.

@@ -2,6 +2,7 @@
 //! a smooth curve through them all cuts the corner by more than the noise (`docs/math/fair-fits.md#noise`).
 
 use super::FairFitOptions;
+use super::dense_corners::with_dense_corners;
 use super::edged::{Edged, in_plan};
 use super::measured::read;
 use super::noise::{self, Denoised};
@@ -48,7 +49,7 @@ impl Sharp {
         Some(Warning::Noise(NoiseWarning::CornersInserted { point, at, distance, count }))
     }
 
-    fn or_inserted(self, inserted: Option<Distinct>) -> Self {
+    pub fn or_inserted(self, inserted: Option<Distinct>) -> Self {
         Self { inserted: self.inserted.or(inserted), ..self }
     }
 
@@ -91,21 +92,21 @@ pub(super) fn with_meeting_sides(
             sharp = next.or_inserted(sharp.inserted);
         }
     }
-    sharp
+    with_dense_corners(distinct, options, sharp)
 }
 
 /// Where corners are looked for: points are tried first.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+pub(super) enum Place {
     Points,
     Between,
 }
 
 /// A point in which sides meet.
 #[derive(Clone, Copy)]
-struct Meeting {
+pub(super) struct Meeting {
     /// Its position; of one between points that of the point before it.
-    at: usize,
+    pub at: usize,
     between: Option<Point3>,
     /// It is none of the points beside it.
     is_clear: bool,
@@ -115,8 +116,15 @@ struct Meeting {
     off: f64,
 }
 
+impl Meeting {
+    /// One behind a point, that is none of the points.
+    pub fn between(at: usize, corner: Point3) -> Self {
+        Self { at, between: Some(corner), is_clear: true, misfit: 0.0, off: 0.0 }
+    }
+}
+
 /// Points in which sides may meet.
-struct Meetings<'a> {
+pub(super) struct Meetings<'a> {
     distinct: &'a Distinct,
     options: &'a FairFitOptions,
     edged: &'a Edged,
@@ -133,7 +141,7 @@ struct Meetings<'a> {
 }
 
 impl<'a> Meetings<'a> {
-    fn new(
+    pub fn new(
         distinct: &'a Distinct,
         options: &'a FairFitOptions,
         edged: &'a Edged,
@@ -174,7 +182,7 @@ impl<'a> Meetings<'a> {
         self.with(&self.alone(0.0, |meeting| meeting.misfit))
     }
 
-    fn with(&self, added: &[Meeting]) -> Option<Sharp> {
+    pub fn with(&self, added: &[Meeting]) -> Option<Sharp> {
         if added.is_empty() {
             return None;
         }

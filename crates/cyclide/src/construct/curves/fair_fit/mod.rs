@@ -20,6 +20,7 @@ mod along;
 mod bordered_band;
 mod certificate;
 mod corners;
+mod dense_corners;
 mod density;
 mod doubts;
 mod edged;

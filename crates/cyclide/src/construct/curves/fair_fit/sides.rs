@@ -22,7 +22,12 @@ const EVEN: f64 = 0.05;
 /// A rounding of a radius of so many edges is told from a corner by that: else none is inserted.
 const ROUNDING: f64 = 1.5;
 /// Where noise is more than this part of an edge on average, nothing is told from single edges.
-const NOISE: f64 = 1.0 / 6.0;
+pub(super) const NOISE: f64 = 1.0 / 6.0;
+/// Points of a line are off it by so many times the noise at most, as a root mean square, and it ends so many times the noise from a crossing.
+const UNEVEN: f64 = 1.3;
+const ALONG: f64 = 5.0;
+/// Lines that bend to each other by more than so many deviations, one or both together, are an arc.
+const BENT: f64 = 2.3;
 /// A point is the corner itself if it is nearer than so many deviations of the noise.
 const NEAR: f64 = 1.5;
 
@@ -45,13 +50,16 @@ impl Row<'_> {
 
     /// How many may be of one side.
     fn most(self) -> usize {
+        self.all().min(SIDE[1])
+    }
+
+    fn all(self) -> usize {
         let n = self.points.len();
-        let all = match (self.closed, self.forward) {
+        match (self.closed, self.forward) {
             (true, _) => (n - 1) / 2,
             (false, true) => n - self.begin,
             (false, false) => self.begin + 1,
-        };
-        all.min(SIDE[1])
+        }
     }
 }
 
@@ -80,11 +88,11 @@ impl Side {
         None
     }
 
-    /// The same run with as many of the points beyond it as lie in a straight line with it, by doubling.
-    fn extended(self, row: Row<'_>, off: f64) -> Self {
+    /// The same run with as many of the points beyond it as lie in a straight line with it, by doubling from a count up to the most.
+    fn extended(self, row: Row<'_>, off: f64, [from, most]: [usize; 2]) -> Self {
         let mut side = self;
-        let mut count = 2 * SIDE[0];
-        while count <= row.most() {
+        let mut count = from;
+        while count <= most {
             let Some(longer) = Self::through(&row.first(count).collect::<Vec<_>>(), off) else { break };
             side = longer;
             count *= 2;
@@ -166,13 +174,64 @@ pub(super) fn meet_between(
         return None;
     }
     let misfit = (before.squares + after.squares).sqrt();
-    let (before, after) = (before.extended(rows[0], off), after.extended(rows[1], off));
+    let longer = |side: Side, row: Row<'_>| side.extended(row, off, [2 * SIDE[0], row.most()]);
+    let (before, after) = (longer(before, rows[0]), longer(after, rows[1]));
     let (corner, apart) = crossing(&before, &after)?;
     let [from, to] = [(corner - points[at]).dot(-before.direction), (points[next] - corner).dot(after.direction)];
     let near = NEAR * noise;
     let is_between = from > 0.0 && to > 0.0 && from + to < farthest_apart(&before, &after, noise)?;
     let is_own = corner.distance(points[at]).min(corner.distance(points[next])) < near;
     (is_between && !is_own && apart < near).then_some((corner, misfit))
+}
+
+/// Where the lines through so many points up to one and so many after it cross, at an angle, and how far the points are off these, as a root of
+/// squares: where that is no more than noise, and the crossing is near both points.
+pub(super) fn cross(
+    points: &[Point3],
+    at: usize,
+    closed: bool,
+    count: usize,
+    options: &FairFitOptions,
+    noise: f64,
+) -> Option<(Point3, f64)> {
+    let n = points.len();
+    let next = if closed { (at + 1) % n } else { at + 1 };
+    let rows = [(at, false), (next, true)].map(|(begin, forward)| Row { points, begin, forward, closed });
+    if !closed && (at + 1 < count || at + 1 + count > n) {
+        return None;
+    }
+    let side = |row: Row<'_>| Side::through(&row.first(count).collect::<Vec<_>>(), f64::INFINITY);
+    let (before, after) = side(rows[0]).zip(side(rows[1]))?;
+    let squares = before.squares + after.squares;
+    let most = 2.0 * count as f64 * (UNEVEN * noise).powi(2);
+    if squares > most || !turns(&before, &after, options) {
+        return None;
+    }
+    let (corner, apart) = crossing(&before, &after)?;
+    let is_near = |side: &Side| (corner - side.middle).dot(-side.direction) - 0.5 * side.length;
+    let is_near = is_near(&before).abs().max(is_near(&after).abs()) < ALONG * noise;
+    if !(is_near && apart < STRAIGHT * noise) {
+        return None;
+    }
+    let bends = [bend(rows[0], &before, &after, count), bend(rows[1], &after, &before, count)].map(|bend| bend / noise);
+    let is_straight = bends[0].max(bends[1]).max(bends[0] + bends[1]) < BENT;
+    if !is_straight {
+        return None;
+    }
+    let longer = |side: Side, row: Row<'_>| side.extended(row, STRAIGHT_BETWEEN * noise, [2 * count, row.all()]);
+    let (corner, _) = crossing(&longer(before, rows[0]), &longer(after, rows[1]))?;
+    Some((corner, squares.sqrt()))
+}
+
+/// How much the points of a line bend round to the next one, as they do along an arc: of unit deviation for noise of deviation 1.
+fn bend(row: Row<'_>, side: &Side, next: &Side, count: usize) -> f64 {
+    let u = side.direction;
+    let Some(inside) = (next.direction - u * next.direction.dot(u)).unit() else { return 0.0 };
+    let along: Vec<f64> = row.first(count).map(|p| (p - side.middle).dot(u)).collect();
+    let mean = along.iter().map(|t| t * t).sum::<f64>() / count as f64;
+    let parabola: Vec<f64> = along.iter().map(|t| t * t - mean).collect();
+    let norm = parabola.iter().map(|q| q * q).sum::<f64>().sqrt();
+    row.first(count).zip(&parabola).map(|(p, q)| q * (p - side.middle).dot(inside)).sum::<f64>() / norm
 }
 
 /// The point between two lines where they are nearest, and how far apart they are there.

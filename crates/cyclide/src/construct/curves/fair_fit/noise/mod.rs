@@ -41,6 +41,11 @@ const OF_EDGE: f64 = 0.1;
 const FAR_TOO_MUCH: f64 = 3.2;
 /// Fewer points than this may all be shape.
 pub(super) const FEW_POINTS: usize = 60;
+/// Points are dense where noise is above this part of an edge.
+const DENSE: f64 = 1.0 / 6.0;
+/// A run that says less than this part of the noise of all has less, if the mean cosine of its turns is not below the second.
+const UNLIKELY: f64 = 0.3;
+const WILD: f64 = 0.5;
 /// Noise that is given and this many times as large or as small as what the points say is another.
 const UNLIKE: f64 = 1.5;
 /// The least is this part of an edge.
@@ -72,6 +77,13 @@ pub(super) struct Run {
 }
 
 impl Run {
+    /// Its points, where they are smoothed.
+    fn series<'a>(&self, points: &'a [Point3], directions: usize, noises: [Option<f64>; 2]) -> Series<'a> {
+        let Self { closed, fixed, .. } = *self;
+        let [noise, common] = noises;
+        Series { points, closed, fixed, directions, chords: None, noise, common, weights: None }
+    }
+
     /// The point at a position is an end that stays.
     fn is_held(&self, position: usize) -> bool {
         let last = self.numbers.len() - 1;
@@ -84,6 +96,8 @@ impl Run {
 pub(super) struct Reading {
     /// The deviation of their noise, and that of heights, where it is known.
     pub noise: Option<f64>,
+    /// What it is as other data say.
+    pub common: Option<f64>,
     /// The heights have a noise of their own.
     pub heights: bool,
     /// Outliers are left out.
@@ -181,6 +195,7 @@ impl Sums {
                 directions: 1,
                 chords: Some(&chords),
                 noise: None,
+                common: None,
                 weights: None,
             };
             let protected = |i: usize| run.is_held(numbers[own[i]]);
@@ -220,42 +235,28 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
     let frame = if reading.heights { WorkingFrame::in_axes(data) } else { WorkingFrame::new(data, diameter(data)) };
     let unit = frame.length(1.0);
     let across = if frame.planar() || reading.heights { 1 } else { directions(data, runs) };
+    let flat = |p: Point3| if reading.heights { Point3::new(p.x, p.y, 0.0) } else { p };
+    let locals: Vec<Vec<Point3>> =
+        runs.iter().map(|r| r.numbers.iter().map(|i| frame.to_local(data[*i])).collect()).collect();
+    let levels: Vec<Vec<Point3>> = locals.iter().map(|points| points.iter().copied().map(flat).collect()).collect();
+    let noises = [reading.noise, reading.common].map(|noise| noise.map(|noise| frame.length(noise)));
+    let mut pieces: Vec<_> = runs.iter().zip(&levels).map(|(run, points)| run.series(points, across, noises)).collect();
+    let mut founds: Vec<_> = runs.iter().zip(&mut pieces).map(|(run, piece)| cleaned_run(run, piece)).collect();
+    if reading.noise.or(reading.common).is_none() && runs.len() > 1 {
+        with_common_noise(runs, &mut pieces, &mut founds);
+    }
     let mut sums = Sums::default();
     let mut kept: Vec<(usize, Point3)> = Vec::new();
-    for run in runs {
-        let points: Vec<Point3> = run.numbers.iter().map(|i| frame.to_local(data[*i])).collect();
-        let flat = |p: &Point3| Point3::new(p.x, p.y, if reading.heights { 0.0 } else { p.z });
-        let level: Vec<Point3> = points.iter().map(flat).collect();
-        let mut series = Series {
-            points: &level,
-            closed: run.closed,
-            fixed: run.fixed,
-            directions: across,
-            chords: None,
-            noise: reading.noise.map(|noise| frame.length(noise)),
-            weights: None,
-        };
-        let protected = |i: usize| run.is_held(i);
-        let Some(mut found) = cleaned(&series, &protected) else {
+    for (((run, points), series), found) in runs.iter().zip(&locals).zip(&pieces).zip(founds) {
+        let Some(found) = found else {
             kept.extend(run.numbers.iter().map(|i| (*i, data[*i])));
             continue;
         };
-        // Few points of a shape that bends a lot: what the smoother leaves is no noise.
-        let most = if series.noise.is_none() { most_noise(&level, run.closed, series.directions) } else { None };
-        let edge = mean_edge(&level);
-        let too_much = TOO_MUCH * (1.0 + UNSURE / points.len() as f64);
-        let is_sure = |most: f64| most < OF_EDGE * edge || points.len() < FEW_POINTS;
-        let is_less =
-            |most: &f64| found.smoothed.deviation > if is_sure(*most) { too_much } else { FAR_TOO_MUCH } * most;
-        if let Some(most) = most.filter(is_less) {
-            series.noise = Some(most.max(NO_NOISE * edge));
-            found = cleaned(&series, &protected).unwrap_or(found);
-        }
         sums.outliers.extend(found.outliers.iter().map(|(i, far)| (run.numbers[*i], *far)));
         sums.add(&found.smoothed);
-        let (mut numbers, mut places) = kept_or_held(&series, found, reading.drop)?;
+        let (mut numbers, mut places) = kept_or_held(series, found, reading.drop)?;
         if reading.heights {
-            (numbers, places) = sums.smooth_heights(run, &points, &numbers, &places, reading.drop)?;
+            (numbers, places) = sums.smooth_heights(run, points, &numbers, &places, reading.drop)?;
         }
         let ends = [numbers.first().copied(), numbers.last().copied()];
         for (i, place) in numbers.into_iter().zip(places) {
@@ -286,6 +287,52 @@ fn with_reading(data: &[Point3], runs: &[Run], reading: Reading) -> Option<Denoi
         directions: across,
         contradicted: None,
     })
+}
+
+/// A run without its noise.
+fn cleaned_run(run: &Run, series: &mut Series<'_>) -> Option<Cleaned> {
+    let protected = |i: usize| run.is_held(i);
+    let found = cleaned(series, &protected)?;
+    // Few points of a shape that bends a lot: what the smoother leaves is no noise.
+    let (points, closed) = (series.points, run.closed);
+    let most =
+        if series.noise.or(series.common).is_none() { most_noise(points, closed, series.directions) } else { None };
+    let edge = mean_edge(points);
+    let too_much = TOO_MUCH * (1.0 + UNSURE / points.len() as f64);
+    let is_sure = |most: f64| most < OF_EDGE * edge || points.len() < FEW_POINTS;
+    let is_less = |most: &f64| found.smoothed.deviation > if is_sure(*most) { too_much } else { FAR_TOO_MUCH } * most;
+    if let Some(most) = most.filter(is_less) {
+        series.noise = Some(most.max(NO_NOISE * edge));
+        return Some(cleaned(series, &protected).unwrap_or(found));
+    }
+    Some(found)
+}
+
+/// Runs of few points follow their noise by chance: those that say less noise than all say together have as much.
+fn with_common_noise(runs: &[Run], pieces: &mut [Series<'_>], founds: &mut [Option<Cleaned>]) {
+    let mut sums = Sums::default();
+    founds.iter().flatten().for_each(|found| sums.add(&found.smoothed));
+    let common = (sums.squares / sums.free).sqrt();
+    for ((run, piece), found) in runs.iter().zip(pieces).zip(founds) {
+        let Some(own) = found else { continue };
+        let is_dense = common > DENSE * mean_edge(piece.points);
+        let least = if is_wild(piece.points) { 0.0 } else { UNLIKELY * common };
+        if is_dense && (least..common).contains(&own.smoothed.deviation) {
+            (piece.noise, piece.common) = (None, Some(common));
+            // A curve that is freer finds a wrong point among few, which a stiff one leaves to the noise.
+            let again = cleaned(piece, &|i| run.is_held(i));
+            if let Some(again) = again.filter(|again| again.outliers.len() >= own.outliers.len()) {
+                *own = again;
+            }
+        }
+    }
+}
+
+/// The edges go to and fro, as they do among points that are noisier than they are apart.
+fn is_wild(points: &[Point3]) -> bool {
+    let edges = || points.windows(2).filter_map(|w| (w[1] - w[0]).unit());
+    let cosines: f64 = edges().zip(edges().skip(1)).map(|(a, b)| a.dot(b)).sum();
+    cosines < WILD * (points.len() - 2) as f64
 }
 
 /// Where the points of a run are without their noise, by their numbers in it: without its outliers, or with them as far as they

@@ -12,6 +12,8 @@ use std::ops::Range;
 pub(super) const FEWEST: usize = 8;
 /// Weight of a degree of freedom in the cross-validation: above 1 it does not take noise for shape by chance.
 const CAUTION: f64 = 1.4;
+/// The same where the noise is known from elsewhere.
+const PRUDENCE: f64 = 4.0;
 /// Part of the points that must be left to errors, beside that; where the noise is known, in all.
 const LEFT: f64 = 0.05;
 const LEFT_IF_KNOWN: f64 = 0.02;
@@ -54,6 +56,8 @@ pub(super) struct Series<'a> {
     pub chords: Option<&'a [f64]>,
     /// The deviation to reach, where it is known.
     pub noise: Option<f64>,
+    /// The deviation that the errors have as all runs of the data say, which the strength is chosen by.
+    pub common: Option<f64>,
     /// Weights of the points, 1 of most.
     pub weights: Option<&'a [f64]>,
 }
@@ -125,7 +129,7 @@ impl Choice {
         let limit = CLIPPED * scale(self.residuals.iter().map(|r| r.across), data.directions);
         let given = |i: usize| data.weights.map_or(1.0, |w| w[i]);
         let squares: f64 = self.residuals.iter().enumerate().map(|(i, r)| given(i) * r.across.min(limit).powi(2)).sum();
-        squares / (self.points.len() as f64 - self.freedom).powi(2)
+        score(data, squares, self.freedom, self.points.len() as f64)
     }
 }
 
@@ -256,13 +260,21 @@ fn choose(
                 let within = choice.squares <= noise * noise * (n - freedom) * directions;
                 if within { STIFFEST - exponent } else { 2.0 * STIFFEST + exponent }
             }
-            None => choice.squares / (n - CAUTION * freedom).powi(2),
+            None => score(data, choice.squares, CAUTION * freedom, n),
         };
         if score.is_finite() && best.as_ref().is_none_or(|(least, _)| score < *least) {
             best = Some((score, choice));
         }
     }
     best.map(|(_, choice)| choice)
+}
+
+/// What errors to expect of new points: generalized cross-validation, or where the noise is known from elsewhere the estimate by Mallows.
+fn score(data: &Series<'_>, squares: f64, freedom: f64, count: f64) -> f64 {
+    match data.common {
+        Some(noise) => squares + PRUDENCE * noise * noise * freedom * data.directions as f64,
+        None => squares / (count - freedom).powi(2),
+    }
 }
 
 /// By how many deviations each point stands out from its neighbors.
