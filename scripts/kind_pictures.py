@@ -13,7 +13,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-from PIL import Image
+try:
+    from PIL import Image
+except ImportError:
+    sys.exit("kind_pictures.py needs Pillow, which scripts/setup.sh installs")
 
 ROOT = Path(__file__).resolve().parent.parent
 STARTERS = ROOT / "crates/cyclide-io/src/document/starters"

@@ -16,9 +16,19 @@ pub(super) fn in_plain_words(message: &str) -> String {
     if message == "expected ident" {
         return "expected `true`, `false` or `null`; strings need quotes".to_owned();
     }
-    let plain = cut_quote(message);
-    let plain = plain.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
-    plain + &suggestion(message)
+    expected_in_plain_words(&cut_quote(message)) + &suggestion(message)
+}
+
+/// The message with the numbers that Rust has for what is expected as people have them.
+fn expected_in_plain_words(message: &str) -> String {
+    let Some((before, kind)) = message.rsplit_once("expected ") else { return message.to_owned() };
+    let kind = match kind {
+        "f64" | "f32" => "a number",
+        "usize" | "u64" | "u32" | "u16" | "u8" => "a whole number that is not negative",
+        "isize" | "i64" | "i32" | "i16" | "i8" => "a whole number",
+        other => other,
+    };
+    format!("{before}expected {kind}")
 }
 
 /// The message with what it quotes of the input cut: that is the first thing in quotes.
@@ -138,4 +148,22 @@ pub(super) fn other_word_for(kind: &str) -> String {
         _ => return String::new(),
     };
     format!("; {answer}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_plain_words;
+
+    #[test]
+    fn numbers_are_called_what_people_call_them() {
+        for (rust, plain) in [
+            ("usize", "a whole number that is not negative"),
+            ("i32", "a whole number"),
+            ("f64", "a number"),
+            ("a list of f64s", "a list of f64s"),
+        ] {
+            let said = in_plain_words(&format!("invalid type: floating point `3.5`, expected {rust}"));
+            assert_eq!(said, format!("invalid type: floating point `3.5`, expected {plain}"));
+        }
+    }
 }
