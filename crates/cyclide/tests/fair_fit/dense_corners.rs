@@ -4,7 +4,7 @@
 use crate::data::*;
 use cyclide::{
     Point3,
-    construct::{FairFit, FairFitOptions, Noise},
+    construct::{FairFit, FairFitOptions, Heights, Noise},
     curve::closest_point,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -57,6 +57,22 @@ fn streets_meet_in_corners() {
             assert!(rms < 0.3 * sigma && most < 2.5 * sigma, "{rms} and {most} off, {case}");
         }
     }
+}
+
+#[test]
+fn streets_that_climb_keep_their_heights() {
+    let corners = [[0.0, 0.0], [110.0, 0.0], [110.0, 90.0], [20.0, 90.0], [20.0, 200.0], [130.0, 200.0]];
+    let (sigma, sigma_z) = (1.5, 4.0);
+    let mut exact = along(&corners.map(|[x, y]| Point3::new(x, y, 0.0)), false, 0.8);
+    exact.iter_mut().enumerate().for_each(|(i, p)| p.z = 300.0 + 0.1 * i as f64);
+    let mut points = noisy(&exact, 17, sigma, 2);
+    let heights = deviates(18, points.len());
+    points.iter_mut().zip(&exact).zip(heights).for_each(|((p, e), z)| p.z = e.z + sigma_z * z);
+    let options = FairFitOptions { heights: Heights::ByNoise, ..FairFitOptions::by_noise(Noise::Estimated) };
+    let fit = FairFit::new(&points, &options).unwrap();
+    assert!(fit.spline().kinks().len() >= 3, "{:?}", fit.warnings());
+    let (rms, most) = off(&fit, &exact);
+    assert!(rms < 0.5 * sigma && most < 2.5 * sigma, "{rms} and {most} off: {:?}", fit.warnings());
 }
 
 #[test]

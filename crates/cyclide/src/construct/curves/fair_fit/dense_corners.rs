@@ -89,7 +89,11 @@ fn rows(all: &Distinct, options: &FairFitOptions, sharp: &Sharp) -> Vec<Row> {
     let row = |run: Run| {
         let count = count_for(&run, &sharp.found, noise)?;
         let points: Vec<Point3> = run.numbers.iter().map(|i| plan[*i]).collect();
-        let found = crossings(&points, run.closed, count, options, noise);
+        let mut found = crossings(&points, run.closed, count, options, noise);
+        if plan[..] != all.points[..] {
+            // In plan a corner has the height of the smooth curve there.
+            found.iter_mut().for_each(|crossing| crossing.corner.z = height(run.numbers[crossing.at], &sharp.found));
+        }
         let own = (0..points.len()).filter(|at| corners.binary_search(&run.numbers[*at]).is_ok());
         let breaks = own.map(|at| Break { key: 2 * at, corner: None, is_forced: is_sure(run.numbers[at]) }).collect();
         let data = run.numbers.iter().map(|i| all.points[*i]).collect();
@@ -97,6 +101,12 @@ fn rows(all: &Distinct, options: &FairFitOptions, sharp: &Sharp) -> Vec<Row> {
         Some(Row { data, numbers: run.numbers, closed: run.closed, count, breaks, found, reading, noise })
     };
     sure.runs(options).into_iter().filter_map(row).filter(|row| !row.found.is_empty()).collect()
+}
+
+/// The height of the smooth curve at a point, or at the one before it that was kept.
+fn height(point: usize, found: &Denoised) -> f64 {
+    let next = found.kept.partition_point(|i| *i <= point);
+    found.places[next.saturating_sub(1)].z
 }
 
 /// How many points are long enough for a line, where noise is not small beside their steps.
@@ -116,17 +126,20 @@ fn crossings(points: &[Point3], closed: bool, count: usize, options: &FairFitOpt
     let cross = |at: usize| {
         sides::cross(points, at, closed, count, options, noise).map(|(corner, misfit)| Crossing { at, corner, misfit })
     };
-    let all: Vec<Crossing> = (0..n).filter_map(cross).collect();
-    let apart = |i: usize, j: usize| if closed { i.abs_diff(j).min(n - i.abs_diff(j)) } else { i.abs_diff(j) };
-    let mut ranked = all;
+    let mut ranked: Vec<Crossing> = (0..n).filter_map(cross).collect();
     ranked.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    let mut chosen: Vec<Crossing> = Vec::new();
-    for crossing in ranked {
-        if chosen.iter().all(|c| apart(c.at, crossing.at) > count) {
-            chosen.push(crossing);
+    let mut is_near = vec![false; n];
+    ranked.retain(|crossing| {
+        let at = crossing.at;
+        if is_near[at] {
+            return false;
         }
-    }
-    chosen
+        let around =
+            if closed { at + n - count..at + n + count + 1 } else { at.saturating_sub(count)..(at + count + 1).min(n) };
+        around.for_each(|i| is_near[i % n] = true);
+        true
+    });
+    ranked
 }
 
 /// The points of a run and its corners.
