@@ -182,3 +182,18 @@ fn qb_curves_interpolation_and_moebius_splines() {
         ],
     );
 }
+
+#[test]
+fn bilinear_patches() {
+    all_pass(
+        include_str!("reference/80-closing.json"),
+        &[
+            ("qb-patch", 18),
+            ("qb-patch-implicit", 5),
+            ("qb-patch-locate", 5),
+            ("qb-patch-arcs", 11),
+            ("qb-patch-inversion", 5),
+            ("qb-block", 8),
+        ],
+    );
+}

@@ -8,6 +8,7 @@
 mod arc;
 mod arc_fit;
 mod arc_spline;
+mod bilinear;
 mod blend;
 mod canal;
 mod case;
@@ -97,7 +98,7 @@ pub const CURVE_CONSTRUCTS: [&str; 54] = [
 
 /// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 29] = [
+pub const SURFACE_CONSTRUCTS: [&str; 35] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -111,6 +112,12 @@ pub const SURFACE_CONSTRUCTS: [&str; 29] = [
     "cyclide-locate",
     "cyclide-implicit",
     "cyclide-moebius",
+    "qb-patch",
+    "qb-patch-arcs",
+    "qb-patch-implicit",
+    "qb-patch-locate",
+    "qb-patch-inversion",
+    "qb-block",
     "circular-net-frames",
     "ring-closing",
     "strip-closing",
@@ -138,6 +145,7 @@ fn handler(construct: &str) -> Option<Handler> {
         fair::handler,
         arc_fit::handler,
         patch::handler,
+        bilinear::handler,
         revolution::handler,
         circular::handler,
         closing::handler,

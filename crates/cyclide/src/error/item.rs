@@ -141,6 +141,7 @@ items! {
     Translation => "translation",
     Tube => "tube",
     Turn => "turn",
+    Twist => "twist",
     U => "u",
     Vertex => "vertex",
     Volume => "volume",

@@ -3,7 +3,7 @@
 //! | topic | names |
 //! |---|---|
 //! | evaluation | [`ParamSurface::point`], [`ParamSurface::jet`] |
-//! | patches, nets, whole cyclides | [`CyclidePatch`], [`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`], [`CyclidicNet`], [`NetFrame`], [`SingularPatch`], [`DupinCyclide`], [`CyclideKind`], [`QuadGrid`], [`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`], [`NetLayout`], [`QuadLayout`], [`LayoutPiece`], [`RoundVertex`], [`Seam`], [`SeamMeasure`], [`NormalStrip`], [`StripForm`] |
+//! | patches, nets, whole cyclides | [`CyclidePatch`], [`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`], [`QbPatch`], [`QbPatchKind`], [`CornerTwist`], [`CyclidicNet`], [`NetFrame`], [`SingularPatch`], [`DupinCyclide`], [`CyclideKind`], [`QuadGrid`], [`GridCell`], [`GridClosing`], [`RingClosing`], [`StripClosing`], [`NetLayout`], [`QuadLayout`], [`LayoutPiece`], [`RoundVertex`], [`Seam`], [`SeamMeasure`], [`NormalStrip`], [`StripForm`] |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`], [`PairKind`], [`RollingBall`], [`ContactPartner`], [`CanalPatch`], [`CanalPart`], [`CharacteristicCircle`] |
 //! | surfaces over triangles | [`SmoothMesh`], [`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`], [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
@@ -18,6 +18,7 @@ pub(crate) mod net;
 mod normal_strip;
 mod param_surface;
 mod patch;
+mod qb_patch;
 mod quad_grid;
 mod rational_cone;
 mod rational_kind;
@@ -39,6 +40,7 @@ pub use normal_strip::{NormalStrip, StripForm};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub(crate) use patch::{check_following_quad, on_corner_circle, orthonormal};
+pub use qb_patch::{CornerTwist, QbPatch, QbPatchKind};
 pub use quad_grid::QuadGrid;
 pub use seam::{Seam, SeamMeasure};
 pub use smooth::{

@@ -5,6 +5,7 @@ mod cyclide_volume;
 mod fold;
 mod grading;
 mod param_volume;
+mod qb_block;
 mod spherical_cube;
 mod structured_grid;
 
@@ -13,5 +14,6 @@ pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasu
 pub use fold::FoldVerdict;
 pub use grading::{FineEnd, Grading};
 pub use param_volume::ParamVolume;
+pub use qb_block::{BlockBranch, QbBlock};
 pub use spherical_cube::{SphericalCube, miquel_point};
 pub use structured_grid::{CellQuality, GridQuality, MOST_CELLS, StructuredGrid};

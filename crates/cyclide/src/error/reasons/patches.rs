@@ -48,6 +48,54 @@
 //! assert_eq!(error.reason(), "patch-through-infinity");
 //! ```
 //!
+//! # `edge-circle-through-corner`
+//! The circle of a side of a bilinear patch runs through the opposite corner.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::{CornerTwist, QbPatch}};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5], [2.0, 0.0, 0.0]].map(Point3::from);
+//! let directions = [Vec3::X, Vec3::new(0.0, 1.0, 1.0)];
+//! let error = QbPatch::from_directions(corners, directions, CornerTwist::Default).unwrap_err();
+//! assert_eq!(error.reason(), "edge-circle-through-corner");
+//! ```
+//!
+//! # `twist-not-unique`
+//! Corners and directions of a bilinear patch on one sphere or plane leave more than one number free.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::{CornerTwist, QbPatch}};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let directions = [Vec3::new(1.0, 0.3, 0.0), Vec3::Y];
+//! let error = QbPatch::from_directions(corners, directions, CornerTwist::Twist(0.1)).unwrap_err();
+//! assert_eq!(error.reason(), "twist-not-unique");
+//! assert!(QbPatch::from_directions(corners, directions, CornerTwist::Corner(Vec3::new(0.5, 0.5, 0.0))).is_ok());
+//! ```
+//!
+//! # `arcs-do-not-close`
+//! Four arcs bound no patch of circles: a frame carried along them comes back turned.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::QbPatch};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let tangents = [Vec3::new(1.0, 0.0, 0.3), Vec3::Y, Vec3::Y, Vec3::X];
+//! assert_eq!(QbPatch::from_arcs(corners, tangents).unwrap_err().reason(), "arcs-do-not-close");
+//! ```
+//!
+//! # `arcs-need-complement`
+//! Four arcs bound a patch of circles only if one of them runs the other way round.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::QbPatch};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let tangents = [Vec3::X, Vec3::Y, Vec3::Y, -Vec3::X];
+//! assert_eq!(QbPatch::from_arcs(corners, tangents).unwrap_err().reason(), "arcs-need-complement");
+//! ```
+//!
+//! # `undetermined-weight`
+//! Four arcs leave a weight of the patch free: here they are straight, on a quadric.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::QbPatch};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 1.0]].map(Point3::from);
+//! let tangents = [Vec3::X, Vec3::Y, Vec3::new(0.0, 1.0, 1.0), Vec3::new(1.0, 0.0, 1.0)];
+//! assert_eq!(QbPatch::from_arcs(corners, tangents).unwrap_err().reason(), "undetermined-weight");
+//! ```
+//!
 //! # `net-does-not-close`
 //! A frame carried round a closed net does not come back to itself: here round a ring of points and its inverse.
 //! ```

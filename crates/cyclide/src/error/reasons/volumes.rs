@@ -10,6 +10,16 @@
 //! assert!(matches!(error, Error::Volume(VolumeError::ConcircularCube { measured, limit }) if measured <= limit));
 //! ```
 //!
+//! # `degenerate-block`
+//! Three faces of a block of circles leave its last corner open: here those of a box.
+//! ```
+//! use cyclide::{Point3, Vec3, surface::CornerTwist, volume::{BlockBranch, QbBlock}};
+//! let corners = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.25], [0., 0., 1.], [2., 0.25, 1.], [0.25, 3., 1.]];
+//! let twists = [0.3, 0.2, -0.4].map(CornerTwist::Twist);
+//! let made = QbBlock::new(corners.map(Point3::from), [Vec3::X, Vec3::Y, Vec3::Z], twists, BlockBranch::Miquel);
+//! assert_eq!(made.unwrap_err().reason(), "degenerate-block");
+//! ```
+//!
 //! # `crossing-face`
 //! A face of a volume self-intersects: here the last corner is outside the triangle of the neighbors of the first.
 //! ```

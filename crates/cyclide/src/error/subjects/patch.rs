@@ -64,6 +64,73 @@ table! {
         reason "patch-through-infinity";
         says "the patch passes through infinity near s = {s}, t = {t}";
 
+        /// The circle of a side, given by its direction at the first corner, runs through the opposite corner: no patch has both.
+        EdgeCircleThroughCorner {
+            /// The side at the first corner: 0 along s, 1 along t.
+            side: usize,
+            /// Sine of the angle between the direction and the circle through the first corner, the end of the side and the opposite corner.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "edge-circle-through-corner";
+        at *side;
+        field "directions";
+        says "the circle of the side along {} runs through the opposite corner (sine of the angle {measured}, limit \
+            {limit}): no patch of circles has both; turn that direction",
+            if *side == 0 { 's' } else { 't' };
+
+        /// Corners and directions leave more than one number free.
+        TwistNotUnique
+        reason "twist-not-unique";
+        field "twist";
+        says "one twist does not say the patch: corners and directions lie on one sphere or plane, or a side is a single \
+            point; give a vector for the corner instead";
+
+        /// Four arcs that bound no patch of circles.
+        ArcsDoNotClose {
+            /// The angle by which the turns along both ways to the opposite corner differ, radians.
+            holonomy: f64,
+            /// Largest angle accepted.
+            limit: f64,
+        }
+        reason "arcs-do-not-close";
+        field "arcs";
+        says "the four arcs bound no patch of circles: a frame carried along both ways to the opposite corner is off by \
+            {holonomy} radians, limit {limit}";
+
+        /// Four arcs of which one has to run the other way round its circle.
+        ArcsNeedComplement {
+            /// The angle by which the turns along both ways to the opposite corner differ, radians: half a turn.
+            holonomy: f64,
+        }
+        reason "arcs-need-complement";
+        field "arcs";
+        says "the four arcs bound no patch of circles as they run, but they do where one of them runs the other way round \
+            its circle (the two ways to the opposite corner differ by {holonomy} radians): turn its tangent round";
+
+        /// The last weight that follows from four arcs is not positive: the patch would pass through infinity.
+        WeightNotPositive {
+            /// Its factor.
+            ratio: f64,
+        }
+        reason "weight-not-positive";
+        field "arcs";
+        says "the patch over these four arcs passes through infinity: the factor of its last weight is {ratio}, and must be \
+            positive";
+
+        /// Four arcs that leave the last weight free: they are on one sphere, or all their circles run through one point.
+        UndeterminedWeight {
+            /// The larger of the two terms whose quotient it is.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "undetermined-weight";
+        field "arcs";
+        says "the four arcs do not determine a patch: they lie on one sphere, or their circles run through one point \
+            ({measured}, limit {limit}); give corners, directions and a corner vector";
+
         /// A frame that is carried once round a closed net does not return to itself.
         NetDoesNotClose {
             /// The closed direction: 0 for s, 1 for t.

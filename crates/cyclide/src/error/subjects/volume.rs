@@ -44,6 +44,18 @@ table! {
             parameters(*axis)[2],
             ShortNumber(at[1]);
 
+        /// Three faces of a block of circles that leave its last corner open.
+        DegenerateBlock {
+            /// How independent their corners are as pairs: 0 where they are dependent.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "degenerate-block";
+        says "the three faces at the first corner leave the last corner of the block open (independence {measured}, limit \
+            {limit}), as those of a box with directions along its edges do; turn a direction, change a twist, or use a volume of Dupin \
+            cyclides";
+
         /// A volume contains the point at infinity.
         ThroughInfinity {
             /// Where: s, t, u.

@@ -1,6 +1,7 @@
 //! The patch from four concircular corners and a frame (`docs/math/patches.md#weights`).
 
 use super::corner_circle::{CornerCircle, corner_circle, distinct};
+use super::pole::check_no_pole;
 use super::{CyclidePatch, largest_distance};
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -50,7 +51,7 @@ impl CyclidePatch {
         ];
         let corners = [corners[0], corners[1], corners[2], corner];
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
-        patch.check_no_pole()?;
+        check_no_pole(&patch.weights)?;
         Ok(patch)
     }
 
@@ -106,7 +107,7 @@ impl CyclidePatch {
         }
         let (v1, v2) = orthonormal(v1, v2)?;
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
-        patch.check_no_pole()?;
+        check_no_pole(&patch.weights)?;
         patch.check_in_space(patch.corner_rounding() + rounding)?;
         Ok(patch)
     }

@@ -48,6 +48,18 @@ impl ImplicitForm {
     }
 }
 
+impl ImplicitForm {
+    /// The same equation with a largest coefficient of 1.
+    pub(in crate::surface) fn normalized(self) -> Self {
+        match self {
+            Self::Sphere(c) => Self::Sphere(c.map(|x| x / largest(&c))),
+            Self::Quartic { coefficients: c, degree } => {
+                Self::Quartic { coefficients: c.map(|x| x / largest(&c)), degree }
+            }
+        }
+    }
+}
+
 /// A function `a |p|² + b·p + c`, zero on a sphere or plane.
 #[derive(Debug, Clone, Copy)]
 struct SphereFunction {
@@ -119,13 +131,9 @@ impl CyclidePatch {
         match self.recognize() {
             PatchKind::Plane { frame } => {
                 let n = frame.z();
-                return sphere([0.0, n.x, n.y, n.z, -n.dot(frame.origin().to_vec())]);
+                return ImplicitForm::Sphere([0.0, n.x, n.y, n.z, -n.dot(frame.origin().to_vec())]).normalized();
             }
-            PatchKind::Sphere { frame, radius, .. } => {
-                let c = frame.origin().to_vec();
-                let (far, near) = (c.length() + radius, c.length() - radius);
-                return sphere([1.0, -2.0 * c.x, -2.0 * c.y, -2.0 * c.z, far * near]);
-            }
+            PatchKind::Sphere { frame, radius, .. } => return sphere_form(frame.origin(), radius),
             _ => {}
         }
         let spheres = self.tangent_spheres();
@@ -140,8 +148,7 @@ impl CyclidePatch {
         };
         let mut coefficients = discriminant(spheres.map(|f| f.placed(self.corners[0], self.scale)));
         coefficients[..[4, 1, 0][degree as usize - 2]].fill(0.0);
-        let unit = largest(&coefficients);
-        ImplicitForm::Quartic { coefficients: coefficients.map(|c| c / unit), degree }
+        ImplicitForm::Quartic { coefficients, degree }.normalized()
     }
 
     /// The quartic `B² - AC` at a point, relative to the size of the patch: zero exactly on the whole surface (for a
@@ -189,9 +196,11 @@ pub(super) fn polar_product(p: Quat, q: Quat, v: Vec3) -> f64 {
     v.dot((p.conj() * q).vector())
 }
 
-fn sphere(c: [f64; 5]) -> ImplicitForm {
-    let unit = largest(&c);
-    ImplicitForm::Sphere(c.map(|c| c / unit))
+/// The equation of a sphere.
+pub(in crate::surface) fn sphere_form(center: Point3, radius: f64) -> ImplicitForm {
+    let c = center.to_vec();
+    let (far, near) = (c.length() + radius, c.length() - radius);
+    ImplicitForm::Sphere([1.0, -2.0 * c.x, -2.0 * c.y, -2.0 * c.z, far * near]).normalized()
 }
 
 #[cfg(test)]

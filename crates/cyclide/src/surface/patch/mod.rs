@@ -31,6 +31,9 @@ mod twist;
 pub(crate) use construct::orthonormal;
 pub(super) use corner_circle::check_quad;
 pub(crate) use corner_circle::{check_following_quad, on_corner_circle};
+pub(super) use implicit::sphere_form;
+pub(super) use pole::check_no_pole;
+pub(super) use rational::{biquadratic_form, real_weights};
 
 use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;
@@ -204,15 +207,15 @@ impl ParamSurface for CyclidePatch {
     }
 }
 
-fn line(ends: &[Quat; 2], t: f64) -> Quat {
+pub(super) fn line(ends: &[Quat; 2], t: f64) -> Quat {
     ends[0] * (1.0 - t) + ends[1] * t
 }
 
-fn bilinear(w: &[Quat; 4], s: f64, t: f64) -> Quat {
+pub(super) fn bilinear(w: &[Quat; 4], s: f64, t: f64) -> Quat {
     line(&[line(&[w[0], w[1]], s), line(&[w[2], w[3]], s)], t)
 }
 
-fn largest_distance(points: &[Point3; 4]) -> f64 {
+pub(super) fn largest_distance(points: &[Point3; 4]) -> f64 {
     let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
     pairs.iter().map(|&(i, j)| points[i].distance(points[j])).fold(0.0, f64::max)
 }

@@ -1,25 +1,23 @@
 //! No denominator vanishes: proved by the real weights of sub-patches.
 
+use super::bilinear;
 use super::rational::real_weights;
-use super::{CyclidePatch, bilinear};
 use crate::base::quat::Quat;
 use crate::error::{PatchError, Result};
 
 /// Cells are halved this often before their center is called a pole.
 const HALVINGS: u32 = 20;
 
-impl CyclidePatch {
-    /// Refuses a patch that passes through infinity: `|D|²` is biquadratic and has no zero where all its nine Bernstein
-    /// coefficients are positive; other cells are quartered, whose corner weights are values of `D`, exactly.
-    ///
-    /// # Errors
-    /// `patch-through-infinity`.
-    pub(super) fn check_no_pole(&self) -> Result<()> {
-        // Relative to the weights a cell of depth 20 has coefficients of 1e-12 at most beside a zero.
-        match pole(&self.weights, 0.0, 0.0, HALVINGS) {
-            None => Ok(()),
-            Some((s, t)) => Err(PatchError::ThroughInfinity { s, t }.into()),
-        }
+/// Refuses weights of a patch that passes through infinity: `|D|²` is biquadratic and has no zero where all its nine Bernstein
+/// coefficients are positive; other cells are quartered, whose corner weights are values of `D`, exactly.
+///
+/// # Errors
+/// `patch-through-infinity`.
+pub(crate) fn check_no_pole(weights: &[Quat; 4]) -> Result<()> {
+    // Relative to the weights a cell of depth 20 has coefficients of 1e-12 at most beside a zero.
+    match pole(weights, 0.0, 0.0, HALVINGS) {
+        None => Ok(()),
+        Some((s, t)) => Err(PatchError::ThroughInfinity { s, t }.into()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Möbius maps of patches: the homogeneous pairs map linearly, so the image is a patch with the same parameters.
 
 use super::CyclidePatch;
+use super::pole::check_no_pole;
 use crate::conformal::mapped_pairs::MappedPairs;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::Result;
@@ -36,7 +37,7 @@ impl CyclidePatch {
         if image.scale == 0.0 {
             image.check_place()?;
         }
-        image.check_no_pole()?;
+        check_no_pole(&image.weights)?;
         image.check_in_space(self.corner_rounding() + image.corner_rounding())?;
         // The speeds scale by the determinant: zeros and signs stay.
         let factor = lambda.abs() / size / size;

@@ -32,6 +32,8 @@ pub(super) use frame::{frame_at, runs_against};
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
 pub use metric::VolumeMetric;
+pub(super) use pole::check_no_pole;
+pub(super) use rational::rational_form;
 pub use rows::VolumeRow;
 
 /// A block over `[0, 1]³` whose six faces are cyclide patches and whose parameter lines are circles that cross at right angles.
@@ -183,7 +185,7 @@ impl ParamVolume for CyclideVolume {
 }
 
 /// The other two directions, in order.
-const fn others(axis: usize) -> [usize; 2] {
+pub(super) const fn others(axis: usize) -> [usize; 2] {
     match axis {
         0 => [1, 2],
         1 => [0, 2],
@@ -192,7 +194,7 @@ const fn others(axis: usize) -> [usize; 2] {
 }
 
 /// The four corners at 0 in this direction, by the other two directions in binary order.
-fn corners_at_start(axis: usize) -> [usize; 4] {
+pub(super) fn corners_at_start(axis: usize) -> [usize; 4] {
     let [x, y] = others(axis);
     std::array::from_fn(|k| ((k & 1) << x) | ((k >> 1) << y))
 }
@@ -211,13 +213,13 @@ fn line(a: Quat, b: Quat, t: f64) -> Quat {
     a * (1.0 - t) + b * t
 }
 
-fn trilinear(w: &[Quat; 8], [s, t, u]: [f64; 3]) -> Quat {
+pub(super) fn trilinear(w: &[Quat; 8], [s, t, u]: [f64; 3]) -> Quat {
     let row = |k: usize| line(w[k], w[k + 1], s);
     line(line(row(0), row(2), t), line(row(4), row(6), t), u)
 }
 
 /// Derivative of the trilinear form by one parameter.
-fn derivative(w: &[Quat; 8], axis: usize, at: [f64; 3]) -> Quat {
+pub(super) fn derivative(w: &[Quat; 8], axis: usize, at: [f64; 3]) -> Quat {
     let start = corners_at_start(axis);
     let [x, y] = others(axis).map(|k| at[k]);
     let across = |k: usize| w[start[k] | (1 << axis)] - w[start[k]];

@@ -20,23 +20,32 @@ impl CyclideVolume {
     /// # Errors
     /// `volume-through-infinity`.
     pub(in crate::volume) fn check_no_pole(&self) -> Result<()> {
-        match pole(&self.weights, [0.0; 3], HALVINGS) {
-            None => Ok(()),
-            Some(at) => Err(VolumeError::ThroughInfinity { at }.into()),
-        }
+        check_no_pole(&self.weights, usize::MAX)
     }
 }
 
-/// A place near which the denominator vanishes.
-fn pole(w: &[Quat; 8], from: [f64; 3], depth: u32) -> Option<[f64; 3]> {
+/// Refuses weights of a volume that passes through infinity, or of which so many cells do not prove that it does not.
+///
+/// # Errors
+/// `volume-through-infinity`.
+pub(in crate::volume) fn check_no_pole(weights: &[Quat; 8], mut cells: usize) -> Result<()> {
+    match pole(weights, [0.0; 3], HALVINGS, &mut cells) {
+        None => Ok(()),
+        Some(at) => Err(VolumeError::ThroughInfinity { at }.into()),
+    }
+}
+
+/// A place near which the denominator vanishes, or at which the number of cells to look at is used up.
+fn pole(w: &[Quat; 8], from: [f64; 3], depth: u32, cells: &mut usize) -> Option<[f64; 3]> {
     if real_weights(w).iter().all(|&v| v > 0.0) {
         return None;
     }
     let size = 0.5f64.powi((HALVINGS - depth) as i32);
-    if depth == 0 {
+    if depth == 0 || *cells == 0 {
         return Some(from.map(|x| x + 0.5 * size));
     }
-    (0..8).find_map(|octant| pole(&part(w, octant), at_octant(from, 0.5 * size, octant), depth - 1))
+    *cells -= 1;
+    (0..8).find_map(|octant| pole(&part(w, octant), at_octant(from, 0.5 * size, octant), depth - 1, cells))
 }
 
 /// The corner weights of one of the eight parts.

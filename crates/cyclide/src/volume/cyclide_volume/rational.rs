@@ -4,6 +4,7 @@ use super::CyclideVolume;
 use super::pole::{self, HALVINGS, real_weights};
 use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
+use crate::base::vector::Point3;
 use crate::error::{Result, VolumeError};
 use crate::rational::RationalBezierVolume;
 
@@ -12,12 +13,7 @@ impl CyclideVolume {
     /// half a circle and more: see [`to_rational_parts`](Self::to_rational_parts).
     #[must_use]
     pub fn to_rational(&self) -> RationalBezierVolume {
-        let w = real_weights(&self.weights);
-        let origin = self.corners[0];
-        // Numerators are relative to the first corner, whose multiple of the weight is added at the end.
-        let x = triquadratic(|k, l| ((self.n[k] * self.weights[l].conj()).vector() * self.scale).to_array());
-        let row = |(v, w): ([f64; 3], f64)| [v[0] + w * origin.x, v[1] + w * origin.y, v[2] + w * origin.z, w];
-        RationalBezierVolume::from_rows_unchecked([2; 3], x.into_iter().zip(w).map(row).collect())
+        rational_form(self.corners[0], self.scale, &self.n, &self.weights)
     }
 
     /// The volume as parts with positive weights only, each with its place `[from, to]` in the three parameters: one where that is
@@ -46,4 +42,17 @@ impl CyclideVolume {
         }
         Ok(())
     }
+}
+
+/// The triquadratic of eight pairs, whose numerators are seen from an origin, in units of `scale`.
+pub(in crate::volume) fn rational_form(
+    origin: Point3,
+    scale: f64,
+    n: &[Quat; 8],
+    weights: &[Quat; 8],
+) -> RationalBezierVolume {
+    // Numerators are relative to the origin, whose multiple of the weight is added at the end.
+    let x = triquadratic(|k, l| ((n[k] * weights[l].conj()).vector() * scale).to_array());
+    let row = |(v, w): ([f64; 3], f64)| [v[0] + w * origin.x, v[1] + w * origin.y, v[2] + w * origin.z, w];
+    RationalBezierVolume::from_rows_unchecked([2; 3], x.into_iter().zip(real_weights(weights)).map(row).collect())
 }
