@@ -196,7 +196,7 @@ proptest! {
         }
         // A side that leaves in another direction bounds no such patch.
         let mut turned = tangents;
-        turned[3] = turned[3] + Vec3::new(0.0, 0.02, 0.05);
+        turned[3] += Vec3::new(0.0, 0.02, 0.05);
         let error = QbPatch::from_arcs(data.corners, turned).unwrap_err();
         prop_assert_eq!(error.reason(), "arcs-do-not-close");
         turned[3] = -tangents[3];

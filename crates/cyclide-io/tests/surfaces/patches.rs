@@ -99,3 +99,60 @@ fn accuracy_is_said_of_patches_of_cyclides_only() {
     let whole = std::f64::consts::TAU * 2.0 * (10.0 + 2.0);
     assert!((tube.total_area / whole - 1.0).abs() < 1e-12 && tube.area.is_none() && tube.parts.len() == 3);
 }
+
+/// Any four corners and directions: exact faces whose edges are arcs, also where one face would have weights that are not positive.
+#[test]
+fn a_general_patch_and_its_files() {
+    let patch = |rest: &str| {
+        let corners = "[[-40,-30,0],[40,-30,10],[-30,40,0],[45,45,-15]]";
+        build(&format!(
+            r#""p": {{"type": "cyclide-patch", "corners": {corners}, "directions": [[8,-1,5],[-1,4,3]]{rest}}}"#
+        ))
+        .unwrap()
+    };
+    for (rest, faces) in [("", 1), (r#", "twist": 1"#, 1), (r#", "twist": 50"#, 64)] {
+        let built = patch(rest);
+        let shell = &built.bodies[0].outer;
+        assert_eq!(shell.faces().len(), faces, "{rest}");
+        assert!(shell.edges().iter().all(|edge| edge.curve.arc().is_some()));
+        assert!(cyclide::topology::surface_joints(shell).iter().all(|joint| joint.angle < 1e-9), "{rest}");
+        let report = Report::new(cyclide::model::Units::Metre, &[built], None);
+        let GeometryReport::Surface(surface) = &report.objects["p"].geometry else { panic!("a surface") };
+        assert_eq!((surface.bodies, surface.closed, surface.patches), (1, false, faces), "{rest}");
+        let border = if faces == 1 { 4 } else { 32 };
+        assert_eq!(surface.free_edges, border, "{rest}");
+    }
+}
+
+/// Corners on a circle, perpendicular directions: the patch of a Dupin cyclide, with its offsets.
+#[test]
+fn a_general_patch_that_is_one_of_a_dupin_cyclide() {
+    let corners = "[[-40,-30],[40,-30],[-30,40],[30,40]]";
+    let made = |field: &str| {
+        let frame = "[[8,-1,4],[-1,4,3]]";
+        build(&format!(r#""p": {{"type": "cyclide-patch", "corners": {corners}, "{field}": {frame}}}"#)).unwrap()
+    };
+    let (frame, directions) = (made("frame"), made("directions"));
+    assert!(matches!(directions.item.surfaces(), [SurfaceObject::Patch(_)]));
+    for (s, t) in [(0.2, 0.1), (0.9, 0.6)] {
+        // Rounding of numbers of the size 80.
+        assert!(point(&frame, s, t).distance(point(&directions, s, t)) < 1e-12);
+    }
+}
+
+#[test]
+fn what_no_patch_of_circles_has_is_refused_with_the_way_out() {
+    let message = |rest: &str| {
+        build(&format!(r#""p": {{"type": "cyclide-patch", "corners": [[0,0],[1,0],[0,1],[1,1,0.5]], {rest}}}"#))
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(
+        message(r#""frame": [[1,0],[0,1]]"#).contains("with `directions` in place of `frame` they may lie anywhere")
+    );
+    assert!(message(r#""arcs": [[1,0,0.3],[0,1],[0,1],[1,0]]"#).contains("[arcs-do-not-close]"));
+    assert!(message(r#""directions": [[0,0],[0,1]]"#).contains("objects.p.directions[0]"));
+    assert!(message(r#""directions": [[1,0],[0,1]], "frame": [[1,0],[0,1]]"#).contains("one of `frame`"));
+    assert!(message(r#""twist": 1"#).contains("one of `frame`"));
+    assert!(message(r#""directions": [[1,0.1],[0,1]], "twist": "more""#).contains("a number, or a vector"));
+}

@@ -6,6 +6,7 @@
 //! | bodies made from curves | [`Body::ruled`], [`Body::circular`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`CellDistances`], [`LineBends`], [`EdgeCurve`], [`surface_joints`], [`SurfaceJoint`] |
 
+mod bilinear;
 mod block_faces;
 mod bounds;
 mod check;

@@ -132,6 +132,16 @@ pub const ENTRIES: &[Entry] = &[
         colour: PictureColour::Object,
     },
     Entry {
+        name: "free_patch",
+        title: "Patches over any four points",
+        text: "Four points on no circle and two directions at any angle: every parameter line is a circular arc, and one number twists the surface.",
+        document: example!("free_patch.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+        colour: PictureColour::Object,
+    },
+    Entry {
         name: "ring",
         title: "Ring cyclide",
         text: "A whole Dupin cyclide from three numbers, as a closed solid of patches that share their circles.",

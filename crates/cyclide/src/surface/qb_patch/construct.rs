@@ -40,11 +40,18 @@ impl QbPatch {
     /// (corners and directions on one sphere or plane, or a collapsed side: use [`CornerTwist::Corner`]), `zero-weight`,
     /// `patch-through-infinity`.
     pub fn from_directions(corners: [Point3; 4], directions: [Vec3; 2], twist: CornerTwist) -> Result<Self> {
-        let scale = check_corners(&corners)?;
-        let [v1, v2] = unit_directions(directions)?;
+        Self::finite(corners, Self::weights_of(&corners, directions, twist)?)
+    }
+
+    /// The weights of the patch, whether it passes through infinity or not.
+    ///
+    /// # Errors
+    /// As [`from_directions`](Self::from_directions), but for `patch-through-infinity`.
+    pub(crate) fn weights_of(corners: &[Point3; 4], directions: [Vec3; 2], twist: CornerTwist) -> Result<[Quat; 4]> {
+        let scale = check_corners(corners)?;
+        let directions = unit_directions(directions)?;
         check_twist(twist)?;
-        let weights = Equations::new(&corners, scale, [v1, v2])?.weights(twist)?;
-        Self::finite(corners, weights)
+        Equations::new(corners, scale, directions)?.weights(twist)
     }
 
     /// The patch of corners with quaternion weights, which must put it into three-space.

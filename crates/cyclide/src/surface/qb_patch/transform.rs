@@ -43,6 +43,9 @@ impl QbPatch {
             (1.0, 0.0) => self.corners[1],
             (0.0, 1.0) => self.corners[2],
             (1.0, 1.0) => self.corners[3],
+            // A side that is one point is that, bit for bit.
+            (1.0, _) if self.corners[1] == self.corners[3] => self.corners[3],
+            (_, 1.0) if self.corners[2] == self.corners[3] => self.corners[3],
             _ => self.quotient(s, t, d),
         };
         let corners = std::array::from_fn(|k| corner(places[k], weights[k]));

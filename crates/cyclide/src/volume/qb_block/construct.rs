@@ -50,7 +50,7 @@ impl QbBlock {
     /// [`QbPatch::from_directions`] takes them. There are exactly two such blocks, in general.
     ///
     /// # Errors
-    /// Those of [`QbPatch::from_directions`] for each of the three faces; `degenerate-block` (the three faces leave more than two blocks, as those of
+    /// Those of [`QbPatch::from_directions`] for each of the three faces but `patch-through-infinity`; `degenerate-block` (the three faces leave more than two blocks, as those of
     /// a cuboid with directions along its edges do), `volume-through-infinity`, `not-in-space` if rounding destroyed the result.
     pub fn new(
         corners: [Point3; 7],
@@ -60,12 +60,12 @@ impl QbBlock {
     ) -> Result<Self> {
         let face = |[i, j]: [usize; 2], twist| {
             let at = [0, 1 << i, 1 << j, 1 << i | 1 << j].map(|k: usize| corners[k]);
-            QbPatch::from_directions(at, [directions[i], directions[j]], twist)
+            QbPatch::weights_of(&at, [directions[i], directions[j]], twist)
         };
         let sides = [[0, 1], [0, 2], [1, 2]];
         let mut weights = [Quat::ONE; 7];
         for ([i, j], twist) in sides.into_iter().zip(twists) {
-            let [_, a, b, last] = face([i, j], twist)?.weights();
+            let [_, a, b, last] = face([i, j], twist)?;
             (weights[1 << i], weights[1 << j], weights[1 << i | 1 << j]) = (a, b, last);
         }
         let scale = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
