@@ -184,7 +184,7 @@ fn qb_curves_interpolation_and_moebius_splines() {
 }
 
 #[test]
-fn bilinear_patches() {
+fn closing_the_papers() {
     all_pass(
         include_str!("reference/80-closing.json"),
         &[
@@ -194,6 +194,11 @@ fn bilinear_patches() {
             ("qb-patch-arcs", 11),
             ("qb-patch-inversion", 5),
             ("qb-block", 8),
+            ("surface-intersect", 16),
+            ("circle-surface-intersect", 19),
+            ("circle-angle", 14),
+            ("point-distance", 9),
+            ("moebius-three-points", 11),
         ],
     );
 }

@@ -1,4 +1,4 @@
-//! Bilinear patches of circles: constructs of `docs/math/reference-cases.md#closing-the-papers`.
+//! Bilinear patches of circles, blocks of them, maps by three points: constructs of `docs/math/reference-cases.md#closing-the-papers`.
 
 use super::Handler;
 use super::arc::{triple, xyz};
@@ -19,6 +19,7 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
         "qb-patch-locate" => locate,
         "qb-patch-inversion" => inversion,
         "qb-block" => block,
+        "moebius-three-points" => three_points,
         _ => return None,
     })
 }
@@ -151,5 +152,19 @@ fn block(case: &Case, check: &mut Check) -> Result<(), Fault> {
             check.rows("samples", 3, at, &allowed);
         });
     }
+    Ok(())
+}
+
+fn three_points(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let triple = |name: &str| -> Result<[Point3; 3], Fault> {
+        <[Point3; 3]>::try_from(case.points(name)?).map_err(|_| malformed(name))
+    };
+    let (from, to) = (triple("from")?, triple("to")?);
+    let normals = ["up_from", "up_to"].map(|name| case.vector(name).ok());
+    let map = Mobius::from_three_points(from, to, case.number("turn").unwrap_or(0.0), normals)?;
+    let images = case.points("points")?.into_iter().map(|p| map.map_point(p).map_or([f64::NAN; 3], Point3::to_array));
+    let size = to.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+    let allowed = relative(case, check, "images", 0, size);
+    check.points("images", images, &allowed);
     Ok(())
 }

@@ -25,6 +25,7 @@ mod polyhedron;
 mod qb;
 mod report;
 mod revolution;
+mod round;
 mod torus;
 mod triangle;
 mod volume;
@@ -98,7 +99,7 @@ pub const CURVE_CONSTRUCTS: [&str; 54] = [
 
 /// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 35] = [
+pub const SURFACE_CONSTRUCTS: [&str; 40] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -118,6 +119,11 @@ pub const SURFACE_CONSTRUCTS: [&str; 35] = [
     "qb-patch-locate",
     "qb-patch-inversion",
     "qb-block",
+    "moebius-three-points",
+    "surface-intersect",
+    "circle-surface-intersect",
+    "circle-angle",
+    "point-distance",
     "circular-net-frames",
     "ring-closing",
     "strip-closing",
@@ -146,6 +152,7 @@ fn handler(construct: &str) -> Option<Handler> {
         arc_fit::handler,
         patch::handler,
         bilinear::handler,
+        round::handler,
         revolution::handler,
         circular::handler,
         closing::handler,

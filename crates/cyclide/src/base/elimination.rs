@@ -26,6 +26,25 @@ pub(crate) fn solution<const R: usize, const C: usize>(rows: [[f64; C]; R]) -> O
     Some(out)
 }
 
+/// The number of rows that are independent, up to a part of their length.
+pub(crate) fn rank<const R: usize, const C: usize>(rows: [[f64; C]; R], limit: f64) -> usize {
+    let (mut work, mut used, mut found) = (rows, [false; C], 0);
+    for step in 0..R {
+        let open = (step..R).flat_map(|i| (0..C).map(move |j| (i, j))).filter(|(_, j)| !used[*j]);
+        let largest = open.max_by(|a, b| work[a.0][a.1].abs().total_cmp(&work[b.0][b.1].abs()));
+        let Some((i, j)) = largest.filter(|(i, j)| work[*i][*j].abs() > limit) else { break };
+        work.swap(step, i);
+        used[j] = true;
+        found += 1;
+        let head = work[step];
+        for row in work.iter_mut().skip(step + 1) {
+            let factor = row[j] / head[j];
+            row.iter_mut().zip(head).for_each(|(x, h)| *x -= factor * h);
+        }
+    }
+    found
+}
+
 /// Makes the columns of the pivots, which are among the first ones, unit columns; the column of the pivot of each row, and the smallest
 /// pivot over the largest.
 fn reduce<const R: usize, const C: usize>(work: &mut [[f64; C]; R], first: usize) -> Option<([usize; R], f64)> {

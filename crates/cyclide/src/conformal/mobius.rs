@@ -97,6 +97,11 @@ impl Mobius {
         (source.is_finite() && target.is_finite() && b.is_finite()).then_some(found)
     }
 
+    /// The map `y -> target + (a x + b)(c x + d)^-1`, `x = y - source`, with a determinant that is known.
+    pub(super) const fn between(source: Point3, target: Point3, [a, b, c, d]: [Quat; 4], determinant: f64) -> Self {
+        Self { source, target, a, b, c, d, determinant }
+    }
+
     /// Inversion in the sphere of the given center and radius: `y -> o + R² (y-o)/|y-o|²`.
     ///
     /// # Errors

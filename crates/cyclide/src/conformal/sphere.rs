@@ -2,7 +2,7 @@
 
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{ArcError, PointError, Result};
+use crate::error::{ArcError, ErrorItem, PointError, Result};
 
 /// Smallest relative volume of four points that have a sphere.
 const COPLANAR_LIMIT: f64 = 1e-12;
@@ -22,6 +22,16 @@ pub struct Sphere {
 }
 
 impl Sphere {
+    /// The sphere of a center and a radius.
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range`, `radius-not-positive`.
+    pub fn new(center: Point3, radius: f64) -> Result<Self> {
+        range::check_point(0, center.to_vec())?;
+        range::check_radius(ErrorItem::Radius, 0, radius)?;
+        Ok(Self { center, radius })
+    }
+
     /// The sphere through four points (`docs/math/conformal.md#sphere-through-four-points`).
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 //! | topic | names |
 //! |---|---|
 //! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
+//! | spheres, planes, circles and lines: where they meet, angles, nearest points | [`SphereOrPlane`], [`CircleOrLine`], [`SurfaceMeeting`], [`CurveMeeting`], [`CircleAngle`], [`NearestPoint`] |
 //! | curves through points | [`CircleSpline::fair`], [`CircleSpline::from_points`], [`CircleSplineOptions`], [`SplineEnds`], [`ArcPath::spline`], [`ArcPath::rounded_polyline`], [`QbSpline::through_points`], [`BlendSegment`], [`BlendVariant`], [`BlendLaw`], [`corners_by_angle`] |
 //! | quotients of quaternion polynomials | [`QbCurve`], [`QbReach`], [`QbSpline`] |
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`PieceForm`], [`PieceHull`] |
@@ -26,6 +27,7 @@ mod param_curve;
 mod piece_form;
 mod piece_hull;
 mod qb;
+mod round;
 mod smooth_runs;
 
 pub use arc::Arc;
@@ -50,3 +52,4 @@ pub use piece_form::PieceForm;
 pub use piece_hull::PieceHull;
 pub(crate) use qb::SpanData;
 pub use qb::{QbCurve, QbReach, QbSpline};
+pub use round::{CircleAngle, CircleOrLine, CurveMeeting, NearestPoint, SphereOrPlane, SurfaceMeeting};

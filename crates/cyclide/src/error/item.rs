@@ -141,6 +141,8 @@ items! {
     Translation => "translation",
     Tube => "tube",
     Turn => "turn",
+    From => "from",
+    To => "to",
     Twist => "twist",
     U => "u",
     Vertex => "vertex",

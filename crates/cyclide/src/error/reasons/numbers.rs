@@ -159,6 +159,45 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `same-surface`
+//! Two spheres or planes that are to be intersected are one.
+//! ```
+//! use cyclide::{Point3, conformal::Sphere, curve::SphereOrPlane};
+//! let ball = SphereOrPlane::Sphere(Sphere::new(Point3::ORIGIN, 1.0)?);
+//! assert_eq!(ball.meet(&ball).unwrap_err().reason(), "same-surface");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `contained`
+//! A circle or line lies on the sphere or plane with which it is to be intersected.
+//! ```
+//! use cyclide::{Point3, Vec3, conformal::{Line, Plane}, curve::{CircleOrLine, SphereOrPlane}};
+//! let line = CircleOrLine::Line(Line::new(Point3::ORIGIN, Vec3::X)?);
+//! let plane = SphereOrPlane::Plane(Plane::new(Point3::new(3.0, 4.0, 0.0), Vec3::Z)?);
+//! assert_eq!(line.meet(&plane).unwrap_err().reason(), "contained");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `nearest-undefined`
+//! A point is the center of a sphere, or on the axis of a circle: no point of it is the nearest.
+//! ```
+//! use cyclide::{Point3, conformal::Sphere, curve::SphereOrPlane};
+//! let ball = SphereOrPlane::Sphere(Sphere::new(Point3::ORIGIN, 1.0)?);
+//! assert_eq!(ball.nearest(Point3::ORIGIN).unwrap_err().reason(), "nearest-undefined");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `collinear-needs-up`
+//! Three points on a line are to be mapped, and no normal of their plane is given.
+//! ```
+//! use cyclide::{Point3, Vec3, conformal::Mobius};
+//! let from = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
+//! let to = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = Mobius::from_three_points(from, to, 0.0, [None, None]).unwrap_err();
+//! assert_eq!(error.reason(), "collinear-needs-up");
+//! assert!(Mobius::from_three_points(from, to, 0.0, [Some(Vec3::Z), None]).is_ok());
+//! ```
+//!
 //! # `point-at-infinity`
 //! A point lies where it would go to infinity, or a map takes it there.
 //! ```

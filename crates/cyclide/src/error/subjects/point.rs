@@ -85,6 +85,51 @@ table! {
         when *limit <= 0.0, says "the {what} is zero";
         says "the {what} runs along the chord: its perpendicular part is {length}, limit {limit}";
 
+        /// Three points on a line that a map is to take elsewhere have no plane, and no normal of it was given.
+        CollinearNeedsUp {
+            /// Which points.
+            what: ErrorItem,
+            /// Sine of the angle at the first point.
+            measured: f64,
+            /// Values up to this are refused.
+            limit: f64,
+        }
+        reason "collinear-needs-up";
+        field what.word();
+        says "the three points `{what}` are on a line (sine {measured}, limit {limit}), so that they have no plane: give a \
+            normal for them";
+
+        /// Two spheres or planes that are to be intersected are one.
+        SameSurface {
+            /// How far they are apart.
+            distance: f64,
+            /// Distances up to this are none.
+            limit: f64,
+        }
+        reason "same-surface";
+        says "both surfaces are the same (they are {distance} apart, limit {limit}): they share all their points";
+
+        /// A circle or line that is to be intersected with a surface lies on it.
+        Contained {
+            /// How far they are apart.
+            distance: f64,
+            /// Distances up to this are none.
+            limit: f64,
+        }
+        reason "contained";
+        says "the curve lies on the surface (they are {distance} apart, limit {limit}): they share all its points";
+
+        /// A point is as near to all points of a sphere or circle: no point of it is the nearest.
+        NearestUndefined {
+            /// Its distance from the center, or from the axis.
+            distance: f64,
+            /// Distances up to this are none.
+            limit: f64,
+        }
+        reason "nearest-undefined";
+        says "no point is the nearest: the given one is the center or on the axis (distance {distance}, limit {limit}), as \
+            far from all of them";
+
         /// Something is mapped to infinity, or so near it that precision is lost: a third point on the line of the other two, outside
         /// the segment; a point that a map takes there.
         AtInfinity {

@@ -15,6 +15,15 @@ const SPACE_LIMIT: f64 = 1e-9;
 const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// What a bilinear patch leaves free beside its corners and directions: how its last corner is turned.
+///
+/// ```
+/// use cyclide::{Point3, Vec3, surface::{CornerTwist, ParamSurface, QbPatch}};
+/// let corners = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.1, 1.0, 0.2], [1.1, 1.0, 0.5]].map(Point3::from);
+/// let directions = [Vec3::new(1.0, 0.0, 0.3), Vec3::new(0.3, 1.0, 0.0)];
+/// let middle = |twist| QbPatch::from_directions(corners, directions, twist).map(|patch| patch.point(0.5, 0.5));
+/// assert!(middle(CornerTwist::Twist(0.5))?.distance(middle(CornerTwist::Twist(-0.5))?) > 0.01);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub enum CornerTwist {

@@ -34,6 +34,8 @@ pub enum StepSpec {
     Mirror(PlaneSpec),
     /// The map `x -> (A x + B)(C x + E)^-1` with quaternions `[w, x, y, z]`, rows `[A, B]`, `[C, E]`.
     Matrix([[[f64; 4]; 2]; 2]),
+    /// The Möbius map that takes three points to three points.
+    Map(MapSpec),
     /// Reverses curves: the word alone, `"reverse"`. A closed curve keeps its start.
     Reverse,
     /// The part of curves between two positions. On a closed curve the second may come before the first: the part then
@@ -145,6 +147,32 @@ pub struct PlaneSpec {
     pub origin: Option<Coordinates>,
 }
 
+/// Three points and their images.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "arc", "through": [[1, 0], [0, 1], [-1, 0]]}, "t": {"type": "transform", "of": "a", "steps": [{"map": {"from": [[1, 0], [0, 1], [-1, 0]], "to": [[2, 0], [0, 3, 1], [0, 0, 5]]}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let end = built[1].item.curves()[0].as_curve().point(1.0);
+/// assert!((end.z - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct MapSpec {
+    /// Three different points.
+    pub from: [Coordinates; 3],
+    /// Their images, different too. A circle through the points goes to the circle through the images.
+    pub to: [Coordinates; 3],
+    /// Turn about the circle of the images. Default 0: the plane of the points goes to the plane of the images, side to side.
+    pub turn: Option<Angle>,
+    /// Normal of the plane of `from`, needed where these are on a line.
+    pub up_from: Option<Coordinates>,
+    /// Normal of the plane of `to`, needed where these are on a line.
+    pub up_to: Option<Coordinates>,
+}
+
 /// The map of one step; what is no map moves nothing.
 pub(in crate::document) fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
     let origin = |given: Option<Coordinates>| given.unwrap_or_default().point();
@@ -162,6 +190,11 @@ pub(in crate::document) fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
         StepSpec::Matrix(rows) => {
             let [[a, b], [c, e]] = rows.map(|row| row.map(|[w, x, y, z]| Quat::new(w, x, y, z)));
             Mobius::from_matrix(a, b, c, e)
+        }
+        StepSpec::Map(s) => {
+            let turn = s.turn.map_or(0.0, |angle| angle.turn());
+            let normals = [s.up_from, s.up_to].map(|up| up.map(Coordinates::vector));
+            Mobius::from_three_points(s.from.map(Coordinates::point), s.to.map(Coordinates::point), turn, normals)
         }
         StepSpec::Reverse | StepSpec::Cut(_) => Mobius::translation(Vec3::ZERO),
     }
