@@ -18,7 +18,7 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             patch("[0,0],[1,0],[0,1],[1,1.1]", "[1,0],[0,1]"),
             "[1,1.1]",
-            "objects.a.corners[3]: the corners do not lie on one circle: relative distance 0.049723, limit 1e-9 [",
+            "objects.a.corners[3]: the corners do not lie on one circle: relative distance 0.049723, limit 1e-9; with `directions` in place of `frame` they may lie anywhere [",
         ),
         (patch("[0,0],[1,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,1]", "objects.a.corners[3]: the sides cross"),
         (

@@ -103,7 +103,9 @@ impl Kind for CyclidePatchSpec {
     fn words(&self, error: &cyclide::Error) -> Option<String> {
         match (error, self.frame) {
             (cyclide::Error::Patch(PatchError::FrameNotOrthonormal { .. }), Some(frame)) => {
-                Some(format!("{}; with `directions` in place of `frame` they may have any angle", frame_words(frame)))
+                let has_zero = frame.iter().any(|v| v.vector().unit().is_none());
+                let way_out = if has_zero { "" } else { "; `directions` in place of `frame` may have any angle" };
+                Some(format!("{}{way_out}", frame_words(frame)))
             }
             (cyclide::Error::Patch(PatchError::NotConcircular { .. }), Some(_)) => {
                 Some(format!("{error}; with `directions` in place of `frame` they may lie anywhere"))
