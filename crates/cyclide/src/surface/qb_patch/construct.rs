@@ -16,7 +16,7 @@ const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// What a bilinear patch leaves free beside its corners and directions: how its last corner is turned.
 ///
-/// ```
+/// ```no_run
 /// use cyclide::{Point3, Vec3, surface::{CornerTwist, ParamSurface, QbPatch}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.1, 1.0, 0.2], [1.1, 1.0, 0.5]].map(Point3::from);
 /// let directions = [Vec3::new(1.0, 0.0, 0.3), Vec3::new(0.3, 1.0, 0.0)];

@@ -28,7 +28,7 @@ pub use recognize::QbPatchKind;
 
 /// A bilinear quotient of quaternions that stays in space, over `[0, 1]²`: every parameter line is a circle or straight.
 ///
-/// ```
+/// ```no_run
 /// use cyclide::{Point3, Vec3, surface::{CornerTwist, ParamSurface, QbPatch}};
 /// // No circle runs through these corners, and the directions are not perpendicular.
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.1, 1.0, 0.2], [1.1, 1.0, 0.5]].map(Point3::from);

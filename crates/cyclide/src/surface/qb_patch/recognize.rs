@@ -13,7 +13,7 @@ const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// What surface a bilinear patch lies on.
 ///
-/// ```
+/// ```no_run
 /// use cyclide::{Point3, Vec3, surface::{CornerTwist, QbPatch, QbPatchKind}};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]].map(Point3::from);
 /// let patch = QbPatch::from_directions(corners, [Vec3::new(1.0, 0.0, 0.2), Vec3::Y], CornerTwist::Default)?;

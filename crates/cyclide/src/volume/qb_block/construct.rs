@@ -19,7 +19,7 @@ const CELLS: usize = 1 << 15;
 
 /// Which of the two blocks over three faces.
 ///
-/// ```
+/// ```no_run
 /// use cyclide::{Point3, Vec3, surface::CornerTwist, volume::{BlockBranch, QbBlock}};
 /// let corners = [
 ///     [0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.0, 1.0, 0.1], [0.9, 1.1, 0.0],

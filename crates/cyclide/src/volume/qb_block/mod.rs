@@ -28,7 +28,7 @@ type Biquadratic = [[[f64; 3]; 3]; 3];
 
 /// A trilinear quotient of quaternions that stays in space, over `[0, 1]³`: every parameter line is a circle or straight.
 ///
-/// ```
+/// ```no_run
 /// use cyclide::{Point3, Vec3, surface::CornerTwist, volume::{BlockBranch, ParamVolume, QbBlock}};
 /// // Seven corners, the first parameter fastest; the eighth follows.
 /// let corners = [
